@@ -14,12 +14,13 @@ std::unique_ptr<lommel::FocalStream> sharpener;
 }  // namespace
 
 extern "C" {
-// Tables of live depth, as LiveDepth.save() writes them, for pairs of frames of this size.
+// Loads tables of live depth, as LiveDepth.save() writes them, for pairs of frames of height x width pixels.
 EXPORT(set_camera) void set_camera(const void* tables, std::size_t bytes, std::size_t height, std::size_t width) {
     camera = std::make_unique<lommel::FocalCamera>(lommel::FocalFile(tables, bytes), height, width, 1);
 }
 
-// Distance, standard error and misfit of the blocks of a pair, one after the other in `out`, and its sharp image.
+// Computes for a pair of frames the distances, standard errors and misfits of all blocks, three arrays one after the other in
+// `out`, and the sharp image.
 EXPORT(depth)
 void depth(const std::uint16_t* first, const std::uint16_t* second, std::size_t width, float* out, float* image) {
     const void* const frames[] = {first, second};
@@ -28,7 +29,8 @@ void depth(const std::uint16_t* first, const std::uint16_t* second, std::size_t 
     camera->sharpen(image);
 }
 
-// A filter for single frames of this size: the sum over m of coefficients times T_m of five taps.
+// Sets the filter for single frames of height x width pixels: the sum over m of coefficients[m] T_m, T_m being the Chebyshev
+// polynomial of a kernel of five taps.
 EXPORT(set_filter)
 void set_filter(const float* coefficients, std::size_t degree, const float* taps, std::size_t height, std::size_t width) {
     sharpener = std::make_unique<lommel::FocalStream>(lommel::FocalPlan{height,
@@ -48,7 +50,7 @@ void set_filter(const float* coefficients, std::size_t degree, const float* taps
                                                       nullptr);
 }
 
-// A frame of electrons through the filter.
+// Filters a frame, whose values are in electrons.
 EXPORT(filter) void filter(const float* frame, std::size_t height, std::size_t width, float* out) {
     const lommel::FocalFrame one{frame, lommel::FocalFrame::Kind::floats, width, 3e38f, 0.0f, {1.0f}, nullptr, 0};
     const float place = 0.0f, factors[] = {1.0f, 1.0f};

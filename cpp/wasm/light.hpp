@@ -19,8 +19,8 @@
 
 namespace live {
 
-// A spectral line. Optical paths do not depend on the wavelength, so phases and v are those of the reference times `stretch`, the
-// reference wavelength divided by that of the line.
+// A spectral line. Optical paths do not depend on the wavelength, so phases and v are those of the reference times `stretch`,
+// the reference wavelength divided by that of the line.
 struct Line {
     double stretch, share;
     double weight() const { return share * stretch * stretch; }
@@ -28,11 +28,11 @@ struct Line {
 
 struct Light {
     std::vector<lommel::ZernikeTerm> terms;
-    std::vector<double> edge;  // of each term, radians in light of the reference
+    std::vector<double> edge;  // [term]: coefficient in radians at the edge, at the reference wavelength
     double obscuration = 0.0;
     std::vector<Line> lines;
     std::vector<double> vanes;  // directions, radians
-    double vane_width = 0.0;    // over the radius
+    double vane_width = 0.0;    // relative to the radius
 
     bool radial() const {
         return std::all_of(terms.begin(), terms.end(), [](const lommel::ZernikeTerm& term) { return term.m == 0; });
@@ -51,7 +51,7 @@ struct View {
     bool integrate;
 };
 
-// Bound on the error over the peak, and the largest known value; what no tolerance lowers that bound below.
+// bound: of the error, relative to the peak; peak: largest known value; rest: least bound that any tolerance can reach.
 struct Proof {
     double bound, peak, rest = 0.0;
 };
@@ -85,7 +85,7 @@ struct Averages {
     std::vector<double> total;
     double given = 0.0, peak = 0.0;  // what the samples' errors come to, and the largest intensity, at least
 
-    // Whether aberrations leave a peak that is far below that without.
+    // Returns whether the peak is far below the peak without aberrations.
     bool blurred() const {
         return std::accumulate(edge.begin(), edge.end(), 0.0, [](double sum, double c) { return sum + std::abs(c); }) > 20.0;
     }
@@ -283,8 +283,8 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
     return {proof.bound, proof.peak * scale, proof.rest};
 }
 
-// Fractions of all light per pixel. `planes`, where there are any, are three sums over the lines, each with its own weights:
-// `weights` has three for each line.
+// Computes the fraction of all light in each pixel. If `weights` is given, three for each line, `planes` gets the three sums
+// over the lines with these weights.
 inline Proof image_of(const Light& light, const View& view, double tol, float* out, const double* weights = nullptr,
                       float* planes = nullptr) {
     // That of I of the reference, 1 at the peak of a whole aperture without aberration.
@@ -368,7 +368,7 @@ struct Circles {
     }
 
     using Kind = lommel::MeanProfile Part::*;
-    // Over the peak without aberration, at v of the reference.
+    // Relative to the peak without aberration, at v of the reference.
     double mean(Kind kind, double v) const {
         double sum = 0.0;
         for (const Part& part : parts) {
@@ -376,7 +376,7 @@ struct Circles {
         }
         return sum / brightest;
     }
-    // Bound on the error of mean(), over the peak without aberration.
+    // Bound on the error of mean(), relative to the peak without aberration.
     double error() const { return off / brightest; }
     // Of all light.
     double energy(Kind kind, double v) const {

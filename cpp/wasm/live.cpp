@@ -19,15 +19,14 @@
 #include "light.hpp"
 #include "vanes.hpp"
 
-// In place of that which prints.
+// Replaces the function of libc++ that prints a message before it aborts.
 [[noreturn]] void std::__libcpp_verbose_abort(const char*, ...) noexcept { __builtin_trap(); }
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-// There are no exceptions in this library of C++. What is thrown goes to the host as a sentence; it leaves by an exception of
-// its own and makes a new instance, for nothing here is unwound. All that the core throws begins with a std::exception. The
-// host writes numbers, too: the one format of the core is "%.3g", and all that printf takes would be a fiftieth of the
-// download.
+// This C++ library has no exceptions. The message of an exception goes to the host, which leaves by an exception of its own
+// and makes a new instance, as the stack is not unwound here. Everything that the core throws begins with a std::exception.
+// The host also formats numbers: the only format of the core is "%.3g", and printf would be a fiftieth of the download.
 extern "C" {
 __attribute__((import_module("lommel"), import_name("fail"))) void lommel_fail(const char* text, std::size_t length);
 __attribute__((import_module("lommel"), import_name("shorten"))) int lommel_shorten(double number, char* text,
@@ -84,8 +83,8 @@ EXPORT(room) void* room(std::size_t block, std::size_t bytes) {
     return here.data;
 }
 
-// The light that all below is about: terms (n, m) with radians at the edge, and lines of the spectrum with their stretch and
-// share. Shares sum to 1.
+// Sets the light for all functions below: Zernike terms (n, m) with coefficients `edge` in radians at the edge, and lines of
+// the spectrum (stretch, share). Shares sum to 1.
 EXPORT(set_light)
 void set_light(const std::int32_t* terms, const double* edge, std::size_t count, double obscuration, const double* lines,
                std::size_t line_count) {
@@ -105,14 +104,15 @@ void set_light(const std::int32_t* terms, const double* edge, std::size_t count,
     }
 }
 
-// Straight vanes from the axis to the edge, in these directions; none by default.
+// Sets straight vanes from the axis to the edge, in the directions `angles`; none by default.
 EXPORT(set_vanes) void set_vanes(const double* angles, std::size_t count, double width) {
     light.vanes.assign(angles, angles + count);
     light.vane_width = width;
 }
 
-// Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum,
-// the clear area over that of the disk. Where `weights` has three for each line, `planes` gets the sums over the lines by them.
+// Writes the fraction of all light in each pixel to `out`. numbers: the bound on the error relative to the peak, the largest
+// value, the sum, and the clear area divided by that of the disk. If `weights` is given, three for each line, `planes` gets the
+// three sums over the lines with these weights.
 // `cut`: by quadrature along rows, which vanes and very large aberrations need, and for which no bound is proven.
 EXPORT(psf)
 void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers, const double* weights,
@@ -148,15 +148,15 @@ void psf(std::size_t side, double step, bool integrate, double tol, float* out, 
     numbers[2] = sum;
 }
 
-// About how many seconds psf() takes with `cut`.
+// Returns the estimated time of psf() with `cut`, in seconds.
 EXPORT(cut_seconds) double cut_seconds(std::size_t side, double step, bool integrate) {
     return live::cut_seconds(light, {side, step, integrate});
 }
 
-// What is to be asked of circles, up to `reach` in v.
+// Prepares the means on circles and the light within them, for radii up to `reach` in v.
 EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
 
-// Bound on the error of means on circles, over the peak without aberration.
+// Returns the bound on the error of means on circles, relative to the peak without aberration.
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
 // At radii in v by quadrature along rows, with aberrations or without: means over the peak without aberration, and shares of
@@ -176,10 +176,11 @@ double near_contrast(const double* f, std::size_t count, std::complex<double>* x
     return live::near_contrast(light, sums, f, count, x, y, limit);
 }
 
-// The largest radius in v, up to `reach`, that on_cut_circles() should be called for.
+// Returns the largest radius in v, at most `reach`, for which on_cut_circles() should be called.
 EXPORT(cut_reach) double cut_reach(double reach) { return live::cut_reach(light, reach); }
 
-// At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
+// Computes, at radii in v, with aberrations (out) and without (flat): the means on circles relative to the peak without
+// aberration or, with `energy`, the shares of all light within.
 EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] =
@@ -188,7 +189,7 @@ EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool ener
     }
 }
 
-// The radius in v of the circle with a share of all light, or -1 where it is more than `reach`.
+// Returns the radius in v of the circle that contains `share` of all light, or -1 if that radius exceeds `reach`.
 EXPORT(radius_of) double radius_of(double share, double reach) {
     double low = 0.0, high = reach;
     const auto within = [](double v) { return circles.energy(&live::Circles::Part::profile, v); };
@@ -202,7 +203,7 @@ EXPORT(radius_of) double radius_of(double share, double reach) {
     return 0.5 * (low + high);
 }
 
-// About how many nodes contrast() takes.
+// Returns the approximate number of nodes that contrast() takes.
 EXPORT(contrast_price) double contrast_price(const double* f, std::size_t count) {
     if (!light.vanes.empty()) {
         return live::cut_contrast_price(light, count);
@@ -220,8 +221,8 @@ EXPORT(contrast_price) double contrast_price(const double* f, std::size_t count)
     return nodes;
 }
 
-// The OTF at frequencies over the cutoff of the reference, real and imaginary parts in turn: along columns, along rows, and real
-// numbers without aberration.
+// Computes the OTF at frequencies f, relative to the cutoff of the reference wavelength. x: along columns; y: along rows;
+// limit: without aberration.
 EXPORT(contrast)
 void contrast(const double* f, std::size_t count, std::size_t more, std::complex<double>* x, std::complex<double>* y,
               double* limit) {
@@ -249,11 +250,11 @@ void contrast(const double* f, std::size_t count, std::size_t more, std::complex
     }
 }
 
-// Planes of a picture as pixels of this spread record them, with all light in it; side is odd.
+// Convolves the planes of a picture with `spread`, the image of a point in pixels, of odd side, divided by its sum.
 EXPORT(blur)
 void blur(const float* spread, std::size_t side, const float* planes, std::size_t count, std::size_t height, std::size_t width,
           float* out) {
-    // Of a few sizes, so that little changes from one spread to the next.
+    // Only a few sizes are used, so that spreads of similar size share one plan of the convolution.
     std::size_t reach = 8;
     while (reach < side / 2) {
         reach += (reach + 8) / 16 * 8;

@@ -42,9 +42,9 @@ class CutPupil {
         }
     }
 
-    double area() const { return area_; }  // over that of the whole disk
+    double area() const { return area_; }  // relative to that of the whole disk
 
-    // About how long field() takes of all lines, in WebAssembly on a laptop.
+    // Returns the estimated time of field() for all lines, in WebAssembly on a laptop.
     double seconds(std::size_t side, double step) const {
         const double far = static_cast<double>(side / 2) * step;
         const auto price = [&](double length) { return 10.0 + dense * length * (overlap_.slope() + far); };
@@ -107,7 +107,7 @@ class CutPupil {
         return sum / (pi * area_);
     }
 
-    // About how many nodes contrast() takes; a row costs as much as a hundred.
+    // Returns the approximate number of nodes that contrast() takes; a row costs as much as a hundred nodes.
     double contrast_price(double f) {
         overlap_.set_shift(f, 0);
         const auto price = [&](double length) { return 20.0 + 0.2 * overlap_.run() * length; };
@@ -116,7 +116,7 @@ class CutPupil {
     }
 
    private:
-    static constexpr double dense = 0.28;  // nodes a radian
+    static constexpr double dense = 0.28;  // nodes per radian
     static constexpr std::size_t wide = lommel::fft_rows;
     struct Point {
         double x, y;
@@ -148,7 +148,7 @@ class CutPupil {
 
     double turns_to(double far) const { return overlap_.slope() + 1.42 * far; }
 
-    // Gauss-Legendre for an integrand that turns through so many radians, on pieces of equal length.
+    // Gauss-Legendre rule on pieces of equal length for an integrand whose phase changes by `turns`, in radians, in all.
     struct Pieces {
         Pieces(double least, double turns, double density)
             : count(1 + static_cast<std::size_t>(turns / 800.0)),
@@ -295,7 +295,7 @@ class CutPupil {
         const std::vector<double> edges = meetings(f);
         for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
             const double middle = 0.5 * (edges[k] + edges[k + 1]), half = 0.5 * (edges[k + 1] - edges[k]);
-            // How far the ends of intervals move.
+            // Displacement of the ends of intervals.
             const Intervals first = shared(middle - 0.999999 * half, f), last = shared(middle + 0.999999 * half, f);
             double move = first.size() == last.size() ? 0.0 : 2.0;
             for (std::size_t i = 0; i < std::min(first.size(), last.size()); ++i) {
@@ -437,7 +437,7 @@ struct CutSamples {
     const double step;
 };
 
-// About how long cut_image_of() takes, by the line where it is longest.
+// Returns the estimated time of cut_image_of(), from the line that takes longest.
 inline double cut_seconds(const Light& light, const View& view) {
     double widest = 0.0;
     for (const Line& line : light.lines) {
@@ -592,7 +592,8 @@ class CutField {
     std::vector<float> samples_;
 };
 
-// How far in v of the reference circles of a pupil with vanes are made, `reach` at most: as there is time for.
+// Returns the largest radius, in v of the reference and at most `reach`, up to which there is time to compute the circles of
+// a pupil with vanes.
 inline double cut_reach(const Light& light, double reach) {
     double widest = 0.0;
     for (const Line& line : light.lines) {
@@ -613,8 +614,8 @@ inline double cut_reach(const Light& light, double reach) {
 // Sums of the light of each line along columns and along rows, over all of it.
 using CutSums = std::vector<std::array<std::vector<double>, 2>>;
 
-// On circles about the axis at radii in v of the reference, from 0 on, each larger than the one before: the mean over the peak
-// without aberration, and the share of all light within. Returns the clear area over that of the disk.
+// Computes, on circles about the axis with ascending radii from 0, in v of the reference, the mean intensity relative to the
+// peak without aberration and the share of all light within. Returns the clear area divided by that of the disk.
 inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares,
                           CutSums* sums) {
     std::fill_n(means, count, 0.0);
@@ -661,7 +662,7 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
     return area;
 }
 
-// The OTF along x and y at frequencies over the cutoff of the reference, and without aberration.
+// Computes the OTF along x, along y, and without aberration, at frequencies relative to the cutoff of the reference.
 inline void cut_contrast(const Light& light, const double* f, std::size_t count, std::size_t more, std::complex<double>* x,
                          std::complex<double>* y, double* limit) {
     std::vector<std::complex<double>> flat(count);

@@ -41,17 +41,17 @@ struct AverageRequest {
 // Averages in double precision, with their bounds.
 struct AverageAnswer {
     double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
-    double *errors, *peaks;         // [pupil]: error over the peak; largest average (the peak)
-    double* slope_errors;           // [term][pupil], over the peak
+    double *errors, *peaks;         // [pupil]. errors: relative to the peak; peaks: largest average (the peak)
+    double* slope_errors;           // [term][pupil], relative to the peak
 };
 
 // Estimates of the pupils' light; no bound depends on them.
 struct PupilLight {
-    double strehl;        // lowest peak of the stack over the unaberrated one
-    double transmission;  // integral of the squared amplitude over that of a clear aperture
+    double strehl;        // lowest peak of the stack, relative to the peak without aberration
+    double transmission;  // integral of the squared amplitude, relative to that of a clear aperture
 };
 
-// Request for fields at nodes: the error of U that is allowed, and whether single precision is enough.
+// Request for fields at nodes. tol: allowed error of U; single: whether single precision is enough.
 struct NodeQuestion {
     const WindowNodes &rows, &columns;
     double tol;
@@ -60,9 +60,10 @@ struct NodeQuestion {
 
 // Numbers of each pupil, beside its averages.
 struct NodeNumbers {
-    // [pupil]: error of U at the nodes; largest sample of I; largest average; sum of averages.
+    // [pupil]. error: of U at the nodes; brightest: largest sample of I; largest: largest average; together: sum of averages.
     std::vector<double> error, brightest, largest, together;
-    std::vector<double> slope_error, steepest;  // [term][pupil]: error of the samples of derivatives; their largest modulus
+    // [term][pupil]. slope_error: error of the samples of derivatives; steepest: largest modulus of these samples.
+    std::vector<double> slope_error, steepest;
     NodeNumbers(std::size_t pupils, std::size_t terms)
         : error(pupils), brightest(pupils), largest(pupils), together(pupils), slope_error(pupils * terms),
           steepest(pupils * terms) {}

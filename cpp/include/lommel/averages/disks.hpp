@@ -44,7 +44,7 @@ class DiskAverages {
     static constexpr int tries = 3;  // boxes tried for each pupil
     static constexpr double power = 4.0;  // errors fall at least as this power of the side of a box
     static constexpr double worth = 0.9;  // fraction of the tolerance that a larger box aims at
-    static constexpr double farthest = 16.0;  // error over the tolerance from which on a larger box is grown no faster
+    static constexpr double farthest = 16.0;  // error, relative to the tolerance, above which the next box grows no faster
 
     bool from_rims(const AverageAnswer& answer);
     // Averages pupils that have boxes of the same side: pixels in the box from nodes, all others from rims. `stack` has all

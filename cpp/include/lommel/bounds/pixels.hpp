@@ -1,6 +1,6 @@
 // Error bounds of averages over pixels (certificate, section 9), for a function f on the plane that depends on the distance
-// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I over half its largest value,
-// or a derivative of I over its own bound.
+// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I divided by half its largest
+// value, or a derivative of I divided by its own bound.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Error of interpolation at `points` Chebyshev points over a width of 2 half, from the derivative |f^(n)| <= 2^n.
+// Error of interpolation at `points` Chebyshev points over a width of 2 `half`, from the derivative |f^(n)| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
@@ -42,7 +42,7 @@ inline double of_squares(double radius, std::size_t points) {
     return sum;
 }
 
-// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 half, from the derivative or from the size of f
+// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 `half`, from the derivative or from the size of f
 // on the ellipse of least bound. For an even function on [-half, half] half of the points are mirror images.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {

@@ -24,7 +24,7 @@ double settle(double tol, const Attempt& attempt, const More& more) {
     }
 }
 
-// Least n >= `least` with enough(n), which must be monotonic; `most`, about, if there is none below.
+// Returns the least n >= `least` with enough(n), which must be monotonic; about `most` if no smaller n is enough.
 template <class Enough>
 std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
     if (enough(least)) {

@@ -21,7 +21,8 @@
 
 namespace lommel {
 
-// Error of one sum; the curve to be sampled for it, and the bound C of second derivatives (bend) of phase and window there.
+// line: error of one sum; curve: curve to be sampled for that sum; bend: bound C of the second derivatives of phase and window
+// on that curve.
 struct ChordSide {
     ChordLine line;
     std::size_t curve = 0;

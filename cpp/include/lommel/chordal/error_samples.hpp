@@ -56,8 +56,8 @@ struct SharpTable {
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Bound of log(mean) minus its sampled value: between samples by second derivatives of at most `bend` along both angles;
-    // and rounding of terms and sums, in float.
+    // Returns a bound on log(mean) minus its sampled value. It covers the change between samples, by second derivatives of at
+    // most `bend` along both angles, and the rounding of terms and sums in float.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {

@@ -21,7 +21,7 @@ struct StarCounts {
     const double* valid;
 };
 
-// Negative log-likelihood up to a constant; expectation and variance of Pearson's chi2.
+// deviance: negative log-likelihood up to a constant; expected, spread: expectation and variance of Pearson's chi2.
 struct StarLikelihood {
     double deviance = 0.0, expected = 0.0, spread = 0.0;
 };

@@ -1,6 +1,6 @@
 // Optical transfer function of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
 //
-// With f over the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int |P|^2 d^2 rho. In coordinates (u, y) along
+// With f in units of the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int |P|^2 d^2 rho. In coordinates (u, y) along
 // and across f, the substitution y = sin(theta) makes the ends of the lens-shaped overlap of two discs, u = +-(cos(theta) -
 // f), entire functions of theta, so that Gauss-Legendre rules in theta and u converge faster than any power. With an
 // obscuration, the region is cut where its arcs meet, with y = eps sin(theta) beside the obscuration (H. H. Hopkins, Proc. R.
@@ -42,7 +42,7 @@ inline double shared_area(double a, double b, double d) {
     return a * a * std::atan2(height, x) + b * b * std::atan2(height, other) - d * height;
 }
 
-// OTF without aberrations, at f over the cutoff.
+// Returns the OTF without aberrations at frequency f, relative to the cutoff; eps: obscuration ratio.
 inline double flat_overlap(double f, double eps) {
     const double area = shared_area(1.0, 1.0, 2.0 * f) - 2.0 * shared_area(1.0, eps, 2.0 * f) + shared_area(eps, eps, 2.0 * f);
     return area / (pi * (1.0 - eps * eps));
@@ -87,7 +87,8 @@ class Overlap {
         survey();
     }
 
-    // OTF at f over the cutoff, 0 to 1, in the current direction, with `more` nodes per rule than an error of 1e-4 needs.
+    // Returns the OTF at frequency f in units of the cutoff, 0 to 1, in the current direction. Each rule has `more` nodes in
+    // addition to those that an error of 1e-4 needs.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -102,7 +103,7 @@ class Overlap {
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 
-    // Prepare along() for f over the cutoff; `more` as for at().
+    // Prepare along() for frequency f in units of the cutoff; `more` as for at().
     void set_shift(double f, std::size_t more) {
         f_ = f;
         more_ = more;
@@ -160,8 +161,8 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Calls use(rule, start, length) for pieces of [0, 1], where the phase runs through so many radians. Few distinct rules
-    // are used.
+    // Calls use(rule, start, length) for pieces of [0, 1], over which the phase changes by `radians` in all. Few distinct
+    // rules are used.
     template <class Use>
     void pieces(double radians, Use use) const {
         const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);

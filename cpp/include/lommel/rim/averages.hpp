@@ -125,9 +125,9 @@ class RimAverages : RimStack {
     // Writes the image of a pupil; returns the largest average outside the box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // Bounds alpha_k (certificate, section 10, Orders), over k! unit^k: each[k], the error of a Fourier coefficient on the rim
-    // by aliasing of orders beyond angles - rim.orders. Also rounded[k], the sum of moduli to which the rounding of Q_k is
-    // relative.
+    // Computes the bounds alpha_k (certificate, section 10, Orders) divided by k! unit^k: each[k] bounds the error of a Fourier
+    // coefficient on the rim by aliasing of orders beyond angles - rim.orders. Also computes rounded[k], the sum of moduli to
+    // which the rounding of Q_k is relative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 
@@ -165,7 +165,7 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    // Sums over terms (e), and of the moduli of their summands (apart), to which rounding is relative.
+    // e: sums over terms; apart: sums of the moduli of the summands of e, to which rounding is relative.
     std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);

@@ -16,7 +16,8 @@
 
 namespace lommel {
 
-// Box sizes, chosen by estimated cost: pairs of nodes in a box and in the whole window, and the cost of rims in the same unit.
+// Box sizes, chosen by estimated cost: the number of pairs of nodes, in a box or in the whole window. The cost of rims is in
+// the same unit.
 class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: no box, rims do not pay
@@ -39,7 +40,7 @@ class RimBoxes {
     // Cost in pairs of nodes: of a pupil's rim, of its two rims, of a call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils per side of a box; fewer take a larger one
-    static constexpr double widest = 0.7;  // largest box over the shorter side of the window
+    static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in v
     static constexpr double left = 0.4;  // fraction of the tolerance for the remainder U_K of the field
     // Rims pay if they take at most this fraction of the time of nodes of the whole window.

@@ -56,7 +56,7 @@ struct RimLine {
 // Sums over the Fourier coefficients of one rim, in lanes.
 struct RimSums {
     Floats left;    // [k][lane]: sum of squared moduli of the coefficients left out
-    Floats energy;  // [k][lane]: the same of all coefficients
+    Floats energy;  // [k][lane]: sum of squared moduli of all coefficients
     std::array<Floats, 2> size;  // [ellipse][lane]: bound Sigma on the waves in an ellipse (certificate, Radii)
 };
 
@@ -471,7 +471,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
 // Pixels with the same weights, one or four at quarter turns, that are averaged together.
 struct RimJob {
     const RimPixels* pixels;
-    std::array<std::size_t, 4> at, to;  // first angle, in a ring padded at both ends; index of the average
+    std::array<std::size_t, 4> at, to;  // at: first angle, in a ring padded at both ends; to: index of the average
     std::uint8_t count;
     bool turned;  // mirror images: angles descend
 };

@@ -139,7 +139,7 @@ class AngleWeights {
 // excludes 0; also for x outside of the interval, within the ellipse.
 class RadiusRule {
    public:
-    std::vector<double> places, shares;  // points; weights for the x that was last asked for
+    std::vector<double> places, shares;  // places: points; shares: weights for the x last requested
     std::vector<double> barycentric;  // barycentric weights of the points
     double low;
 
@@ -176,15 +176,18 @@ struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
     RadiusRule rule;  // interpolation in x = R / v
-    std::size_t around = 0, taps = 0, margin = 0;  // number of angles; angles per point; copies of a ring at either end
+    // around: number of angles of a ring; taps: angles per point; margin: angles that are repeated at either end of a ring.
+    std::size_t around = 0, taps = 0, margin = 0;
     std::vector<RimPixels> pixels;
     std::vector<Floats> weights;  // [radius], see RimPixels
-    double off_angles = 0.0;  // error of averages over the rms of the smooth channel around the axis: angles
+    // Error of averages by interpolation between angles, relative to the rms of the smooth channel around the axis.
+    double off_angles = 0.0;
     double gain = 0.0;  // sum of moduli of weights of an average, all channels
-    std::array<double, 2> off_radii{};  // error of averages over the squared size of waves in an ellipse: radii
+    // Error of averages by interpolation between radii, relative to the squared size of waves in an ellipse.
+    std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages by Gauss's rule
-    double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, over the mean of |Q_K|^2 on the disk
-    double dropped = 0.0;  // error of averages over the largest of the smooth channel: rings left out
+    double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, relative to the mean of |Q_K|^2 over the disk
+    double dropped = 0.0;  // error of averages by rings left out, relative to the largest value of the smooth channel
 
     explicit RimTable(const RimWindow& asked);
     bool is(const RimWindow& asked) const { return window == asked; }

@@ -59,12 +59,13 @@ class FarLight {
         return v;
     }
 
-    // Averages over `count` pixels of a row that is `down` from the axis, starting `right` of it; both in pixels.
+    // Computes averages over `count` pixels of a row: `down` is the distance of the row below the axis, `right` that of its
+    // first pixel to the right of the axis, both in pixels.
     void row(double right, double down, double step, std::size_t count, double* out) const;
 
    private:
-    // Terms of Hankel's expansion; those that are summed rather than counted as error; terms of the polynomial of the smooth
-    // part.
+    // terms: terms of Hankel's expansion; kept: the first of these, which are summed, while the others count as error; smooth:
+    // terms of the polynomial of the smooth part.
     static constexpr std::size_t terms = 24, kept = 12, smooth = 5;
     // Error of the arc tangent (Abramowitz and Stegun, 4.4.49) including rounding.
     static constexpr double angle_error = 1.2e-5;

@@ -31,7 +31,7 @@ struct OrderSize {
 };
 
 // Add the bounds of the cosines and sines of each order to sizes[2 m + sine], for a disk of relative radius `shrunk` whose
-// field is multiplied by `weight`. The far bound depends on v times that radius.
+// field is multiplied by `weight`. The far bound depends on v times `shrunk`.
 inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
     const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
     for (std::size_t m = 0; m < series.orders; ++m) {

@@ -28,7 +28,7 @@ struct PolarCircle : GriddingTaps {
 
     PolarCircle(std::size_t points, std::size_t taps);
 
-    // At least so many that an eighth of a turn exceeds half the width of the kernel.
+    // Returns the least number of points for which an eighth of a turn exceeds half the width of the kernel.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
     // Largest magnification by the gains of errors of all orders below `orders`: by Cauchy the root mean square of gains over

@@ -15,7 +15,7 @@ namespace lommel {
 // CPU time in nanoseconds with all tables cached; the coefficients are fitted by benchmarks/choice.py.
 struct SeriesCost {
     static constexpr double least = 27000.0;     // of any image
-    static constexpr double declined = 20000.0;  // added for a refusal by the chordal rule: its estimates so far
+    static constexpr double declined = 20000.0;  // added if the chordal rule refuses: the time of its estimates until then
     // Error of interpolation between circles for a bright image. Strong aberrations may make the image twice as dim as
     // predicted.
     static constexpr double circles = 1.2e-10;

@@ -52,7 +52,7 @@ def refuses(call, name: str, shown: str) -> None:
     ("normalize", [("Energy", "'Energy'"), ("", "''"), (None, "None"), (1, "1"), (["peak"], "['peak']")]),
     ("dtype", [("float16", "'float16'"), (int, "int"), (complex, "complex"), ("junk", "'junk'"), (">f8", "'>f8'")]),
     ("dtype", [("2f4", "'2f4'"), (3, "3"), (np.longdouble, "longdouble")]),
-    ("pupil", [(lm.Wavefront(1.0), "a Wavefront"), (None, "None"), (1.0, "1.0"), ([PUPIL], "[Pupil(")]),
+    ("pupil", [(lm.Wavefront(1.0), "a Wavefront"), (None, "None"), (1.0, "1.0"), ([PUPIL], "[<Pupil")]),
 )  # fmt: skip
 def test_a_bad_argument_of_psf_is_refused_by_every_method(name, value, shown):
     for kind in METHODS.values():

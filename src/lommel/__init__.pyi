@@ -74,7 +74,13 @@ from lommel.measures.aperture_means import (
 from lommel.measures.errors import mse as mse, peak_error as peak_error
 from lommel.measures.energy import best_focus as best_focus
 from lommel.measures.slanted_edge import EdgeResponse as EdgeResponse, sfr as sfr
-from lommel.measures.transfer import mtf as mtf, mtf_frequency as mtf_frequency, otf as otf, ptf as ptf
+from lommel.measures.transfer import (
+    focus_tolerance as focus_tolerance,
+    mtf as mtf,
+    mtf_frequency as mtf_frequency,
+    otf as otf,
+    ptf as ptf,
+)
 from lommel.methods.chordal_gauss import ChordalGauss as ChordalGauss
 from lommel.methods.paper.closed_form import ClosedForm as ClosedForm
 from lommel.methods.layers.chordal_debye import ChordalDebye as ChordalDebye

@@ -344,3 +344,56 @@ def test_a_star_over_a_spider_has_the_transfer_function_of_its_image():
 def test_what_would_take_too_long_is_refused():
     with pytest.raises(ToleranceError, match=r"the OTF to tol=1e-12 cannot be computed: .* degree over 4096"):
         lm.otf(lm.Pupil(lm.Wavefront(1e4), **EDGES["vanes"]), 0.3, 0.2, tol=1e-12)
+
+
+@pytest.mark.parametrize("aberrations", [None, {(3, 1): 0.4}, {(2, 2): 0.5, (4, 0): 0.3}], ids=str)
+def test_the_tolerance_of_focus_ends_where_the_mtf_of_a_moved_sensor_falls_to_the_least(aberrations):
+    waves = lm.Wavefront.zernike(aberrations) if aberrations else None
+    lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, aberrations=waves)
+    ends = lm.focus_tolerance(lens.pupil(2.0), 72e3, least=0.35, pixel=3.45e-6)
+    assert ends[0] < 0.0 < ends[1]
+
+    def contrast(shift):
+        moved = replace(lens, sensor_distance=lens.sensor_distance + shift)
+        # The overlap of two shifted pupils on a grid, by the phase itself.
+        side = np.linspace(-1.0, 1.0, 1201)
+        x, y = np.meshgrid(side, side)
+        c = np.pi / (2.0 * 550e-9) * (1 / moved.sensor_distance - 1 / 50e-3 + 1 / 2.0) * (25e-3 / 2.8) ** 2
+        terms = dict((aberrations or {}).items())
+
+        def pupil(x, y):
+            rho, theta = np.hypot(x, y), np.arctan2(y, x)
+            phase = 2.0 * c * rho**2
+            phase = phase + terms.get((3, 1), 0.0) * np.sqrt(8.0) * (3.0 * rho**3 - 2.0 * rho) * np.cos(theta)
+            phase = phase + terms.get((2, 2), 0.0) * np.sqrt(6.0) * rho**2 * np.cos(2.0 * theta)
+            phase = phase + terms.get((4, 0), 0.0) * np.sqrt(5.0) * (6.0 * rho**4 - 6.0 * rho**2 + 1.0)
+            return np.where(rho <= 1.0, np.exp(1j * phase), 0.0)
+
+        half = 72e3 / lens.pupil(2.0).cutoff
+        pixel = np.sinc(72e3 * 3.45e-6)
+        found = []
+        for a, b in ((half, 0.0), (0.0, half)):
+            found.append(abs((pupil(x + a, y + b) * pupil(x - a, y - b).conj()).sum()))
+        return pixel * min(found) / (np.hypot(x, y) <= 1.0).sum()
+
+    assert [contrast(end) for end in ends] == pytest.approx([0.35, 0.35], abs=3e-3)
+    assert min(contrast(share * end) for end in ends for share in (0.25, 0.5, 0.75)) > 0.35
+
+
+@pytest.mark.parametrize(
+    ("pupil", "given", "message"),
+    [
+        (lm.Pupil(), {}, "a single one with a wavelength"),
+        (lm.Pupil(lm.Wavefront([1.0, 2.0]), wavelength=550e-9, f_number=2.8), {}, "a single one with a wavelength"),
+        (
+            lm.Pupil(wavelength=550e-9, f_number=2.8),
+            {"least": 0.9},
+            "least must be at most the MTF where the sensor is",
+        ),
+        (lm.Pupil(wavelength=550e-9, f_number=2.8), {"least": 1.0}, "least must be"),
+        (lm.Pupil(wavelength=550e-9, f_number=2.8), {"frequency": 0.0}, "frequency must be"),
+    ],
+)
+def test_a_tolerance_of_focus_that_there_is_not_is_refused(pupil, given, message):
+    with pytest.raises(ValueError, match=message):
+        lm.focus_tolerance(pupil, **{"frequency": 72e3} | given)

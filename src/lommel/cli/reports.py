@@ -91,6 +91,7 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
         ("Strehl ratio", strehl),
         ("Marechal's estimate", strehl_ratio(facts["marechal"]) if (facts["marechal"] or 0.0) >= 0.3 else None),
         *_mtf_rows(facts),
+        ("focus tolerance", _tolerance(facts)),
     ]
     energies = [
         (row["within"], format_length(row["radius"]), known(row["fraction"], ".1%"), known(row["unaberrated"], ".1%"))
@@ -104,6 +105,15 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
     elif any(facts["aperture"].values()):
         parts.append(Text("no proven error bound for this aperture", "dim"))
     return parts if facts["field"] is None else [*parts, *_field_parts(facts["field"])]
+
+
+def _tolerance(facts: Facts) -> str | None:
+    """Return how far the sensor may move in words."""
+    if facts["focus_tolerance"] is None:
+        return None
+    near, far = (f"{end / 1e-6:+.3g} um" for end in facts["focus_tolerance"])
+    half = per_mm(0.5 * min(facts["nyquist"], facts["nyquist_y"]))
+    return f"sensor {near} to {far} for an MTF of 0.3 at {half}, with the pixel"
 
 
 def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:

@@ -246,6 +246,29 @@ class ImageQuality(PointQuality):
         x, y = frequency * math.cos(angle), frequency * math.sin(angle)
         return float(transfer.mtf(self.pupil, x, y, **sensor))
 
+    def focus_tolerance(self, least: float = 0.3) -> tuple[float, float]:
+        """Return how far the sensor may move for an MTF at half the Nyquist frequency, pixel included.
+
+        Parameters
+        ----------
+        least : float, default 0.3
+            Smallest MTF that suffices.
+
+        Returns
+        -------
+        (float, float)
+            Metres, towards the lens and away from it, as of :func:`lommel.focus_tolerance`.
+
+        Raises
+        ------
+        ValueError
+            If the MTF does not suffice where the sensor is, or for the segments of a mirror, which take minutes.
+        """
+        if isinstance(self.pupil.stop, Segments) and len(self.pupil.stop.shapes) > _MANY:
+            raise ValueError("a tolerance of focus takes minutes for so many segments: lommel.focus_tolerance has it")
+        sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill}
+        return transfer.focus_tolerance(self.pupil, 0.25 / max(self.instrument.pitch), least=least, **sensor)
+
     def mtf50(self, angle: float = 0.0) -> float:
         """Return the frequency at which the MTF of the optics alone falls to 50 %.
 
@@ -386,6 +409,7 @@ class ImageQuality(PointQuality):
             **self._widths(tried),
             "cutoff": pupil.cutoff,
             **transfers,
+            "focus_tolerance": tried(self.focus_tolerance),
         }
         places = None if self.instrument.aberrations_of_field is None else self._places()
         found["field"] = places and {

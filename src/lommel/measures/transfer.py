@@ -26,6 +26,7 @@ from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.colour.spectrum import Component
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
+from lommel.optics.wavefront.wavefront import Wavefront
 
 Complexes = np.complex128 | NDArray[np.complex128]
 
@@ -290,6 +291,88 @@ def mtf_frequency(
 
         return pupil.measured(of_image)
     return _frequency(checked(pupil), wanted, turn, {"pixel": pixel, "fill": fill, "blur": blurs(blur)})
+
+
+def focus_tolerance(
+    pupil: Pupil,
+    frequency: float,
+    *,
+    least: float = 0.3,
+    pixel: float | tuple[float, float] | None = None,
+    fill: float | tuple[float, float] = 1.0,
+    blur: Blur | Sequence[Blur] = (),
+    spectrum: Polychromatic | None = None,
+) -> tuple[float, float]:
+    """Return how far the sensor may move towards the lens and away from it while the MTF at a frequency suffices.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        A single one, with a wavelength.
+    frequency : float
+        Cycles per metre on the sensor, along x and along y: both have to suffice.
+    least : float, default 0.3
+        Smallest MTF that suffices, above 0 and below 1.
+    pixel, fill, blur, spectrum
+        As of :func:`lommel.otf`.
+
+    Returns
+    -------
+    (float, float)
+        Metres, negative towards the lens and positive away from it: the nearest displacements at which the MTF of
+        either direction falls to `least`, to 1e-4 of the depth of focus ``lambda N^2``. The defocus of a displacement
+        is that of the paraxial lens to first order, ``C_d = -pi displacement / (8 lambda N^2)``, N the working
+        f-number.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or the MTF does not suffice where the sensor is.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+    >>> near, far = lm.focus_tolerance(lens.pupil(), 72e3, pixel=3.45e-6)  # of half the Nyquist frequency
+    >>> f"{1e6 * near:.1f} um to {1e6 * far:.1f} um"
+    '-36.5 um to 36.5 um'
+    """
+    from scipy.optimize import brentq
+
+    f, wanted = (
+        validation.real("frequency", frequency, above=0.0),
+        validation.real("least", least, above=0.0, below=1.0),
+    )
+    wavelength, number = checked(pupil).wavelength, pupil.f_number
+    if wavelength is None or number is None or pupil.shape:
+        raise ValueError(f"pupil must be a single one with a wavelength, whose sensor is in metres, got {pupil!r}")
+    sensor: Sensor = {"pixel": pixel, "fill": fill, "blur": blurs(blur), "spectrum": spectrum}
+    metres = -8.0 * wavelength * number**2 / math.pi  # of a radian of C_d
+
+    def above(c: ArrayLike) -> Array:
+        moved = replace(pupil, wavefront=pupil.wavefront + Wavefront.of_defocus(np.asarray(c)), geometry=None)
+        values = np.asarray(mtf(moved, np.array([f, 0.0]), np.array([0.0, f]), **sensor, tol=1e-8))
+        return np.asarray(values.min(axis=-1) - wanted)
+
+    if (here := float(above(0.0))) < 0.0:
+        raise ValueError(f"least must be at most the MTF where the sensor is, {here + wanted:.3g}, got {wanted:g}")
+    # In steps of defocus by which the contrast of this frequency changes by a fraction of its first fall.
+    share = min(f / pupil.cutoff, 0.5)
+    step = 0.1 / (share * (1.0 - share))
+    ends = []
+    for side in (1.0, -1.0):  # towards the lens first
+        low = 0.0
+        for start in range(0, 4096, 8):
+            c = side * step * np.arange(start + 1, start + 9)
+            below = above(c) <= 0.0
+            if below.any():
+                k = int(below.argmax())
+                low = c[k - 1] if k else side * step * start
+                ends.append(metres * float(brentq(lambda at: float(above(at)), low, c[k], xtol=1e-4)))
+                break
+        else:
+            raise ValueError(f"least must be an MTF that defocus reaches, got {wanted:g}")
+    return ends[0], ends[1]
 
 
 def _own(**given: bool) -> None:

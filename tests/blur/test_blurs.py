@@ -11,7 +11,8 @@ import pytest
 from mpmath import mp
 
 import lommel as lm
-from lommel.blur.blurs import FWHM, KOLMOGOROV, blurs_from_dicts
+from lommel.blur import mixtures
+from lommel.blur.blurs import FWHM, KOLMOGOROV, Blur, blurs_from_dicts
 
 SEVERAL = [
     lm.Seeing(0.2),
@@ -125,3 +126,17 @@ def test_gaussians_and_lines_turn_with_their_angle():
 def test_what_is_none_is_refused(make, message):
     with pytest.raises((TypeError, ValueError), match=message):
         make()
+
+
+def test_a_round_gaussian_is_round_at_every_angle():
+    turned = [lm.Jitter(1.3e-6, angle=0.021 * k) for k in range(300)]
+    assert mixtures.isotropic(tuple(turned)).all()
+    assert not mixtures.isotropic((lm.Jitter(1.3e-6, 1.31e-6), lm.Motion(1e-6))).any()
+
+
+def test_a_kind_of_blur_that_psfs_would_not_see_is_refused():
+    with pytest.raises(TypeError, match="Ring must state covariance and streak"):
+
+        class Ring(Blur):
+            def transfer(self, fx, fy=0.0, *, wavelength=None):
+                return np.exp(-np.hypot(fx, fy))

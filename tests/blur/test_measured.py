@@ -104,4 +104,4 @@ def test_pictures_have_the_shape_of_the_sensor(answer):
     assert right - left == pytest.approx(61 * 0.7)
     assert bottom - top == pytest.approx(41 * 1.1)
     assert "Jitter, Motion" in repr(answer)
-    assert "pixel (1.1e-06, 7e-07) m" in repr(answer)
+    assert "pixel 1.1 um x 700 nm" in repr(answer)

@@ -40,9 +40,20 @@ def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
 
 
 class Blur:
-    """Blur described by its transfer function; lengths in metres, or in lambda*N for pupils without wavelength."""
+    """Blur described by its transfer function; lengths in metres, or in lambda*N for pupils without wavelength.
+
+    A kind of blur states its `covariance` and its `streak`: PSFs and their bounds are computed from these, not from
+    `transfer`, which follows from them. Of other kinds there is :class:`Seeing`, which has integrals of its own.
+    """
 
     metric: ClassVar[bool | None] = None
+
+    def __init_subclass__(cls) -> None:
+        if "transfer" in vars(cls) and cls.__module__ != __name__:
+            raise TypeError(
+                f"{cls.__name__} must state covariance and streak, from which PSFs are computed, and leave "
+                "transfer as it is: a PSF would lack what transfer alone has"
+            )
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
         """Return the transfer function at frequencies along columns and rows.
@@ -242,7 +253,7 @@ def _von_karman(at: Array, factor: float) -> Array:
 
 @dataclass(frozen=True)
 class Jitter(Blur):
-    """Random image motion during a long exposure (telescope jitter, hand shake), a Gaussian blur.
+    """Random image motion during a long exposure (telescope jitter, hand shake): a round or elliptical Gaussian.
 
     Parameters
     ----------

@@ -194,5 +194,7 @@ def isotropic(several: tuple[Blur, ...]) -> NDArray[np.bool_]:
     found = []
     for each in several:
         (xx, xy), (_, yy) = each.covariance
-        found.append(xy == 0.0 and xx == yy and not any(each.streak))
+        # A round Gaussian at an angle: its covariance is turned, and rounded.
+        round_ = max(abs(xy), abs(xx - yy)) <= 1e-14 * max(xx, yy)
+        found.append(round_ and not any(each.streak))
     return np.array(found, dtype=bool)

@@ -115,7 +115,7 @@ class Policy:
 
 
 class Ascent(NamedTuple):
-    """The end of a search: parameters, their scores, which have settled, how many steps were taken."""
+    """The end of a search: parameters, their scores, which have settled, how many steps were tried."""
 
     x: Any
     now: Scores

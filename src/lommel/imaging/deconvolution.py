@@ -157,22 +157,22 @@ class TotalVariation:
 
 
 def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:
-    """Return the discrepancy closest to the target and its strength; `settle` returns that of a strength.
+    """Return the discrepancy and the strength with which `settle`, called with strengths, ended near the target.
 
-    It is sought on a line of their logarithms, from the `first` one on, between the `least` and 64 times the first.
+    Strengths are sought on a line of their logarithms, from the `first` one on, between the `least` and 64 times the
+    first, until a discrepancy is near the target; the light is that of the last.
     """
     tried: list[tuple[float, float]] = []
     strength = first
-    for _ in range(_SEARCHES):
+    while True:
         found = settle(strength)
         tried.append((math.log(strength), math.log(found / target)))
-        if _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
-            break
+        if len(tried) == _SEARCHES or _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
+            return found, strength
         following = min(max(_next(tried), least), 64.0 * first)
         if math.isclose(following, strength, rel_tol=1e-6):
-            break
+            return found, strength
         strength = following
-    return found, strength
 
 
 def _next(tried: list[tuple[float, float]]) -> float:

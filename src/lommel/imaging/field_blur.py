@@ -217,7 +217,7 @@ class FieldBlur(LinearBlur):
             ("rows", "columns", "defocus"), (made.y, made.x, made.defocus), self.banks[0].axes, strict=True
         ):
             first, last = axis.first, axis.last
-            # A pixel's worth of rounding beyond the nodes is harmless: splines are constant beyond their ends.
+            # A thousandth of a pixel beyond the nodes is rounding: splines are constant beyond their ends.
             slack = 1e-6 * (last - first) + (1e-3 * self.pixel if name != "defocus" else 1e-9)
             if not (first - slack <= found.min() and found.max() <= last + slack):
                 unit = "rad" if name == "defocus" else self.field_map.unit
@@ -884,8 +884,8 @@ class Nodes:
     def shares(self, places: Array) -> list[tuple[int, Array]]:
         """Return the nodes with weights that are not 0, and these, in the shape of places; 1 for a single node."""
         if self.count == 1:
-            # By columns of the sparse matrix: few nodes have weight at any place.
             return [(0, np.ones(()))]
+        # By columns of the sparse matrix: few nodes have weight at any place.
         matrix, found = self._matrix(places.ravel()).tocsc(), []
         for node in range(self.count):
             part = slice(matrix.indptr[node], matrix.indptr[node + 1])

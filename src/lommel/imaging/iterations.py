@@ -1,4 +1,4 @@
-"""Steps of a deconvolution on Poisson counts: Richardson and Lucy's, and those to the least total variation."""
+"""Steps of a deconvolution of Poisson counts: Richardson and Lucy's, and those with a penalty on total variation."""
 
 from __future__ import annotations
 

@@ -105,7 +105,7 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
 
 
 def across(pupil: BasePupil, side: int = _SIDE) -> Across:
-    """Return transmission and phase on a raster, for the flattened stack."""
+    """Return phase and amplitude on a raster, for the flattened stack."""
     at = (np.arange(side) + 0.5) * (2.0 / side) - 1.0
     x, y = np.meshgrid(at, at)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)

@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, TotalVariation, restore_with
-from lommel.imaging.deconvolution import NOISE, STEPS
+from lommel.imaging.deconvolution import NOISE, STEPS, search
 from lommel.imaging.iterations import Background, VariationIteration, iterated
 from lommel.imaging.poisson_counts import PhotographCounts
 
@@ -113,3 +113,19 @@ def test_what_is_smoothed_beyond_the_noise_is_not_stopped_by_it() -> None:
     found = iterated(TotalVariation(strength=4.0 * 0.15 / np.sqrt(20000.0 * scene.mean())), observed, _silent)
     assert 1.0 + observed.slack < observed.mean(observed.discrepancies_of(found.light)) < 1.5
     assert found.stopped == STEPS
+
+
+@pytest.mark.parametrize(
+    "discrepancy", [lambda s: 1.5 if s > 0.45 else 0.2, lambda s: 0.2 + s], ids=["a step", "a line"]
+)
+def test_the_strength_that_is_reported_is_that_of_the_last_steps(discrepancy):
+    tried = []
+
+    def settle(strength):
+        tried.append(strength)
+        return discrepancy(strength)
+
+    found, strength = search(settle, 1.0, 0.9, 1e-3)
+    assert strength == tried[-1]
+    assert found == discrepancy(strength)
+    assert len(tried) <= 6

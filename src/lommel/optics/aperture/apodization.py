@@ -77,9 +77,9 @@ class Apodization:
         size = largest if largest > 1e11 else float(np.abs(_chebyshev(exponent, 0.0)).sum())
         if not size <= _LARGEST * (1.0 + 1e-12):
             raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
+        error = validation.real("error", self.error, least=0.0)
         exponent.setflags(write=False)
         # NumPy arrays are not hashable: the exponent is kept beside the tuple that the dataclass compares.
-        error = validation.real("error", self.error, least=0.0)
         vars(self).update(powers=tuple(powers), error=error, exponent=exponent)
 
     @classmethod

@@ -26,10 +26,10 @@ from scipy.special import erf
 
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
+from lommel.deconvolve.iterations import iterated
+from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.iterations import iterated
 from lommel.imaging.photograph import fill_missing
-from lommel.imaging.poisson_counts import PhotographCounts
 
 Array = NDArray[np.float64]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from lommel.deconvolve.linear import WindowBlur
 from lommel.imaging.field_blur import Nodes
-from lommel.imaging.linear import WindowBlur
 
 HEIGHT, WIDTH = 37, 29
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.deconvolve.linear import folded, without_copies
 from lommel.imaging.bank import (
     Bank,
     MirroredKernels,
@@ -18,7 +19,6 @@ from lommel.imaging.bank import (
     reach_of,
     smooth_transforms,
 )
-from lommel.imaging.linear import folded, without_copies
 from lommel.imaging.sensor_light import SensorLight, shares_used
 
 PIXEL = 6e-6

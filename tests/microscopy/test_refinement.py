@@ -10,7 +10,7 @@ import pytest
 from scipy.special import j1
 
 import lommel as lm
-from lommel.imaging.iterations import State
+from lommel.deconvolve.iterations import State
 from lommel.microscopy import held_out, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import Best, HeldOut

@@ -7,8 +7,8 @@ import pytest
 from scipy.optimize import minimize
 
 import lommel as lm
-from lommel.imaging.iterations import Background, VariationIteration, iteration_of
-from lommel.imaging.poisson_counts import PoissonCounts
+from lommel.deconvolve.iterations import Background, VariationIteration, iteration_of
+from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.microscopy.stack_blur import TiledBlur
 
 NOISE = lm.Noise(read=1.0)

@@ -14,7 +14,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.optional import library
-from lommel.imaging.linear import LinearBlur
+from lommel.deconvolve.linear import LinearBlur
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf

@@ -26,7 +26,7 @@ from lommel.cli.options import (
     report_findings,
 )
 from lommel.cli.output import Facts, Report, list_of, progress, require_folder, save_figure, written
-from lommel.imaging.deconvolution import NOISE, STEPS, RichardsonLucy, TotalVariation
+from lommel.deconvolve.algorithms import NOISE, STEPS, RichardsonLucy, TotalVariation
 from lommel.microscopy import restore
 from lommel.microscopy.deconvolution import FLAT
 from lommel.microscopy.depth_model import MODALITIES

@@ -1,17 +1,18 @@
 """Images as a lens records them: depth of field, occlusion, blur over the field, deblurring, depth from defocus."""
 
+from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
+from lommel.deconvolve.linear import LinearBlur
+from lommel.deconvolve.result import Restoration
 from lommel.imaging.blur import BlurSlopes, DepthBlur
 from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
-from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.field_blur import FieldBlur
-from lommel.imaging.linear import LinearBlur
 from lommel.imaging.live import LiveDepth, LiveDepthMap, LiveSharpen
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass
 from lommel.imaging.photograph import FocusPlan, Photograph, depth_of_field, field_photograph
-from lommel.imaging.restoration import Restoration, restore, restore_with
+from lommel.imaging.restoration import restore, restore_with
 from lommel.imaging.traced_blur import traced_blur
 from lommel.imaging.traced_sensor import traced_demosaic, traced_mosaic, traced_noise
 from lommel.io.depth_maps import read_depth, write_depth

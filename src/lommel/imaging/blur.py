@@ -20,8 +20,8 @@ from lommel.base.threads import side_by_side
 from lommel.base.units import format_length
 from lommel.core import engine
 from lommel.core.answers import DType
+from lommel.deconvolve.linear import LinearBlur, copies, folded, linear_operator, without_copies
 from lommel.imaging.bank import Bank, MirroredKernels, Remainder, build_bank, stored_windows
-from lommel.imaging.linear import LinearBlur, copies, folded, linear_operator, without_copies
 from lommel.imaging.sensor_light import SensorLight, cut, find_cuts, sums_of_quarters
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens, require_round

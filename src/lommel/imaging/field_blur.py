@@ -20,10 +20,10 @@ from lommel.base.arrays import Array, Values
 from lommel.base.cached import cached_property
 from lommel.base.options import shares
 from lommel.base.threads import side_by_side
+from lommel.deconvolve.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
 from lommel.imaging.blur import require_depth, require_lens, tell_of_depths
-from lommel.imaging.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
+from lommel.deconvolve.linear import LinearBlur
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import DepthBlur, Points, parts
-from lommel.imaging.linear import LinearBlur
 from lommel.imaging.sensor_light import sums_of_quarters
 from lommel.optics.pupil import ray_height
 

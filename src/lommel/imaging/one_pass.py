@@ -21,15 +21,15 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.deconvolve.algorithms import ONE_PASS, Tell, silent
+from lommel.deconvolve.iterations import Solution
+from lommel.deconvolve.linear import LinearBlur
+from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.estimation.focal_model import LARGEST, Band, FocalLight, FocalModel, transfer_curve
 from lommel.imaging.blur import DepthBlur
-from lommel.imaging.deconvolution import ONE_PASS, Tell, silent
 from lommel.imaging.focal_engine import processors
 from lommel.imaging.focal_tables import SharpTables, Taps
-from lommel.imaging.iterations import Solution
-from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
-from lommel.imaging.poisson_counts import PhotographCounts
 
 _STEP = 0.75  # radians of defocus between tables
 _MOST_TABLES = 961

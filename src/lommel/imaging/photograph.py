@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import sys
 from collections import OrderedDict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Protocol, TypeAlias, Unpack, cast, overload
@@ -19,10 +19,10 @@ from lommel.base.encoding import clipped_share, from_light, scene_light, to_ligh
 from lommel.base.optional import library
 from lommel.base.options import require_known, shares
 from lommel.core import engine
+from lommel.deconvolve.linear import LinearBlur, tiles_of
 from lommel.field.maps import FieldMap, require_one_aperture
 from lommel.imaging.blur import DepthBlur, require_lens, require_metres
 from lommel.imaging.field_blur import FieldBlur, PointLight
-from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion, reach_behind
 from lommel.imaging.settings import MISSING, FieldKeywords, Keywords, Settings, Spectrum
 from lommel.optics.colour.spectrum import Channels
@@ -36,8 +36,6 @@ TILE = 1024  # default side of the tiles of memory maps, pixels
 _DaskArray: TypeAlias = Any  # dask is typed in part only
 
 _STRIP = 2**20  # depths read at once to find their range
-
-Window = tuple[slice, slice]
 
 
 class LazyArray(Protocol):
@@ -550,23 +548,6 @@ def _known_range(low: float, high: float) -> tuple[float, float]:
     if np.isnan(low):
         raise ValueError("depth is NaN at some points; say what is there by `missing`")
     return low, high
-
-
-def tiles_of(
-    shape: Sequence[int], side: int | Sequence[int], overlap: int
-) -> Iterator[tuple[Window, Window, Window]]:
-    """Yield the slices of each tile, of the part that it depends on, and of the tile in that part."""
-    down, across = (side, side) if isinstance(side, int) else side
-    for top in range(0, shape[0], down):
-        for left in range(0, shape[1], across):
-            inside, around, within = [], [], []
-            for start, size, own in ((top, shape[0], down), (left, shape[1], across)):
-                stop = min(size, start + own)
-                first, last = max(0, start - overlap), min(size, stop + overlap)
-                inside.append(slice(start, stop))
-                around.append(slice(first, last))
-                within.append(slice(start - first, stop - first))
-            yield (inside[0], inside[1]), (around[0], around[1]), (within[0], within[1])
 
 
 PLACES = 1e-3

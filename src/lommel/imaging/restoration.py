@@ -17,25 +17,18 @@ doi:10.1109/TIP.2008.2001404); x stands for the scene in the last term, which is
 from __future__ import annotations
 
 import math
-import sys
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Json, Values
+from lommel.base.arrays import Array, Values
 from lommel.base.encoding import tell_of_light, to_light
 from lommel.base.options import shares
-from lommel.base.plain import fields_of, plain
-from lommel.field.maps import FieldMap
-from lommel.fit.findings import Finding, Findings, Judged
-from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.deconvolution import (
+from lommel.deconvolve.algorithms import (
     MISFIT,
     NOISE,
     STEPS,
@@ -44,25 +37,27 @@ from lommel.imaging.deconvolution import (
     TotalVariation,
     silent,
 )
+from lommel.deconvolve.iterations import Solution, iterated
+from lommel.deconvolve.linear import LinearBlur, Window, tiles_of
+from lommel.deconvolve.poisson_counts import PhotographCounts
+from lommel.deconvolve.result import Restoration, shown
+from lommel.field.maps import FieldMap
+from lommel.fit.findings import Finding, Findings
+from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.field_blur import FieldBlur
-from lommel.imaging.iterations import Solution, iterated
-from lommel.imaging.linear import LinearBlur
 from lommel.imaging.occlusion import Occlusion
 from lommel.imaging.one_pass import OnePass, wiener_target
 from lommel.imaging.photograph import (
     TILE,
     Pixels,
     TileBlur,
-    Window,
     depth_range,
     fill_missing,
     output,
     require_image,
     require_scene,
     stored,
-    tiles_of,
 )
-from lommel.imaging.poisson_counts import PhotographCounts
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
@@ -144,95 +139,6 @@ def _nearest_share(observed: PhotographCounts, found: Solution) -> float:
     size = max(float(change @ change), 1e-300)
     # a^2 |d|^2 + 2 a E[d.n] - 2 a d.(1 - A) x is least at this a, the share of the result; 1 - a is the photograph's.
     return min(max(1.0 - (float(change @ sharpened) - float(along)) / size, 0.0), 1.0)
-
-
-_QUIET, _PAUSE = 1.5, 0.2  # seconds before the first progress line, and between lines
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Restoration(Judged):
-    """Result of :func:`lommel.imaging.restore`; converts to an array of its values.
-
-    Attributes
-    ----------
-    values : ndarray
-        Restored image, of the shape, type and encoding of the photograph, without the offset of its noise; float32
-        for a stack.
-    light : ndarray of float, or None
-        The same in linear light, not clipped at white. None for results of tiles.
-    discrepancy : float
-        Poisson deviance per pixel between the photograph and the blurred result: about 1 for the scene itself, a
-        little less for a good result, which follows some of the noise.
-    by_channel : tuple of float
-        Discrepancy of each channel, or of each plane of a stack.
-    before : float
-        Discrepancy of the photograph itself, taken as the result.
-    steps : int
-        Number of steps in all; each applies the blur and its transpose once.
-    stopped : str
-        Why it stopped: "noise" where the result agrees with the photograph within its noise, "steps" at the maximum
-        number of steps, "one pass", "misfit: ..." where depth, lens or noise of a photograph (PSF or noise of a
-        stack) do not fit.
-    strength : float or None
-        Weight of the total variation.
-    unknown : float
-        Fraction of the values of the photograph that were NaN or saturated.
-    clipped : float
-        Fraction of the values that were clipped at white; 0 for floats.
-    background : float or ndarray
-        Light of each voxel of a stack, or of each pixel of its planes, that is no part of the values; 0 for
-        photographs.
-    photograph : float
-        Share of the photograph itself in the result, 0 to 1: 1 where the method's own would be farther from the
-        scene, because depth, lens or noise do not fit; between where blur is hardly larger than noise.
-    findings : Findings
-        What does not fit: the codes "misfit", "too_quiet" and, where more steps would fit better, "not_settled".
-    """
-
-    values: Pixels
-    light: Values | None
-    discrepancy: float
-    by_channel: tuple[float, ...]
-    before: float
-    steps: int
-    stopped: str
-    strength: float | None = None
-    unknown: float = 0.0
-    clipped: float = 0.0
-    background: float | Array = 0.0
-    photograph: float = 0.0
-    findings: Findings = field(default_factory=Findings)
-
-    @property
-    def message(self) -> str:
-        """Status, discrepancy, number of steps, and the texts of all findings."""
-        return self._message(f"discrepancy {self.discrepancy:.3g} after {self.steps} step{'s' * (self.steps != 1)}")
-
-    def to_dict(self) -> Json:
-        """Return the result as plain data, as JSON has it, without images.
-
-        Returns
-        -------
-        dict
-            Status, converged, reliable, and the attributes but for arrays; None where these are not finite.
-        """
-        verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable")}
-        numbers = {name: each for name, each in fields_of(self).items() if not isinstance(each, np.ndarray)}
-        numbers.pop("light", None)  # None of tiles
-        found: Json = plain(verdict | numbers)
-        return found
-
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
-        """Return the values."""
-        return np.array(self.values, dtype=dtype, copy=copy)
-
-    def __repr__(self) -> str:
-        """Return the result in one line."""
-        size = " x ".join(map(str, self.values.shape))
-        return (
-            f"<Restoration, {size}: discrepancy {self.before:.3g} before, {self.discrepancy:.3g} after "
-            f"{self.steps} steps, stopped by {self.stopped!r}>"
-        )
 
 
 def restore_with(
@@ -572,28 +478,3 @@ def _checked_method(method: object, progress: object) -> Method:
             f"{validation.shown(method)}{hint}"
         )
     return method
-
-
-@contextmanager
-def shown(progress: Tell | None) -> Iterator[Tell]:
-    """Yield the function called at each step: `progress`, or a line on standard error if it is a terminal."""
-    validation.function("progress", progress, required=False)
-    if progress is not None or sys.stderr is None or not sys.stderr.isatty():
-        yield progress or silent
-        return
-    line, due = sys.stderr, time.monotonic() + _QUIET
-
-    def write(step: int, discrepancy: float, left: float) -> None:
-        nonlocal due
-        if (now := time.monotonic()) >= due:
-            line.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {left:.0f} s left\x1b[K")
-            line.flush()
-            due = now + _PAUSE
-
-    start = due
-    try:
-        yield write
-    finally:
-        if due > start:
-            line.write("\r\x1b[K")
-            line.flush()

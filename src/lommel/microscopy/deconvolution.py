@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Values
+from lommel.deconvolve.algorithms import RichardsonLucy, Tell, TotalVariation, silent
+from lommel.deconvolve.iterations import Background, State, iteration_of
+from lommel.deconvolve.poisson_counts import PoissonCounts
+from lommel.deconvolve.result import Restoration, shown
 from lommel.fit.findings import Finding, Findings
-from lommel.imaging.deconvolution import RichardsonLucy, Tell, TotalVariation, silent
-from lommel.imaging.iterations import Background, State, iteration_of
-from lommel.imaging.poisson_counts import PoissonCounts
-from lommel.imaging.restoration import Restoration, shown
 from lommel.measures.spot import stage
 from lommel.microscopy.depth_model import narrowed, spline_degrees
 from lommel.microscopy.held_out import WHOLE, Best, Halves, enough, highest_level

@@ -15,11 +15,11 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array, Values
+from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
+from lommel.deconvolve.iterations import Background, Iteration, Move, State
+from lommel.deconvolve.linear import PlaneOperator
+from lommel.deconvolve.poisson_counts import TINY, PoissonCounts
 from lommel.fit.findings import Finding
-from lommel.imaging.deconvolution import RichardsonLucy, TotalVariation
-from lommel.imaging.iterations import Background, Iteration, Move, State
-from lommel.imaging.linear import PlaneOperator
-from lommel.imaging.poisson_counts import TINY, PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.refinement import StackContext, Tell, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise

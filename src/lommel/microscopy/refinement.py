@@ -11,10 +11,10 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
-from lommel.imaging.deconvolution import RichardsonLucy
-from lommel.imaging.iterations import Background, Iteration, Move
-from lommel.imaging.linear import PlaneOperator
-from lommel.imaging.poisson_counts import PoissonCounts
+from lommel.deconvolve.algorithms import RichardsonLucy
+from lommel.deconvolve.iterations import Background, Iteration, Move
+from lommel.deconvolve.linear import PlaneOperator
+from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
 from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise

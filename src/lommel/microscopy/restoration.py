@@ -22,12 +22,11 @@ from lommel.base.atomic import Unfinished
 from lommel.base.optional import version
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
+from lommel.deconvolve.algorithms import EARLIEST, STEPS, RichardsonLucy, Tell, TotalVariation, silent
+from lommel.deconvolve.iterations import Background, Iteration, Move, iteration_of
+from lommel.deconvolve.linear import Part, PlaneOperator, tiles_of
+from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
-from lommel.imaging.deconvolution import EARLIEST, STEPS, RichardsonLucy, Tell, TotalVariation, silent
-from lommel.imaging.iterations import Background, Iteration, Move, iteration_of
-from lommel.imaging.linear import Part, PlaneOperator
-from lommel.imaging.photograph import tiles_of
-from lommel.imaging.poisson_counts import PoissonCounts
 from lommel.microscopy import depth_model
 from lommel.microscopy.deconvolution import FLAT, background_of
 from lommel.microscopy.depth_model import MODALITIES, SPREADING, DepthModel, PSFs

@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import product, side_by_side
 from lommel.core import engine
-from lommel.imaging.linear import UNSEEN, LinearBlur, Made, Part, Plane, PlaneOperator, Take, overlap
+from lommel.deconvolve.linear import UNSEEN, LinearBlur, Made, Part, Plane, PlaneOperator, Take, overlap
 from lommel.measures.spot import stage
 from lommel.psf import PSF
 

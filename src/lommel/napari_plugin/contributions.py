@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Generic, TypeAlias, TypeVar
 import numpy as np
 
 from lommel.base.arrays import Json, Values
-from lommel.imaging.deconvolution import RichardsonLucy
+from lommel.deconvolve.algorithms import RichardsonLucy
 from lommel.lensfiles.camera_files import load_camera
 from lommel.lensfiles.example_files import example_files, of_kind
 from lommel.lensfiles.microscope_files import Microscope, load_microscope

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lommel import Lens, Noise
+from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.imaging import DepthBlur, LinearBlur, OnePass, restore, restore_with
-from lommel.imaging.poisson_counts import PhotographCounts
 from scenes import ThinLens, averaged, before, lommel_lens, plane, texture
 
 SIDE, LIGHT, READ = 128, 5000.0, 3.0

@@ -7,10 +7,10 @@ import pytest
 from scipy.optimize import minimize
 
 from lommel import Lens, Noise
+from lommel.deconvolve.algorithms import NOISE, STEPS, search
+from lommel.deconvolve.iterations import Background, VariationIteration, iterated
+from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.imaging import DepthBlur, TotalVariation, restore_with
-from lommel.imaging.deconvolution import NOISE, STEPS, search
-from lommel.imaging.iterations import Background, VariationIteration, iterated
-from lommel.imaging.poisson_counts import PhotographCounts
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 

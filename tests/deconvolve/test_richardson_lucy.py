@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from lommel import Lens, Noise
+from lommel.deconvolve.algorithms import MISFIT, NOISE, STEPS, StoppingRule
+from lommel.deconvolve.iterations import Solution, iterated
+from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
-from lommel.imaging.deconvolution import MISFIT, NOISE, STEPS, StoppingRule
-from lommel.imaging.iterations import Solution, iterated
-from lommel.imaging.poisson_counts import PhotographCounts
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
 DEPTH = np.full((48, 56), 2.5)

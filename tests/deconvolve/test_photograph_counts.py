@@ -7,8 +7,8 @@ import pytest
 from scipy.special import kl_div
 
 from lommel import Lens, Noise
+from lommel.deconvolve.poisson_counts import PhotographCounts
 from lommel.imaging import DepthBlur, LinearBlur
-from lommel.imaging.poisson_counts import PhotographCounts
 
 LENS = Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 

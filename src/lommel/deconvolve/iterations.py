@@ -12,7 +12,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import side_by_side
-from lommel.imaging.deconvolution import (
+from lommel.deconvolve.algorithms import (
     MISFIT,
     NOISE,
     STEPS,
@@ -23,8 +23,8 @@ from lommel.imaging.deconvolution import (
     search,
     silent,
 )
-from lommel.imaging.linear import Made, PlaneOperator, Take
-from lommel.imaging.poisson_counts import PhotographCounts, PoissonCounts, at_least
+from lommel.deconvolve.linear import Made, PlaneOperator, Take
+from lommel.deconvolve.poisson_counts import PhotographCounts, PoissonCounts, at_least
 
 _EVERY = 2  # stride along each axis of the voxels that determine the extrapolation
 _MOST_AHEAD = 4.0  # largest factor by which a step is extrapolated

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array, Values
+from lommel.deconvolve.algorithms import MISFIT
+from lommel.deconvolve.linear import ImagePlanes, LinearBlur, Part, PlaneOperator, overlap
 from lommel.fit.findings import Finding
-from lommel.imaging.deconvolution import MISFIT
-from lommel.imaging.linear import ImagePlanes, LinearBlur, Part, PlaneOperator, overlap
 from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 

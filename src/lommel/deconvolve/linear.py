@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar
 
@@ -15,6 +15,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.core import engine
 from lommel.core.answers import DType
+
+Window = tuple[slice, slice]
 
 if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator
@@ -507,3 +509,20 @@ def _parabolas(
         # Parabolas: the error falls by 8 where tiles are half as wide.
         tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1.0 / 3.0)))
     raise ArithmeticError(f"parabolas in {_MOST_TILES} tiles are not close enough to the windows across the image")
+
+
+def tiles_of(
+    shape: Sequence[int], side: int | Sequence[int], overlap: int
+) -> Iterator[tuple[Window, Window, Window]]:
+    """Yield the slices of each tile, of the part that it depends on, and of the tile in that part."""
+    down, across = (side, side) if isinstance(side, int) else side
+    for top in range(0, shape[0], down):
+        for left in range(0, shape[1], across):
+            inside, around, within = [], [], []
+            for start, size, own in ((top, shape[0], down), (left, shape[1], across)):
+                stop = min(size, start + own)
+                first, last = max(0, start - overlap), min(size, stop + overlap)
+                inside.append(slice(start, stop))
+                around.append(slice(first, last))
+                within.append(slice(start - first, stop - first))
+            yield (inside[0], inside[1]), (around[0], around[1]), (within[0], within[1])

@@ -1,0 +1,1 @@
+"""Deconvolution on Poisson counts: linear operators by planes, likelihood, steps, stopping rules, and the result."""

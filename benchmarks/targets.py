@@ -479,7 +479,7 @@ def targets(settings: Settings) -> Table:
     """Measure and judge every row; one that fails gets a second chance, and both results are noted."""
     table = Table(
         "targets",
-        "Overview",
+        "All rows",
         "Through the public Python call, warm, one thread unless the row says otherwise; the least favourable "
         "case of each row, with the largest true error of all its cases. "
         f"{_unit(settings)}",

@@ -29,6 +29,7 @@ import drawn
 import lommel as lm
 import simulated_movies
 import simulated_stacks
+from benchmarks import report
 from frameworks import hasty_programs
 from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
@@ -515,47 +516,34 @@ def test_the_first_pages_are_short_and_without_demands_on_speed():
     assert not re.search(r"verdict|MISSED|\| aim", readme + benchmarks)
 
 
-# Rows of README's table of speeds: the table of results, and how the row that they come from begins.
-SPEEDS = [
-    ("targets", "512², float32, tol 1e-6, abs(C_d), abs(C_s) ≤ 50"),
-    ("targets", "512², float32, tol 1e-6, pixels of 0.5 λN, coma, astigmatism, trefoil"),
-    ("targets", "1000 of 33², 15 Zernike terms of 1 rad rms together, float32, tol 1e-4"),
-    ("camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs"),
-    ("camera", "f/2.8, 4 µm (2.6 λN), 0.2 waves rms, 1000 PSFs"),
-    ("camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs"),
-    ("microscopes", "64 planes of 64²"),
-]
+def results_of(name: str) -> dict[str, Any]:
+    return json.loads((ROOT / "benchmarks" / f"{name}.json").read_text("utf-8"))
 
 
 def test_the_speeds_of_the_readme_are_those_of_the_results():
     table = (ROOT / "README.md").read_text(encoding="utf-8").partition("## How fast")[2].partition("\n## ")[0]
     rows = [line.strip("|").split("|") for line in table.splitlines() if line.startswith("|")][2:]
-    results = [
-        json.loads((ROOT / "benchmarks" / f"{name}.json").read_text("utf-8")) for name in ("results", "second")
-    ]
-    assert len(rows) == len(SPEEDS)
-    for (*_, against, first, second), (key, words) in zip(rows, SPEEDS, strict=True):
-        for cell, result in zip((first.strip(), second.strip()), results, strict=True):
-            tables = [each["rows"] for each in result["tables"] if each["key"] == key]
-            if cell == "–":
-                assert not tables, words
-                continue
-            row = next(row for row in tables[0] if next(iter(row.values())).startswith(words))
-            spreads = [value["median"] for value in row.values() if isinstance(value, dict)]
-            measured = spreads[1] if "complex64" in against or key == "microscopes" else spreads[0]
-            assert float(cell) == pytest.approx(measured, abs=0.05, rel=0.005), words
+    for column, name in ((-2, "results"), (-1, "second")):
+        measured = report.in_short(results_of(name))
+        for row, value in zip(rows, measured, strict=True):
+            if value is None:
+                assert row[column].strip() == "–", row
+            else:
+                assert float(row[column]) == pytest.approx(value, abs=0.05, rel=0.005), row
+
+
+def test_the_page_of_benchmarks_is_that_of_the_results():
+    page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+    assert page == report.write(results_of("results"), results_of("second"))
 
 
 @pytest.mark.parametrize("name", ["paper.md", "CHANGELOG.md"])
 def test_the_speeds_of_the_paper_and_the_changelog_are_those_of_the_results(name):
     text = (ROOT / name).read_text(encoding="utf-8")
     for results in ("results", "second"):
-        tables = json.loads((ROOT / "benchmarks" / f"{results}.json").read_text("utf-8"))["tables"]
-        rows = next(table["rows"] for table in tables if table["key"] == "targets")
-        for _, words in (SPEEDS[0], SPEEDS[2]):
-            row = next(row for row in rows if next(iter(row.values())).startswith(words))
-            ratio = next(value["median"] for value in row.values() if isinstance(value, dict))
-            assert f"1/{ratio:.3g} " in " ".join(text.split()), (results, words)
+        measured = report.in_short(results_of(results))
+        for ratio in (measured[0], measured[2]):
+            assert f"1/{ratio:.3g} " in " ".join(text.split()), results
 
 
 def test_the_numbers_of_instruments_that_are_told_are_those_of_the_files():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -105,3 +106,14 @@ def test_the_head_is_what_journals_read():
 
 def test_the_pages_that_it_names_exist():
     assert all((ROOT / name).is_file() for name in re.findall(r"`(docs/[\w.-]+\.md)`", TEXT))
+
+
+def test_every_theorem_of_the_certificate_names_its_code_and_the_tests_that_sweep_it():
+    listed = tomllib.loads((ROOT / "docs" / "theorems.toml").read_text(encoding="utf-8"))["theorem"]
+    sections = re.findall(r"^## (.+)$", (ROOT / "docs" / "certificate.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert [theorem["section"] for theorem in listed] == [name for name in sections if name != "Tests"]
+    for theorem in listed:
+        assert theorem["bounds"]
+        for name in (*theorem["code"], *theorem["tests"]):
+            assert (ROOT / name).is_file(), (theorem["section"], name)
+        assert theorem["tests"]

@@ -486,7 +486,8 @@ class PSF(Measured, PSFLike, display.Shown):
     error_bound : float or None
         Bound on the largest error relative to the peak of the PSF, in the window or not ("peak": to the largest value
         in the window), the largest of the stack; None if the method has none. The peak of a pixel-integrated PSF is
-        the largest average over a pixel.
+        the largest average over a pixel of this size anywhere, which may exceed all pixels of the image (up to 3.8
+        times for coarse pixels with the axis at a corner).
     scale : ndarray, shape ``pupil.shape``
         Factor by which the intensity was multiplied, which is 1 at the peak without obscuration and aberration.
     derivatives : dict of (str or (int, int)) to ndarray

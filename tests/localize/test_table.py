@@ -270,7 +270,7 @@ def test_sizes_of_a_table_in_the_core_do_not_wrap_around(table):
 
 
 BAD = [
-    ({"pupil": lm.Pupil()}, TypeError, "pupil must be one of an Objective (Objective.pupil), got Pupil("),
+    ({"pupil": lm.Pupil()}, TypeError, "pupil must be one of an Objective (Objective.pupil), got <Pupil"),
     ({"pupil": SHORT.pupil(depth=1e-6, z=[0, 1e-6], wavelength=6e-7)}, ValueError, "pupil must be of one plane"),
     ({"shape": 65}, ValueError, "shape must be 5 to 64 pixels a side, 15 is usual, got (65, 65)"),
     ({"pixel": 16e-6}, ValueError, "pixel must be at most 1.5e-05 m with this pupil, got 1.6e-05"),

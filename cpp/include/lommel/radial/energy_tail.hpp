@@ -181,7 +181,8 @@ class EnergyTail {
         }
     }
 
-    // Bound on the part of U that the waves leave out; it falls as v^(-terms - 3/2) or faster.
+    // Bound on the part of U that the waves leave out. It falls as v^(-terms - 3/2) or faster, on which rings() counts: the
+    // remainder of the integration by parts does so from N = terms + 1 on.
     double remainder(double r) const {
         double sum = 0.0, least = 1e150;
         for (std::size_t i = 0; i < left_count_; ++i) {
@@ -189,7 +190,9 @@ class EnergyTail {
         }
         for (std::size_t k = terms; k < orders; ++k) {
             const double power = std::pow(r, -static_cast<double>(k) - 0.5);
-            least = std::min(least, sum + inside_[k] * power);
+            if (k > terms) {
+                least = std::min(least, sum + inside_[k] * power);
+            }
             sum += at_edges_[k] * power / r;
         }
         return least;

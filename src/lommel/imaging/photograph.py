@@ -384,20 +384,14 @@ def depth_of_field(
     if tile is not None:
         validation.integer("tile", tile, least=16, most=validation.MAX_SIDE)
     validation.function("progress", progress, required=False)
-    lazy = any(not isinstance(part, np.ndarray) and hasattr(part, "chunks") for part in (image, depth))
+    lazy = _are_dask(image, depth)
     if supersample != 1 and (tile is not None or depths is not None or lazy):
         raise ValueError(f"supersample must be 1 with tile or depths and for dask arrays, got {supersample}")
-    da = sys.modules.get("dask.array")  # without which there are no such arrays
-    if da is not None and isinstance(image, da.Array) | isinstance(depth, da.Array):
+    if lazy:
         if out is not None or progress is not None:
             raise ValueError(
                 "out and progress are not for dask arrays, which are computed later: use "
                 "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
-            )
-        if not (isinstance(image, da.Array) and isinstance(depth, da.Array)):
-            raise TypeError(
-                "image and depth must both be dask arrays if one is, "
-                f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes one"
             )
         # dask runs chunks in parallel: a thread each by default.
         given: Keywords = {"threads": 1, **options}
@@ -413,9 +407,24 @@ def depth_of_field(
         if progress is not None:
             progress(1, 1)
         return made
+    return _by_tiles(values, distances, lens, pixel, encoding, tile, depths, Settings(**options), out, progress)
+
+
+def _by_tiles(
+    values: Pixels,
+    distances: Pixels,
+    lens: Lens,
+    pixel: float,
+    encoding: str,
+    tile: int | None,
+    depths: tuple[float, float] | None,
+    settings: Settings,
+    out: Pixels | None,
+    progress: Callable[[int, int], object] | None,
+) -> Photograph:
+    """Return the photograph of arrays or memory maps, tile by tile."""
     require_scene("image", values.shape, distances.shape)
     out = output(out, "image", values.shape, values.dtype, values, distances)
-    settings = Settings(**options)
     if settings.missing == "nearest":
         distances = fill_missing(distances, "nearest")
     depths = depth_range(distances, settings.missing) if depths is None else depths
@@ -429,6 +438,18 @@ def depth_of_field(
         if progress is not None:
             progress(done, len(tiles))
     return _photograph(out, blur.whole, clipped)
+
+
+def _are_dask(image: object, depth: object) -> bool:
+    """Return whether image and depth are dask arrays; TypeError if only one is."""
+    da = sys.modules.get("dask.array")  # without which there are no such arrays
+    found = [da is not None and isinstance(part, da.Array) for part in (image, depth)]
+    if any(found) and not all(found):
+        raise TypeError(
+            "image and depth must both be dask arrays if one is, "
+            f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes one"
+        )
+    return all(found)
 
 
 def _lazy(

@@ -97,6 +97,13 @@ class Blur:
         return 0.0, 0.0
 
     @property
+    def isotropic(self) -> bool:
+        """Whether it is the same in all directions."""
+        (xx, xy), (_, yy) = self.covariance
+        # A rounded rotation leaves some 1e-16 of the variance in xy.
+        return self.streak == (0.0, 0.0) and bool(abs(xy) <= 1e-15 * xx and abs(xx - yy) <= 1e-15 * xx)
+
+    @property
     def lengths(self) -> tuple[float, ...]:
         """Parameters that are lengths on the sensor."""
         return tuple(vars(self)[name] for name in ("sigma", "across", "length") if name in vars(self))

@@ -13,7 +13,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Seeing
@@ -187,14 +186,3 @@ class Shape:
             weights, rates, _ = turbulence(outer, 8)
             rates = rates / (2.0 * math.pi**2 * q * q)
         return cls(weights, np.empty((len(weights), 0)), rates + squares)
-
-
-def isotropic(several: tuple[Blur, ...]) -> NDArray[np.bool_]:
-    """Return for each blur whether it is the same in all directions."""
-    found = []
-    for each in several:
-        (xx, xy), (_, yy) = each.covariance
-        # A round Gaussian at an angle: its covariance is turned, and rounded.
-        round_ = max(abs(xy), abs(xx - yy)) <= 1e-14 * max(xx, yy)
-        found.append(round_ and not any(each.streak))
-    return np.array(found, dtype=bool)

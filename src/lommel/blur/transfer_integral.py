@@ -104,11 +104,9 @@ class Fading(NamedTuple):
         kolmogorov = gauss = 0.0
         outer = []
         for blur in several:
-            (xx, xy), (_, yy) = blur.covariance
-            # A rounded rotation leaves some 1e-16 of the variance in xy.
-            if blur.streak != (0.0, 0.0) or abs(xy) > 1e-15 * xx or abs(xx - yy) > 1e-15 * xx:
+            if not blur.isotropic:
                 return None
-            gauss += 2.0 * math.pi**2 * float(xx) / scale**2
+            gauss += 2.0 * math.pi**2 * float(blur.covariance[0, 0]) / scale**2
             if not isinstance(blur, Seeing):
                 continue
             at = blur.coherence(wavelength) * scale

@@ -138,18 +138,18 @@ def instrument_of(lens: Path, **given: object) -> Instrument:
         for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
             validation.pixel(side, metric=True)
         changes["pixel"] = validation.pitch("pixel", changes["pixel"])
-    stated = {name: changes.pop(name) for name in _OF_LENS if name in changes}
+    stated = {name: changes.pop(name) for name in _RESTATED if name in changes}
     found = load_instrument(lens)
     return dataclasses.replace(_restated(found, stated, lens) if stated else found, **changes)
 
 
-_OF_LENS = "focal_length", "f_number", "wavelength", "focus_distance"
+_RESTATED = "focal_length", "f_number", "wavelength", "focus_distance"
 
 
 def _restated(found: Instrument, stated: Facts, path: Path) -> Instrument:
     """Return an instrument whose lens has the focal length, f-number, wavelength and focus that options state."""
     if found.aberrations_of_field is not None and (fixed := stated.keys() - {"focus_distance"}):
-        flags = ", ".join(flag_of(name) for name in _OF_LENS if name in fixed)
+        flags = ", ".join(flag_of(name) for name in _RESTATED if name in fixed)
         raise ValueError(
             f"{flags} cannot change what the section [field] of {path} states in waves over its aperture: edit a copy"
         )

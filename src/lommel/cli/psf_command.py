@@ -231,10 +231,10 @@ def psf(
     if place is not None and field is not None:
         raise ValueError("--at is for one place: leave out --field")
     channels = (instrument.channels or Channels.rgb()) if colour else None
-    transfer = partial(_describe_mtf, instrument, place, channels) if mtf else None
+    pupil, where = _at(instrument, place)
+    transfer = partial(_describe_mtf, instrument, pupil, place, channels) if mtf else None
     if field is not None:
         return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
-    pupil, where = _at(instrument, place)
     said = [*where, *air.words()]
     if channels is not None:
         return _write(_in_colour(instrument, pupil, channels, options, said), *files, mtf=transfer)
@@ -242,14 +242,18 @@ def psf(
 
 
 def _describe_mtf(
-    instrument: Instrument, place: tuple[float, float] | None, channels: Channels | None, made: object
+    instrument: Instrument,
+    pupil: Callable[[], Pupil],
+    place: tuple[float, float] | None,
+    channels: Channels | None,
+    made: object,
 ) -> Report:
     """Return the report of the MTF where PSFs were `made`: at each place of a grid, at one place, or on the axis."""
     if isinstance(made, PSFGrid):
         field_map = instrument.field()
         places = [(x, y, field_map.pupil(x, y)) for y in made.y.tolist() for x in made.x.tolist()]
     else:
-        places = [(*(place or (None, None)), _at(instrument, place)[0]())]
+        places = [(*(place or (None, None)), pupil())]
     return reports.describe_mtf(instrument, places, channels)
 
 

@@ -17,7 +17,7 @@ from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
-from lommel.blur.mixtures import SIGMAS, Shape, isotropic
+from lommel.blur.mixtures import SIGMAS, Shape
 from lommel.estimation.cosmic_rays import sharpness, struck
 from lommel.estimation.distortion import (
     POSES,
@@ -559,7 +559,7 @@ def _shape(
         return Shape.turbulent() if target is None else Shape.gaussian()
     known = blurs(None if blur is False else blur)
     require_unit(known, pupil)
-    if not isotropic(known).all() or sum(isinstance(each, Seeing) for each in known) > 1:
+    if not all(each.isotropic for each in known) or sum(isinstance(each, Seeing) for each in known) > 1:
         raise ValueError(
             f"blur must be the same in all directions, with one Seeing at most, got {validation.shown(blur)}"
         )

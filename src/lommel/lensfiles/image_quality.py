@@ -32,9 +32,8 @@ if TYPE_CHECKING:
     from lommel.optics.lens import Lens
     from lommel.optics.pupil import Pupil
 
-    Place = tuple[
-        float | None, float | None, Pupil
-    ]  # x and y on the sensor, metres, None on the axis; the pupil there
+    # x and y on the sensor, metres, None where the file has no field; and the pupil there.
+    Place = tuple[float | None, float | None, Pupil]
 
 Value = TypeVar("Value")
 
@@ -502,8 +501,8 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
     rows = []
     for x, y, pupil in places:
         directions = {"nyquist": np.diag(nyquist)}  # frequency along x, along y
-        if x or y:
-            radial = np.array([x or 0.0, y or 0.0]) / math.hypot(x or 0.0, y or 0.0)
+        if x is not None and y is not None and (x or y):
+            radial = np.array([x, y]) / math.hypot(x, y)
             directions["radial"] = min(nyquist) * np.array([[-radial[1], radial[0]], radial])
         for name, light in lights:
             found = {

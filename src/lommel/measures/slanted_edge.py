@@ -162,6 +162,7 @@ def _edge(values: Array) -> tuple[float, float]:
     """Return the place of an upright edge in the first row, and its slope, pixels per row."""
     height, width = values.shape
     differences = np.diff(values, axis=1)
+    noise = 1.4826 * np.median(np.abs(differences)) / math.sqrt(2.0)
     differences = differences * np.sign(differences.sum())
     rows, places = np.arange(height), np.arange(width - 1) + 0.5
     line, reach = np.array([0.0, 0.5 * (width - 1)]), float(width)
@@ -170,7 +171,6 @@ def _edge(values: Array) -> tuple[float, float]:
         near = np.abs(places - np.polyval(line, rows)[:, None]) <= reach
         steps = np.where(near, differences, 0.0)
         step = steps.sum(axis=1)
-        noise = 1.4826 * np.median(np.abs(np.diff(values, axis=1))) / math.sqrt(2.0)
         if not np.median(step) > _CONTRAST * noise:
             raise ValueError("image must show an edge that exceeds the noise of its pixels")
         good = step > 0.5 * np.median(step)

@@ -339,10 +339,8 @@ def focus_tolerance(
     """
     from scipy.optimize import brentq
 
-    f, wanted = (
-        validation.real("frequency", frequency, above=0.0),
-        validation.real("least", least, above=0.0, below=1.0),
-    )
+    f = validation.real("frequency", frequency, above=0.0)
+    wanted = validation.real("least", least, above=0.0, below=1.0)
     wavelength, number = checked(pupil).wavelength, pupil.f_number
     if wavelength is None or number is None or pupil.shape:
         raise ValueError(f"pupil must be a single one with a wavelength, whose sensor is in metres, got {pupil!r}")
@@ -361,14 +359,13 @@ def focus_tolerance(
     step = 0.1 / (share * (1.0 - share))
     ends = []
     for side in (1.0, -1.0):  # towards the lens first
-        low = 0.0
         for start in range(0, 4096, 8):
-            c = side * step * np.arange(start + 1, start + 9)
-            below = above(c) <= 0.0
+            c = side * step * np.arange(start, start + 9)
+            below = above(c[1:]) <= 0.0
             if below.any():
                 k = int(below.argmax())
-                low = c[k - 1] if k else side * step * start
-                ends.append(metres * float(brentq(lambda at: float(above(at)), low, c[k], xtol=1e-4)))
+                # 1e-5 rad are 2.5e-5 lambda N^2.
+                ends.append(metres * float(brentq(lambda at: float(above(at)), c[k], c[k + 1], xtol=1e-5)))
                 break
         else:
             raise ValueError(f"least must be an MTF that defocus reaches, got {wanted:g}")

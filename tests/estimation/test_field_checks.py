@@ -175,7 +175,7 @@ def test_sentences_name_sizes_with_errors_and_units():
 def test_derivatives_by_other_blurs_are_those_of_blurred_images():
     pixel, variance = 1.3, 0.5
     reader = StarReadout((15, 13), pixel, 2.0, Shape.gaussian(), integrate=False)
-    y, x = (0.45 * (np.arange(side) - side // 2) for side in reader.shape)
+    y, x = (reader.step * (np.arange(side) - side // 2) for side in reader.shape)
     # A sum of Gaussians, which blur makes wider: off the axis and without symmetry.
     spots = [(1.0, 0.4, -0.7, 0.9, 1.4), (0.5, -1.5, 1.1, 1.2, 0.8)]
 

@@ -15,7 +15,7 @@ from lommel.blur.mixtures import Shape
 from lommel.estimation import field_fit
 from lommel.estimation.field_search import Search
 from lommel.estimation.field_signs import monomials, robust
-from lommel.estimation.star_readout import STEP, StarReadout
+from lommel.estimation.star_readout import StarReadout
 from lommel.lensfiles.tables import read_csv
 
 NOISE = lm.Noise(read=2.0)
@@ -386,7 +386,7 @@ def test_pixels_read_from_samples_are_those_of_blurred_psfs(pixel, sigma, integr
     pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"))
     exact = lm.psf(pupil, 15, pixel, integrate=integrate, blur=lm.Jitter(sigma * pixel)).values
     reader = StarReadout((15, 15), pixel, sigma, Shape.gaussian(), integrate=integrate)
-    samples = np.asarray(lm.psf(pupil, reader.shape, STEP, integrate=False).values)
+    samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
     read, slope = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), slopes=True)
     np.testing.assert_allclose(read[0], exact, atol=1e-5 * exact.max())
     step = 0.02
@@ -395,6 +395,18 @@ def test_pixels_read_from_samples_are_those_of_blurred_psfs(pixel, sigma, integr
     )
     change = (one - other) / (2.0 * step)
     np.testing.assert_allclose(slope, change, atol=5e-3 * np.abs(change).max())
+
+
+@pytest.mark.parametrize(("pixel", "sigma"), [(2.2, 1.1), (7.8, 1.3), (7.8, 0.4)])
+def test_samples_behind_wide_blur_may_be_far_apart(pixel, sigma):
+    pupil = lm.Pupil(lm.Wavefront.zernike({4: 0.5, 7: 0.4, 9: 0.3}, order="noll"), obscuration=0.3)
+    exact = np.asarray(lm.psf(pupil, 11, pixel, integrate=True, blur=lm.Jitter(sigma * pixel)).values)
+    narrowest = np.array([sigma**2])
+    reader = StarReadout((11, 11), pixel, sigma, Shape.gaussian(), integrate=True, narrowest=narrowest)
+    assert 0.5 < reader.step < 1.0
+    samples = np.asarray(lm.psf(pupil, reader.shape, reader.step, integrate=False).values)
+    (read,) = reader.read([samples[None]], np.full((1, 1, 1), sigma**2), slopes=False)
+    np.testing.assert_allclose(read[0], exact, atol=1e-5 * exact.max())
 
 
 @pytest.mark.parametrize("blurs", ["alike", "by exposure", "each"])

@@ -9,7 +9,18 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OVAL, SHIFT, SLANT, SampledPupil, UnevenLight, changes_of
+from lommel.estimation import sampled_pupil
+from lommel.estimation.sampled_pupil import (
+    ASPECT,
+    FOLDS,
+    OBSCURATION,
+    OVAL,
+    SHIFT,
+    SLANT,
+    SampledPupil,
+    UnevenLight,
+    changes_of,
+)
 from lommel.optics.grid import Grid
 from lommel.optics.wavefront.wavefront import Wavefront
 
@@ -43,6 +54,14 @@ def test_images_and_slopes_are_near_to_certified_ones(name):
         assert np.abs(slope - true.derivatives[term]).max() < 1e-3 * peak
 
 
+def test_large_images_are_the_same_by_fourier_transforms_and_by_matrices(monkeypatch):
+    grid = Grid((165, 181), 0.8, integrate=False)
+    found = SampledPupil(APERTURES["vanes"], grid, TERMS).images(EDGE, [3])
+    monkeypatch.setattr(sampled_pupil, "SMALL", 1000)
+    for one, other in zip(found, SampledPupil(APERTURES["vanes"], grid, TERMS).images(EDGE, [3]), strict=True):
+        assert np.abs(one - other).max() < 1e-3 * np.abs(other).max()
+
+
 def test_slopes_alone_are_the_same():
     sampled = SampledPupil(APERTURES["vanes"], Grid(21, 0.45), TERMS)
     whole, alone = sampled.images(EDGE, [3]), sampled.images(EDGE, [3], values=False)
@@ -73,6 +92,10 @@ def changed(name, way, inside, defocus):
             clear = clear * (1 + step * RHO**n * turn(n * THETA))
         elif name == SHIFT:
             options = {"off": ((step, 0.0), (0.0, step))[way]}
+        elif name == OBSCURATION:
+            # The light of the annulus is that of `inside` in both, as the flux of a star is estimated.
+            made.append(image(clear, inside + step, defocus) * (1 - (inside + step) ** 2) / (1 - inside**2))
+            continue
         elif name == OVAL:
             clear = 1 + step * turn(2 * THETA) > RHO
         else:
@@ -89,7 +112,13 @@ def test_derivatives_are_differences_of_images(inside, defocus):
     edge = np.array([[wavefront.edge_terms()[term] for term in terms]])
     made = UnevenLight(pupil, Grid((SIDE, SIDE), PITCH, integrate=False), terms, edge).images()
     changes = changes_of(pupil)
-    assert changes == {SLANT: 2, **dict.fromkeys(FOLDS, 2), **({SHIFT: 2} if inside else {}), OVAL: 2, ASPECT: 1}
+    assert changes == {
+        SLANT: 2,
+        **dict.fromkeys(FOLDS, 2),
+        **({SHIFT: 2, OBSCURATION: 1} if inside else {}),
+        OVAL: 2,
+        ASPECT: 1,
+    }
     values = np.asarray(lm.psf(pupil, SIDE, PITCH, integrate=False).values)
     assert np.abs(image(RHO < 1, inside, defocus) - values).max() < 2e-3 * values.max()
     expected = [(name, way) for name, count in changes.items() for way in range(count)]

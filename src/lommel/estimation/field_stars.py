@@ -16,7 +16,7 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur
 from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
-from lommel.estimation.sampled_pupil import SampledPupil, UnevenLight, changes_of
+from lommel.estimation.sampled_pupil import SMALL, SampledPupil, UnevenLight, changes_of
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, slants, star_counts
 from lommel.estimation.star_readout import StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
@@ -98,7 +98,7 @@ class FieldStars:
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
-        self._kept: dict[tuple[tuple[int, int], tuple[Name, ...]], SampledPupil] = {}
+        self._kept: dict[tuple[tuple[int, int], float, tuple[Name, ...]], SampledPupil] = {}
         self.tested = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
 
     def shaped(self, shape: Shape) -> FieldStars:
@@ -115,6 +115,8 @@ class FieldStars:
     def having(self, **changes: Any) -> FieldStars:
         """Return stars of the same images with other attributes, such as `further` or `lens`."""
         found = copy(self)
+        if "lens" in changes:
+            changes["_kept"] = {}
         vars(found).update(changes)
         return found
 
@@ -152,9 +154,17 @@ class FieldStars:
         # The wide Gaussians of seeing reach farther: they leave out light far beyond the window alone.
         known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
         width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
-        if reader is None or not reader.widest - 2.0 * _ROOM <= width <= reader.widest:
-            widest = width + _ROOM if self.widths else width
-            self._reader = StarReadout(self.shape, self.pixel, widest, shape, integrate=self.integrate)
+        variances = shape.variances(squares).reshape(-1, len(shape.weights)).min(axis=0)
+        fits = isinstance(reader, StarReadout) and reader.widest - 2.0 * _ROOM <= width <= reader.widest
+        if not (fits and (variances >= reader.narrowest).all()):
+            least, widest = variances, width
+            if self.widths:
+                # Of a ladder of widths: lattices of sampled pupils are used again.
+                widest = _ROOM * (math.ceil(width / _ROOM) + 1)
+                least = variances * max(1.0 - _ROOM / max(width, _ROOM), 0.0) ** 2
+            self._reader = StarReadout(
+                self.shape, self.pixel, widest, shape, integrate=self.integrate, narrowest=least
+            )
         return self._reader
 
     def _block(
@@ -170,7 +180,9 @@ class FieldStars:
         dtype = output_type(None, tol)
         prepared = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
         by = {"all": self._slopes, "own": self._slopes[-2:], "none": (), "others": self.further}[slopes]
-        if pupil.circular or pupil.mask is not None:
+        # Sampled pupils have no masks, and no derivatives but those by phases.
+        proven = pupil.mask is not None or (pupil.circular and (slopes == "others" or max(shape) <= SMALL))
+        if proven:
             _, made, rates = prepared.images(pupil, by)
             samples = [made.values, *(slope.values for slope in rates)]
             if slopes == "others" and changes_of(self.lens):
@@ -200,8 +212,8 @@ class FieldStars:
         return found
 
     def _sampled(self, grid: Grid) -> SampledPupil:
-        """Return the samples of an aperture that is not round, for images on a lattice."""
-        key = grid.shape, self.further
+        """Return the samples of the aperture, for images on a lattice."""
+        key = grid.shape, grid.pixel, self.further
         if key not in self._kept:
             self._kept[key] = SampledPupil(self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further]))
         return self._kept[key]

@@ -5,6 +5,8 @@ Express 15, 15935 (2007), doi:10.1364/OE.15.015935), P being the pupil function 
 it that is clear; derivatives by a Zernike term Z are those of ``i Z P``. A search, whose images need be no nearer to
 the true ones than noise is, is an order of magnitude faster than by rules that are proven for vanes and segments.
 
+Of large images the same sums are computed by FFT.
+
 Where the pupil function changes, so does the field, by U', and the image by ``2 Re(U* U')``: light that is uneven is
 an amplitude ``a P`` over the cells, an edge elsewhere the integral of P along it times the length by which it moves
 outward. Within a few percent, not proven.
@@ -16,6 +18,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from scipy import fft
 
 from lommel.base.arrays import Array, Values
 from lommel.estimation.star_readout import products, unfolded
@@ -26,10 +29,11 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
 _LEAST, _STEP = 96, 16  # least samples across the aperture, and the number that they are a multiple of
+SMALL = 160  # samples along a side up to which matrices are used
 _FINE = 4  # parts of a cell along an axis, which determine its clear share
 SLANT = "light that slopes across the pupil"
 FOLDS = tuple(f"light of {n} folds in the pupil" for n in ("two", "three", "four"))
-SHIFT, OVAL = "obscuration off the middle", "aperture that is not round"
+SHIFT, OBSCURATION, OVAL = "obscuration off the middle", "obscuration", "aperture that is not round"
 ASPECT = "image that is longer along y than along x"
 _FEWEST, _MOST = 48, 256  # least and most samples across for uneven light
 _TURN = 0.6  # radians: largest change of the phase from cell to cell
@@ -44,8 +48,14 @@ class SampledPupil:
         # Images repeat after as many lambda*N as there are samples: one of them fills the window.
         across = max(grid.shape) * grid.step(pupil) / math.pi
         side = max(_LEAST, _STEP * math.ceil(across / _STEP))
-        at, fine = cell_centers(side), cell_centers(side * _FINE)
-        parts = pupil.opening.coverage(fine[None, :], fine[:, None], 1.0 / fine.size)
+        width = 2.0 / side
+        #: Length of Fourier transforms; 0 for products of matrices, which take less time where images are small.
+        self._length = fft.next_fast_len(max(grid.shape)) if max(grid.shape) > SMALL else 0
+        if self._length:
+            width = 2.0 * math.pi / (self._length * grid.step(pupil))
+            side = 2 * math.ceil(1.0 / width)
+        at, fine = (0.5 * width * side * cell_centers(count) for count in (side, side * _FINE))
+        parts = pupil.opening.coverage(fine[None, :], fine[:, None], 0.5 * width / _FINE)
         clear = _sums(parts)
         # Phases in the middle of a cell are off by as much as those in the middle of what is clear, the other way.
         share = np.maximum(clear, 1e-12)
@@ -59,11 +69,11 @@ class SampledPupil:
             light *= np.exp(1j * pupil.opening.phase(x, y))
         # The share of light in a pixel: its area in v over 4 pi times the transmission, as of lommel.psf.
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
-        self._light = (light * (4.0 * scale / (math.pi * side**2))).astype(np.complex64)
+        self._light = (light * (scale * width**2 / math.pi)).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
         half = at[side // 2 :]
         #: Cosines and sines of rows and columns at and beyond the axis, (places, cells).
-        self._down, self._across = (_waves(step * places, half) for places in (grid.y, grid.x))
+        self._down, self._across = ([] if self._length else _waves(step * y, half) for y in (grid.y, grid.x))
         self._shape = grid.shape
 
     def images(self, edge: Array, by: Sequence[int], *, values: bool = True) -> list[Values]:
@@ -76,16 +86,27 @@ class SampledPupil:
             phase = np.tensordot(one, terms, 1)
             planes = self._light * np.cos(phase), self._light * np.sin(phase)
             pupil = np.stack([planes[0].real - planes[1].imag, planes[0].imag + planes[1].real])[None]
-            (cc, sc), (cs, ss) = self._parts(np.concatenate([pupil, factors[:, None] * pupil]))
-            # Sines are times -i, which makes the real part the imaginary one.
-            right, down = (np.stack([part[:, 1], -part[:, 0]], axis=1) for part in (cs, sc))
-            field = unfolded([[cc, right], [down, -ss]], self._shape)
-            real, imaginary = field[:, 0], field[:, 1]
+            real, imaginary = self._fields(np.concatenate([pupil, factors[:, None] * pupil]))
             if values:
                 found[0, k] = real[0] ** 2 + imaginary[0] ** 2
             # U' = i G, and I' = 2 Re(conj(U) U').
             found[int(values) :, k] = (2.0 * imaginary[0]) * real[1:] - (2.0 * real[0]) * imaginary[1:]
         return list(found)
+
+    def _fields(self, planes: Values) -> tuple[Values, Values]:
+        """Return the real and imaginary parts of the fields (n, h, w) of pupils of real parts (n, 2, y, x)."""
+        if self._length:
+            # Cells begin at the first sample of the transform: a phase that all fields have in common.
+            size = self._length, self._length
+            field = fft.fft2(planes[:, 0] + np.complex64(1j) * planes[:, 1], size)
+            rows, columns = (np.arange(side) - side // 2 for side in self._shape)
+            field = field[:, rows[:, None], columns]
+            return field.real, field.imag
+        (cc, sc), (cs, ss) = self._parts(planes)
+        # Sines are times -i, which makes the real part the imaginary one.
+        right, down = (np.stack([part[:, 1], -part[:, 0]], axis=1) for part in (cs, sc))
+        parts = unfolded([[cc, right], [down, -ss]], self._shape)
+        return parts[:, 0], parts[:, 1]
 
     def _parts(self, planes: Values) -> list[list[Values]]:
         """Return cosine and sine transforms (n, 2, h, w) along columns and rows of pupils of real parts (n, 2, y, x).
@@ -121,7 +142,7 @@ def changes_of(pupil: Pupil) -> dict[str, int]:
     """Return changes of a round pupil, and the number of derivatives of images by each; none for other pupils."""
     if not pupil.circular or pupil.mask is not None:
         return {}
-    inner = {SHIFT: 2} if pupil.obscuration else {}
+    inner = {SHIFT: 2, OBSCURATION: 1} if pupil.obscuration else {}
     return {SLANT: 2, **dict.fromkeys(FOLDS, 2), **inner, OVAL: 2, ASPECT: 1}
 
 
@@ -153,7 +174,7 @@ class UnevenLight:
         #: Of each edge its terms, its waves along rows and columns, and the amplitudes by which it moves.
         self._rims = []
         for radius, turns in (
-            (inside, (-np.sin(angles), -np.cos(angles))),
+            (inside, (-np.sin(angles), -np.cos(angles), -np.ones_like(angles))),
             (1.0, (np.cos(2 * angles), np.sin(2 * angles))),
         ):
             if radius:

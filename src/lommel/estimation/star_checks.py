@@ -14,7 +14,16 @@ from lommel.base.arrays import Array
 from lommel.base.units import with_error
 from lommel.blur.mixtures import Shape
 from lommel.core.answers import Declined, ToleranceError
-from lommel.estimation.sampled_pupil import ASPECT, FOLDS, OVAL, SHIFT, SLANT, UnevenLight, changes_of
+from lommel.estimation.sampled_pupil import (
+    ASPECT,
+    FOLDS,
+    OBSCURATION,
+    OVAL,
+    SHIFT,
+    SLANT,
+    UnevenLight,
+    changes_of,
+)
 from lommel.estimation.star_images import (
     StarImages,
     Unknowns,
@@ -48,7 +57,7 @@ _TERM = 0.1  # radians rms: expected size of a missing term
 _WIDTH, _SHARE = 0.1, 0.3  # expected sizes: pixels^2 of further blur; share of light behind a wider one
 _VARIED = 0.3  # pixels^2: expected difference of blur from the middle to the edge of the field
 _SLOPE, _NONLINEAR = 1.0, 0.05  # expected: electrons per pixel; share of electrons lost at 10^4
-_CONSTANTS = {"f_number": 0.02, "obscuration": 0.03, "defocus": 0.05}  # relative, but for the obscuration
+_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, "defocus": 0.05}  # relative, but for the obscuration
 # Amplitude at the edge; radii; share of the scale.
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
 _TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels of its decay to 1/e, pixels computed
@@ -97,7 +106,7 @@ _WORDS = {
     OVAL: ("an aperture that is not round: radius longer by s cos 2t + u sin 2t, s, u", ""),
     **{name: (f"{name}: share", "") for name in _TRAILS.values()},
     "f_number": ("another f-number: its difference from the stated one", ""),
-    "obscuration": ("another obscuration: its difference from the stated one", ""),
+    OBSCURATION: ("another obscuration: its difference from the stated one", ""),
     "defocus": ("known defoci that are longer than stated: share of their length", ""),
     "apodization": ("an amplitude that falls towards the edge of the pupil, by exp(-g rho^2), g", ""),
 }
@@ -112,14 +121,10 @@ class Lacking(NamedTuple):
 
 
 def lacking_constants(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
-    """Return the constants of a pupil that may be wrong, and (2, 0) for known defoci that differ."""
-    found: list[Name] = []
-    if pupil.circular and pupil.mask is None:
-        if pupil.wavelength is not None and not {"f_number", "wavelength"} & {*estimated}:
-            found.append("f_number")
-        if pupil.obscuration and "obscuration" not in estimated:
-            found.append("obscuration")
-    return (*found, *([(2, 0)] if np.ptp(known) > 0.0 else []))
+    """Return the constants that are tested by derivatives: the f-number, and (2, 0) for known defoci that differ."""
+    scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
+    f_number = ("f_number",) if scaled and not {"f_number", "wavelength"} & {*estimated} else ()
+    return (*f_number, *([(2, 0)] if np.ptp(known) > 0.0 else []))
 
 
 def lacking_phases(
@@ -175,11 +180,15 @@ def lacking_light(image: Array, other: Array) -> Lacking:
     return Lacking("apodization", APODIZED, ((other - image) / APODIZED,))
 
 
-def lacking_uneven_light(changes: Mapping[str, int], images: Iterable[Array]) -> Iterator[Lacking]:
-    """Yield uneven light of the pupil, from derivatives of electrons by `changes_of`."""
-    left = iter(images)
+def lacking_uneven_light(
+    changes: Mapping[str, int], images: Iterable[Array], estimated: Sequence[Name] = ()
+) -> Iterator[Lacking]:
+    """Yield uneven light and other edges of the pupil, from derivatives of electrons by `changes_of`."""
+    left, scales = iter(images), {**_UNEVEN_LIGHT, **_CONSTANTS}
     for name, count in changes.items():
-        yield Lacking(name, _UNEVEN_LIGHT[name], tuple(itertools.islice(left, count)))
+        each = tuple(itertools.islice(left, count))
+        if name not in estimated:
+            yield Lacking(name, scales[name], each)
 
 
 def lacking_charge(image: Array) -> Iterator[Lacking]:
@@ -315,7 +324,7 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
         uneven = UnevenLight(pupil[0], plan.grid(pupil), model.terms, phases).images()
-        lacking += lacking_uneven_light(changes, [flux * image for image in uneven])
+        lacking += lacking_uneven_light(changes, [flux * image for image in uneven], unknowns.pupil)
     lacking += lacking_charge(flux * values)
     if (other := apodized(pupil)) is not None and plan.method is None:
         lacking.append(lacking_light(flux * values, flux * np.asarray(plan(other).values)))

@@ -5,9 +5,10 @@ The intensity holds no frequency above 1 / (lambda*N): from samples h < 1/2 apar
 .. math:: I_i = p \sum_j k(x_i - h j)\, s_j, \qquad
           k(x) = \int T(f)\, \mathrm{sinc}(p f)\, e^{-2 \pi^2 \sigma^2 f^2} \cos(2 \pi f x)\, df
 
-along rows and columns, ``s_j`` being fractions of light per sample; T is 1 up to f = 1 and falls to 0 at ``1/h - 1``,
-where copies of the spectrum begin. Pixels may be of any size, and blur of any width: nothing is blurred on pixels.
-Blur of another shape is a mixture of Gaussians: a sum of such images.
+along rows and columns, ``s_j`` being fractions of light per sample; T is 1 up to a frequency F and falls to 0 at
+``1/h - 1``, where copies of the spectrum begin. F is 1, or less where pixels and blur leave nothing above it: behind
+wide blur samples may be nearly 1 apart. Pixels may be of any size, and blur of any width: nothing is blurred on
+pixels. Blur of another shape is a mixture of Gaussians: a sum of such images.
 """
 
 from __future__ import annotations
@@ -23,10 +24,11 @@ from lommel.base.arrays import Array, Values
 from lommel.blur.mixtures import Shape
 from lommel.special.legendre import gauss_legendre
 
-STEP = 0.45  # lambda*N from sample to sample
+_TAPER = 1.0 / 0.45 - 1.0  # frequency at which T reaches 0, over F: samples of sharp images are 0.45 lambda*N apart
+_FAINT = 1e-6  # largest transfer of pixels and blur above F
+_BANDS = np.linspace(0.02, 1.0, 50)  # values of F
 _MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
 _WIDTHS = 3.7  # standard deviations of blur: further samples beyond them
-_EDGE = 1.0 / STEP - 1.0
 _ALONE = 2**18  # multiplications up to which BLAS uses a single thread
 _TOGETHER = 6  # images read together, so that their samples stay in the cache
 _WIDER = (3.0, 15.0)  # times the mean variance of a blur: Gaussians of wings and of a halo
@@ -39,37 +41,56 @@ _FALL = 2.2  # argument of the error function in half the width of the fall of T
 class StarReadout:
     """From samples on a lattice around the axis to the pixels of a window, for blur of a shape up to `widest` pixels.
 
-    `pixel` is in lambda*N; pixels that do not `integrate` are points.
+    `pixel` is in lambda*N; pixels that do not `integrate` are points. `narrowest` are the least variances of the
+    Gaussians of the blur (pixels^2), by default 0. Samples are `step` apart, lambda*N.
     """
 
-    step = STEP
-
     def __init__(
-        self, window: tuple[int, int], pixel: float, widest: float, shape: Shape, *, integrate: bool
+        self,
+        window: tuple[int, int],
+        pixel: float,
+        widest: float,
+        shape: Shape,
+        *,
+        integrate: bool,
+        narrowest: Array | None = None,
     ) -> None:
         self.blur = shape
         self.pixel, self.widest = pixel, widest
+        self.narrowest = np.zeros(len(shape.weights)) if narrowest is None else narrowest
+        band = self._band(integrate)
+        edge = _TAPER * band
+        self.step = 1.0 / (1.0 + edge)
         # Hardly any light is half a window beyond its rim, from where wider blur would bring it.
         blurred = [min(_WIDTHS * widest, 0.5 * side) for side in window]
         halves = [
-            math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + more)) / STEP)
+            math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + more)) / self.step)
             for side, more in zip(window, blurred, strict=True)
         ]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
-        length = STEP * max(halves)
+        length = self.step * max(halves)
         # Nodes for the fastest cosine, half a turn each two nodes, and 30 more.
-        nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * _EDGE * (2.0 * length)) + 30)
-        self._f: Array = _EDGE * nodes
-        middle = 0.5 * (1.0 + _EDGE)
-        taper = 0.5 * special.erfc(_FALL * (self._f - middle) / (_EDGE - middle))
+        nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * edge * (2.0 * length)) + 30)
+        self._f: Array = edge * nodes
+        middle = 0.5 * (band + edge)
+        taper = 0.5 * special.erfc(_FALL * (self._f - middle) / (edge - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
-        self._weights = 2.0 * pixel * _EDGE * weights * taper * area
+        self._weights = 2.0 * pixel * edge * weights * taper * area
         self._window = window
         #: Of rows and columns, cosines and sines at pixels and samples from the axis on, (places, frequencies).
         self._sides = [
-            list(zip(self._waves(pixel, side // 2), self._waves(STEP, half), strict=True))
+            list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
             for side, half in zip(window, halves, strict=True)
         ]
+
+    def _band(self, integrate: bool) -> float:
+        """Return the frequency F, cycles per lambda*N, above which the narrowest blur and the pixels pass nothing."""
+        rate = 2.0 * (math.pi * self.pixel * _BANDS) ** 2
+        passed = np.exp(-np.multiply.outer(rate, self.narrowest)) @ self.blur.weights
+        if integrate:
+            passed /= np.maximum(math.pi * self.pixel * _BANDS, 1.0)  # the envelope of the sinc
+        faint = passed < _FAINT
+        return float(_BANDS[faint.argmax()]) if faint.any() else 1.0
 
     def _waves(self, pitch: float, last: int) -> tuple[Array, Array]:
         angle = np.multiply.outer(pitch * np.arange(last + 1.0), 2.0 * math.pi * self._f)
@@ -133,7 +154,9 @@ class StarReadout:
         """
         sides = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
-            for side in zip(((self.pixel, n) for n in self._window), ((STEP, n) for n in self.shape), strict=True)
+            for side in zip(
+                ((self.pixel, n) for n in self._window), ((self.step, n) for n in self.shape), strict=True
+            )
         ]
         apart, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
 

@@ -18,7 +18,7 @@ from lommel.blur.mixtures import Shape
 from lommel.core.engine import star_likelihood
 from lommel.estimation.sampled_pupil import SMALL, SampledPupil, UnevenLight, changes_of
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, loosest_tolerance, slants, star_counts
-from lommel.estimation.star_readout import StarReadout
+from lommel.estimation.star_readout import ROOM, StarReadout
 from lommel.estimation.target_readout import Target, TargetReadout, start_of_crossing
 from lommel.fit.scoring import RowModel, Scores, covariance, flux_background, reduced_chi2
 from lommel.methods.derivative_names import SHIFTS, Name, Term
@@ -31,7 +31,6 @@ from lommel.psf import Plan
 
 _AT_ONCE = 3e7  # values of samples and their derivatives that are computed together
 _SHARP = 0.02  # pixels^2: a blur that small may be none
-_ROOM = 0.5  # pixels by which blur may widen before samples are chosen anew
 _BRIGHT = 50.0  # pixels more than parameters, for a chi2
 _OWN = 4  # parameters of an image: row, column, flux, background; then angles
 _TURNED = 0.05  # radians: the longest step of an angle
@@ -98,7 +97,7 @@ class FieldStars:
         self.defocused = bool(defocus.any())
         self._slopes: tuple[Term, ...] = (*unknowns.edge, *(SHIFTS[place] for place in ("row", "column")))
         self._reader: Readout | None = None
-        self._kept: dict[tuple[tuple[int, int], float, tuple[Name, ...]], SampledPupil] = {}
+        self._kept: dict[tuple[object, ...], SampledPupil] = {}
         self.tested = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
 
     def shaped(self, shape: Shape) -> FieldStars:
@@ -155,16 +154,14 @@ class FieldStars:
         known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
         width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
         variances = shape.variances(squares).reshape(-1, len(shape.weights)).min(axis=0)
-        fits = isinstance(reader, StarReadout) and reader.widest - 2.0 * _ROOM <= width <= reader.widest
-        if not (fits and (variances >= reader.narrowest).all()):
-            least, widest = variances, width
-            if self.widths:
-                # Of a ladder of widths: lattices of sampled pupils are used again.
-                widest = _ROOM * (math.ceil(width / _ROOM) + 1)
-                least = variances * max(1.0 - _ROOM / max(width, _ROOM), 0.0) ** 2
-            self._reader = StarReadout(
-                self.shape, self.pixel, widest, shape, integrate=self.integrate, narrowest=least
-            )
+        if isinstance(reader, StarReadout) and reader.serves(width, variances):
+            return reader
+        least, widest = variances, width
+        if self.widths:
+            # Of a ladder of widths: lattices of sampled pupils are used again.
+            widest = ROOM * (math.ceil(width / ROOM) + 1)
+            least = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
+        self._reader = StarReadout(self.shape, self.pixel, widest, shape, integrate=self.integrate, narrowest=least)
         return self._reader
 
     def _block(

@@ -27,6 +27,7 @@ from lommel.special.legendre import gauss_legendre
 _TAPER = 1.0 / 0.45 - 1.0  # frequency at which T reaches 0, over F: samples of sharp images are 0.45 lambda*N apart
 _FAINT = 1e-6  # largest transfer of pixels and blur above F
 _BANDS = np.linspace(0.02, 1.0, 50)  # values of F
+ROOM = 0.5  # pixels by which blur may widen before samples are chosen anew
 _MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
 _WIDTHS = 3.7  # standard deviations of blur: further samples beyond them
 _ALONE = 2**18  # multiplications up to which BLAS uses a single thread
@@ -82,6 +83,11 @@ class StarReadout:
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
             for side, half in zip(window, halves, strict=True)
         ]
+
+    def serves(self, width: float, variances: Array) -> bool:
+        """Return whether samples suffice for blur of this width, pixels, and of these least variances (c,)."""
+        in_range = self.widest - 2.0 * ROOM <= width <= self.widest
+        return in_range and bool((variances >= self.narrowest).all())
 
     def _band(self, integrate: bool) -> float:
         """Return the frequency F, cycles per lambda*N, above which the narrowest blur and the pixels pass nothing."""

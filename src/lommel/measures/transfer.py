@@ -353,7 +353,8 @@ def focus_tolerance(
         return np.asarray(values.min(axis=-1) - wanted)
 
     if (here := float(above(0.0))) < 0.0:
-        raise ValueError(f"least must be at most the MTF where the sensor is, {here + wanted:.3g}, got {wanted:g}")
+        at = f"the MTF is {here + wanted:.3g} where the sensor is"
+        raise ValueError(f"no tolerance of focus: {at}, below least={wanted:g}; take a smaller least or frequency")
     # In steps of defocus by which the contrast of this frequency changes by a fraction of its first fall.
     share = min(f / pupil.cutoff, 0.5)
     step = 0.1 / (share * (1.0 - share))

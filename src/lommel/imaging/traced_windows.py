@@ -252,7 +252,7 @@ def make(
         abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) + (max(map(abs, reach)) if t == (2, 0) else 0.0) for t in names
     ]
     for samples in range(2, _MOST_SAMPLES + 1):
-        # Gauss's rule for |U|^2 over a pixel, certificate.md, "Differentiable PSFs": the least over ellipses with
+        # Gauss's rule for |U|^2 over a pixel, certificate, "Differentiable PSFs": the least over ellipses with
         # semi-axes cosh b and sinh b; |U|^2 is of exponential type 2 in v.
         if averaging_error(most * step, samples) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
             break

@@ -144,7 +144,7 @@ SECTIONS = [
         "Fisher information and phase retrieval",
         "Cramér-Rao bounds of parameters and depth; the wavefront from star images.",
         "See [](../estimation.md) and [](../retrieve.md).",
-        ("estimation", "localize.targets"),
+        ("estimation", "detection.targets"),
     ),
     Section(
         "Recorded images",

@@ -33,7 +33,7 @@ ORDER = [
     {"recorded"},
     {"deconvolve"},
     {"show"},
-    {"field", "stacks"},
+    {"detection", "field", "stacks"},
     {"estimation"},
     {"imaging", "localize", "microscopy"},
     {"lensfiles"},

@@ -57,7 +57,7 @@ from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope
 from lommel.lensfiles.microscope_files import load_microscope as load_microscope
-from lommel.localize.targets import (
+from lommel.detection.targets import (
     Crossings as Crossings,
     PointSources as PointSources,
     find_crossings as find_crossings,

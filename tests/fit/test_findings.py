@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from lommel.base.plain import plain
+from lommel.base.arrays import plain
 from lommel.fit import CODES, Finding, Findings, FitReport
 
 NOTE = Finding("rare_chi2", "note", "noise alone exceeds this chi2 in 0.1 % of fits")

@@ -22,7 +22,7 @@ from astropy.utils.masked import Masked
 
 import lommel as lm
 from lommel import imaging, localize, microscopy
-from lommel.localize.targets import find_spots
+from lommel.detection.targets import find_spots
 from objectives import OIL
 from planes import NOISE as PHOTOS_NOISE
 from planes import PAIR, PIXEL

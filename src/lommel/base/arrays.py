@@ -1,13 +1,19 @@
-"""Array types, and parameters with one value for each PSF of a stack."""
+"""Types of arrays and of plain data, as JSON has them, and results as such data."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
+from enum import Enum
 from types import EllipsisType
-from typing import Any, SupportsIndex
+from typing import TYPE_CHECKING, Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
 
 Array = NDArray[np.float64]
 Values = NDArray[Any]
@@ -30,3 +36,39 @@ def numbers(values: object, shape: tuple[int, ...]) -> Numbers:
     """Return an array of this shape, or the number of one without axes."""
     found: Numbers = np.asarray(values, dtype=np.float64).reshape(shape)[()]
     return found
+
+
+def plain(value: object) -> Any:
+    """Return a value as plain data.
+
+    Dataclasses and named tuples become dictionaries of their public fields (of a dataclass those shown in its repr),
+    arrays and sequences lists, keys that are tuples text such as "2,0", and numbers that are not finite None.
+    """
+    if hasattr(value, "to_dict"):
+        return plain(value.to_dict())
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return plain(fields_of(value))
+    if hasattr(value, "_asdict"):
+        # JSON has only string keys, and neither infinity nor NaN.
+        return {name: plain(each) for name, each in value._asdict().items()}
+    if isinstance(value, Mapping):
+        return {_key(name): plain(each) for name, each in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, tuple | list):
+        return [plain(each) for each in value]
+    if isinstance(value, Enum):
+        return plain(value.value)
+    if isinstance(value, float | np.floating):
+        return float(value) if math.isfinite(value) else None
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def fields_of(value: DataclassInstance) -> Json:
+    """Return the public fields of a dataclass that its repr shows."""
+    shown = (each.name for each in dataclasses.fields(value) if each.repr and not each.name.startswith("_"))
+    return {name: getattr(value, name) for name in shown}
+
+
+def _key(name: object) -> str:
+    return ",".join(map(str, name)) if isinstance(name, tuple) else str(name)

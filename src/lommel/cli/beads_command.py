@@ -26,10 +26,10 @@ from lommel.cli.output import (
     table_of,
     written,
 )
+from lommel.detection.targets import find_spots
 from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
-from lommel.localize.targets import find_spots
 from lommel.recorded.frames import of_all, read_each
 
 if TYPE_CHECKING:

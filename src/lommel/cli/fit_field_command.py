@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 import numpy as np
 
-from lommel.base.plain import plain
+from lommel.base.arrays import plain
 from lommel.base.units import with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
@@ -27,17 +27,17 @@ from lommel.cli.output import (
     table_of,
     written,
 )
+from lommel.detection.targets import Crossings, find_crossings, find_spots, grid_indices
 from lommel.estimation.field_fit import KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
-from lommel.localize.targets import Crossings, find_crossings, find_spots, grid_indices
 from lommel.recorded.frames import read_images
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
     from lommel.base.arrays import Array, Values
+    from lommel.detection.targets import PointSources
     from lommel.estimation.field_fit import FieldFit
-    from lommel.localize.targets import PointSources
 
 _MOST_CROSSINGS = 100
 _ARCSEC = math.pi / 648000.0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from rich.text import Text
 
-from lommel.base.plain import plain
+from lommel.base.arrays import plain
 from lommel.base.units import format_length, known, number, per_mm, pitch_in_words, strehl_ratio
 from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_in_words

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Json, Values
-from lommel.base.plain import fields_of, plain
+from lommel.base.arrays import Array, Json, Values, fields_of, plain
 from lommel.deconvolve.algorithms import Tell, silent
 from lommel.fit.findings import Findings, Judged
 

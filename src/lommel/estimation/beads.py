@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike
 
 from lommel import show
 from lommel.base import validation
-from lommel.base.arrays import Array
-from lommel.base.plain import fields_of, plain
+from lommel.base.arrays import Array, fields_of, plain
 from lommel.base.units import with_error
 from lommel.estimation import bead_checks
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers, numbers
-from lommel.base.plain import plain
+from lommel.base.arrays import Array, Numbers, numbers, plain
 from lommel.base.units import format_length
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name

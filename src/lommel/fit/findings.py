@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
-from lommel.base.plain import fields_of, plain
+from lommel.base.arrays import fields_of, plain
 
 Severity: TypeAlias = Literal["error", "doubt", "note"]
 

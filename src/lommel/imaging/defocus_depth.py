@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Json, Values
+from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
-from lommel.base.plain import plain
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
 
-from lommel.base.arrays import Array, Json, Numbers
-from lommel.base.plain import plain
+from lommel.base.arrays import Array, Json, Numbers, plain
 from lommel.core.answers import ToleranceError
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.energy import MAX_RADIUS, encircled, optics

@@ -1,6 +1,6 @@
 """Localisation of molecules in three dimensions: movies, detection, tables of the PSF, fits by maximum likelihood."""
 
-from lommel.localize.detection import Spots, find
+from lommel.detection.molecules import Spots, find
 from lommel.localize.fitting import Molecules, fit
 from lommel.localize.localizations import Localizations, Recording, writer
 from lommel.localize.movie_fits import localize_blocks, localize_movie

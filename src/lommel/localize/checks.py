@@ -15,11 +15,11 @@ from scipy import ndimage, special
 
 from lommel.base.arrays import Array, Json
 from lommel.base.units import format_length, with_error
+from lommel.detection.molecules import DEFECT, Spots
 from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings, Severity
 from lommel.fit.goodness_of_fit import excess_test
 from lommel.fit.score_tests import Candidate, ScoreTest, other_explanation, score_tests, seen
-from lommel.localize.detection import DEFECT, Spots
 from lommel.localize.fitting import Molecules, in_electrons
 from lommel.localize.localizations import DOUBTFUL, Localizations, Recording
 from lommel.localize.table import Table, Waves

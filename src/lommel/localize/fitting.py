@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Index, Values
 from lommel.core import engine
-from lommel.localize.detection import DEFECT, box_pixels
+from lommel.detection.molecules import DEFECT, box_pixels
 from lommel.localize.table import Table
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise

@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.detection.molecules import Spots, box_pixels, find, frame_counts
 from lommel.localize.checks import TILTED, Checks
-from lommel.localize.detection import Spots, box_pixels, find, frame_counts
 from lommel.localize.fitting import BACKGROUNDS, STATES, MoleculeErrors, Molecules, fit
 from lommel.localize.localizations import Localizations, Recording, columns, joined
 from lommel.localize.table import Table

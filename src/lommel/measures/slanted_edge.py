@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers, numbers
-from lommel.base.plain import plain
+from lommel.base.arrays import Array, Numbers, numbers, plain
 from lommel.base.units import per_mm
 
 _FINE = 32  # groups per pixel in which samples of the profile are averaged, values and places

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values
-from lommel.localize.detection import APART, Kernel, box_pixels, brightest, filled, image_counts, smoothed
+from lommel.detection.molecules import APART, Kernel, box_pixels, brightest, filled, image_counts, smoothed
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 

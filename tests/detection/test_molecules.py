@@ -7,8 +7,8 @@ import pytest
 
 import lommel as lm
 import simulated_movies as simulated
+from lommel.detection.molecules import _density, _heights, _moments, smoothed
 from lommel.localize import find
-from lommel.localize.detection import _density, _heights, _moments, smoothed
 
 
 @pytest.mark.parametrize(

@@ -128,6 +128,28 @@ def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_refere
     assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
 
 
+def test_a_comparison_names_the_methods_that_it_does_not_draw(answers):
+    figure = plot.compare(answers, "Hankel", {"sampled at pixel centres": ["HuygensFresnel", "Geometric"]})
+    figure.canvas.draw()
+    (said,) = {text.get_text() for part in figure.subfigs for text in part.texts if text.get_text()}
+    assert said == "not drawn: HuygensFresnel, Geometric (sampled at pixel centres)"
+
+
+def test_only_the_last_row_of_a_comparison_has_numbers_along_x(answers):
+    named = {"Hankel": answers["Hankel"]} | {f"method {k}": answers["Fraunhofer"] for k in range(10)}
+    figure = plot.compare(named, "Hankel")
+    figure.canvas.draw()
+    panels = figure.axes[:11]
+    assert [bool(axes.get_xlabel()) for axes in panels] == [False] * 6 + [True] * 5
+
+
+def test_the_slice_of_pixel_means_has_steps(answers):
+    sampled = {"Hankel": lm.psf(answers["Hankel"].pupil, 9, 1e-6, integrate=False)}
+    for given, style in ((sampled, "default"), (answers, "steps-mid")):
+        *_, slices, _ = plot.compare(given, "Hankel").axes
+        assert slices.get_lines()[0].get_drawstyle() == style
+
+
 def test_a_comparison_leaves_no_figure_open(answers):
     before = plt.get_fignums()
     assert isinstance(plot.compare(answers, "Hankel"), Figure)

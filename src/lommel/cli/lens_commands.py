@@ -6,6 +6,7 @@ import dataclasses
 import errno
 import json
 from pathlib import Path
+from typing import Any
 
 import click
 from rich.table import Column, Table
@@ -237,15 +238,18 @@ def compare(
             from lommel.show import plot
 
             shown = {_called(name): answer for name, answer in answers.items()}
-            save_figure(plot.compare(shown, _called(reference)), figure)
+            left_out: dict[str, list[str]] = {}
+            for row in rows:
+                if row["method"] not in answers and row["method"] != reference:
+                    why = _reason(row) or f"{HOW[row['sampling']]}, unlike the reference"
+                    left_out.setdefault(why, []).append(_called(row["method"]))
+            save_figure(plot.compare(shown, _called(reference), left_out), figure)
     other = other_model(instrument)
     table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
     notes = []
     for row in rows:
         row["name"] = name = _called(row["method"])
-        # "X supports defocus only; this pupil ..." stands beside the name of X.
-        reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
-        note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
+        note = _reason(row) or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
         if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
             note = "same model, without its expansion in powers of rho"
         if row["sampling"] not in (None, sampling):
@@ -269,6 +273,11 @@ def compare(
     model = f"model: {instrument.lens.model}; {reports.model_in_words(other)}"
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
+
+
+def _reason(row: dict[str, Any]) -> str:
+    """Return why a method does not apply, as it is written beside its name, or nothing."""
+    return str(row["reason"] or "").removeprefix(row["method"]).split(";")[0].strip()
 
 
 def _called(method: str) -> str:

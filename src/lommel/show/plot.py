@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
@@ -277,7 +277,9 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     return found[0] if not titles[0] else found.reshape(stack or -1)
 
 
-def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
+def compare(
+    answers: Mapping[str, PSFLike], reference: str, left_out: Mapping[str, Sequence[str]] | None = None
+) -> Figure:
     """Draw a PSF by one method, the errors of others as maps, and both as slices through their centres.
 
     Parameters
@@ -286,6 +288,8 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
         Each with the same grid; drawn in their order, the reference first.
     reference : str
         Name of the PSF that errors are relative to.
+    left_out : mapping of str to sequence of str, optional
+        Reasons why methods are not drawn, each with the names of these, as written below the maps.
 
     Returns
     -------
@@ -303,11 +307,17 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     truth = answers[reference]
     others = {name: psf for name, psf in answers.items() if name != reference}
     count = 1 + len(others)
-    columns = min(count, 6)
-    rows = -(-count // columns)
-    size = (2.0 * max(columns, 3) + 1.6, 2.2 * rows + 5.3)
-    figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(figsize=size, layout="constrained")
-    pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(2.2 * rows + 0.7, 4.6))[:, 0]
+    rows = -(-count // _MOST_COLUMNS)
+    columns = -(-count // rows)
+    width = 2.0 * max(columns, 3) + 1.6
+    note = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in (left_out or {}).items())
+    lines = textwrap.wrap(f"not drawn: {note}" if note else "", int(14.0 * width))
+    above = 2.2 * rows + 0.7 + 0.17 * len(lines)
+    figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(
+        figsize=(width, above + 4.6), layout="constrained"
+    )
+    figure.get_layout_engine().set(w_pad=0.08, h_pad=0.08)  # type: ignore[union-attr, call-arg]
+    pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(above, 4.6))[:, 0]
     peak = float(truth.values.max())
     scale = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)
     drawn = []
@@ -326,7 +336,9 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
         axes.tick_params(labelsize=7)
         axes.xaxis.label.set_fontsize(8)
         axes.yaxis.label.set_fontsize(8)
-        drawing.only_outer(axes, k, count, columns)
+        drawing.only_outer(axes, k, columns * rows, columns)
+    if lines:
+        pictures.supxlabel("\n".join(lines), fontsize=8)
     if drawn:
         bar = pictures.colorbar(drawn[0].images[0], ax=pictures.axes, extend="min", pad=0.01)
         bar.set_label("error / peak of the reference", fontsize=8)
@@ -336,12 +348,16 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     radius, expected = truth.profile()
     far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
     ends: list[tuple[float, str, str]] = []
-    slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.6)
-    slices.set_title("the reference along x, from the centre", fontsize=9)
+    # Values of pixels are means, not points of a curve.
+    how: dict[str, Any] = (
+        {"drawstyle": "steps-mid"} if truth.sampling == "pixel" else {"marker": ".", "markersize": 4}
+    )
+    slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.4, **how)
+    slices.set_title("the reference along x, from the centre, pixel by pixel", fontsize=9)
     slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
     for k, (name, psf) in enumerate(others.items()):
         difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)
-        errors.semilogy(radius * factor, difference, color=f"C{k}", linewidth=1.3)
+        errors.semilogy(radius * factor, difference, ".-", color=f"C{k}", linewidth=0.9, markersize=4)
         ends.append((float(np.median(difference[-max(1, difference.size // 8) :])), name, f"C{k}"))
     errors.set_title("errors along the same line", fontsize=9)
     errors.set(ylabel="error / peak of the reference", ylim=(1e-17, 3.0), xlim=(0.0, far))
@@ -351,6 +367,7 @@ def compare(answers: Mapping[str, PSFLike], reference: str) -> Figure:
     return figure
 
 
+_MOST_COLUMNS = 6  # pictures of a comparison side by side
 _LETTERS = 27  # largest number of letters of a title above a picture of a comparison
 _ERRORS = (1e-12, 1.0)  # range of the colours of errors
 
@@ -371,7 +388,15 @@ def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
         places[int(k)] = min(places[int(k)], top)
         top = places[int(k)] - gap
     for k, (_, name, colour) in enumerate(ends):
-        line = {"arrowstyle": "-", "color": colour, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0}
+        # From the left end of the name, so that the line crosses no letters.
+        line = {
+            "arrowstyle": "-",
+            "color": colour,
+            "linewidth": 0.6,
+            "relpos": (0.0, 0.5),
+            "shrinkA": 2,
+            "shrinkB": 0,
+        }
         axes.annotate(
             name, (1.0, at[k]), (1.04, places[k]), "axes fraction", "axes fraction", fontsize=8, color=colour,
             va="center", arrowprops=line,

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,6 +14,8 @@ from hypothesis import strategies as st
 import lommel as lm
 from lommel.special import zernike
 
+TESTS = Path(__file__).resolve().parent
+PAGE = TESTS.parent / "docs" / "conventions.md"
 FFT = lm.Fraunhofer(samples=128, edge="grey")
 SIDE, PIXEL = 41, 0.5
 MIDDLE = SIDE // 2
@@ -198,3 +202,33 @@ def test_seidel_terms_are_the_zernike_terms_that_the_page_says(waves):
     }
     for term in expected.keys() | found.keys():
         assert float(found.get(term, 0.0)) == pytest.approx(expected.get(term, 0.0), abs=1e-12)
+
+
+def test_the_table_of_the_page_is_true():
+    rows = re.findall(
+        r"^\| \((\d+), (-?\d+)\) \| (\d+) \| (\d+) \| (\d+) \| ([\w ]+) \| \$(.*)\$ \| \$\\sqrt\{(\d+)\}\$ \|$",
+        PAGE.read_text(encoding="utf-8"),
+        flags=re.MULTILINE,
+    )
+    assert len(rows) == 15
+    rho, theta = np.linspace(0.1, 1.0, 7), np.linspace(-3.0, 3.0, 7)
+    for row in rows:
+        n, m = int(row[0]), int(row[1])
+        assert [zernike.index_of(n, m, order) for order in ("noll", "ansi", "fringe")] == [int(j) for j in row[2:5]]
+        assert zernike.name(n, m) == row[5]
+        assert zernike.rms_factor(n, m) == pytest.approx(math.sqrt(int(row[7])))
+        text = re.sub(r"\\(cos|sin) (\d?)\\theta", r"*np.\1(\2*theta)", row[6]).replace("(*theta)", "(theta)")
+        text = re.sub(r"(\d)\s*\\rho", r"\1*rho", text).replace("\\rho", "rho").replace("^", "**").replace(" ", "")
+        value = eval(text.lstrip("*"), {"np": np, "rho": rho, "theta": theta})
+        np.testing.assert_allclose(
+            np.broadcast_to(value, rho.shape), zernike.polynomial(n, m, rho, theta), atol=1e-14
+        )
+
+
+def test_every_test_that_the_page_names_is_there():
+    named = set(re.findall(r"`(test_\w+)`", PAGE.read_text(encoding="utf-8")))
+    files = ("test_conventions.py", "test_zernike_conventions.py", "optics/wavefront/test_wavefront.py")
+    files = (*files, "measures/test_aperture_means.py")
+    there = re.findall(r"def (test_\w+)", "".join((TESTS / name).read_text(encoding="utf-8") for name in files))
+    assert len(named) > 40
+    assert named <= set(there)

@@ -265,7 +265,14 @@ class ImageQuality(PointQuality):
         if isinstance(self.pupil.stop, Segments) and len(self.pupil.stop.shapes) > _MANY:
             raise ValueError("a tolerance of focus takes minutes for so many segments: lommel.focus_tolerance has it")
         sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill}
-        return transfer.focus_tolerance(self.pupil, 0.25 / max(self.instrument.pitch), least=least, **sensor)
+        frequency = 0.25 / max(self.instrument.pitch)
+        here = min(self.mtf(frequency, angle, pixel=True) for angle in (0.0, 0.5 * math.pi))
+        if here < least:
+            raise ValueError(
+                f"the sensor has no focus tolerance, as the MTF at half the Nyquist frequency is {here:.2g}, "
+                f"below {least:g}"
+            )
+        return transfer.focus_tolerance(self.pupil, frequency, least=least, **sensor)
 
     def mtf50(self, angle: float = 0.0) -> float:
         """Return the frequency at which the MTF of the optics alone falls to 50 %.

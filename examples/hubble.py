@@ -97,7 +97,7 @@ def main(path: Path) -> None:
         canvas.line([(float(x), float(y)) for x, y in points], colour, 3)
         near = float(answer.encircled_energy(0.1 * arcsec, of="optics"))
         y = top + height * (1.0 - float(inside[100])) + 26
-        canvas.text(left + 0.27 * width, y, f"{name}: {near:.0%} within 0.1 arcsec", fill=colour)
+        canvas.text(left + 0.27 * width, y, f"{name}: {100.0 * near:.0f} % within 0.1 arcsec", fill=colour)
     canvas.save(path)
     print(f"wrote {path}: a star in 1990 and as designed, logarithmic, with the curves of encircled energy")
 

@@ -31,7 +31,7 @@ def write(folder: Path) -> None:
     tifffile.imwrite(folder / "motorcycle-depth.tif", depth.astype(np.float32), photometric="minisblack")
     print(
         f"{folder / 'motorcycle.png'} and motorcycle-depth.tif: {np.nanmin(depth):.2f} to {np.nanmax(depth):.2f} m, "
-        f"unknown at {np.mean(~known):.1%} of the points"
+        f"unknown at {100 * np.mean(~known):.1f} % of the points"
     )
 
 

@@ -67,7 +67,7 @@ for ring in dark_rings:
 axes.set_xlabel("radius (λN)")
 axes.set_ylabel("intensity (1 = on the axis)")
 for ring, share in zip(dark_rings, share_within, strict=True):
-    print(f"dark ring at {ring:.2f} λN, {share:.1%} of the light within")
+    print(f"dark ring at {ring:.2f} λN, {100 * share:.1f} % of the light within")
 
 # %% [markdown] tags=["solution"]
 # Four dark rings up to $r = 5$, at 1.22, 2.23, 3.24 and 4.24: the spacing approaches 1. The first encloses 83.8 %

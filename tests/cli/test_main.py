@@ -236,7 +236,7 @@ def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_i
         if row["radius"] < 0.9 * 16 * pupil.scale:
             assert row["fraction"] == pytest.approx(image.encircled_energy(row["radius"]), abs=1e-4)
         assert row["fraction"] < row["unaberrated"]
-        assert f"{row['fraction']:.1%}" in shown_energies[row["within"]]
+        assert f"{100 * row['fraction']:.1f} %" in shown_energies[row["within"]]
 
 
 @pytest.mark.quick

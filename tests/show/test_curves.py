@@ -157,7 +157,7 @@ def test_the_light_within_circles_is_that_of_airy():
     np.testing.assert_allclose(found["without aberration"][1], values, atol=1e-12)
     assert radius[-1] == pytest.approx(16.5 * 0.25)  # to the edges of the outer pixels
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("radius (λN)", "fraction of all light")
-    assert axes.get_title() == "encircled energy, 50% within 0.535 λN, 80% within 0.897 λN"
+    assert axes.get_title() == "encircled energy, 50 % within 0.535 λN, 80 % within 0.897 λN"
 
 
 @pytest.mark.parametrize("options", [{}, {"spider": lm.Spider.equal(3, width=0.1)}], ids=["round", "spider"])
@@ -170,7 +170,7 @@ def test_of_any_other_psf_it_is_that_of_its_pixels(options):
     ideal = lm.psf(psf.pupil.unaberrated(), 41, 0.5e-6, method=psf.method)
     np.testing.assert_allclose(found["without aberration"][1], ideal.encircled_energy(1e-6 * radius), atol=1e-5)
     assert axes.get_xlim() == pytest.approx((0.0, 5.0))
-    half = float(axes.get_title().split("50% within ")[1].split()[0])
+    half = float(axes.get_title().split("50 % within ")[1].split()[0])
     assert psf.encircled_energy(1e-6 * half) == pytest.approx(0.5, abs=3e-3)
 
 

@@ -23,7 +23,7 @@ mask = lm.Segments(tuple(holes))
 pupil = lm.Pupil(stop=mask)
 star = lm.psf(pupil, shape=161, pixel=0.25, normalize="peak")
 print(f"{star!r}")
-print(f"light that passes: {pupil.area / lm.Pupil(stop=lm.telescopes.jwst()).area:.1%}")
+print(f"light that passes: {100 * pupil.area / lm.Pupil(stop=lm.telescopes.jwst()).area:.1f} %")
 
 # %%
 # The modulus of the transfer function has a peak at each baseline: twice 21 besides the one in the middle.

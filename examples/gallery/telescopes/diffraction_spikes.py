@@ -30,7 +30,8 @@ for place, (name, spider) in zip(axes, apertures.items(), strict=True):
     )
     place.set_title(name)
     place.set_xlabel("x (λN)")
-    print(f"{name}: {1 - pupil.area / (1 - 0.3**2):.2%} of the light stopped, by {type(image.method).__name__}")
+    stopped = 100 * (1 - pupil.area / (1 - 0.3**2))
+    print(f"{name}: {stopped:.2f} % of the light stopped, by {type(image.method).__name__}")
 axes[0].set_ylabel("y (λN)")
 figure.colorbar(shown, ax=axes, label="log10 of the intensity over the peak", shrink=0.8)
 

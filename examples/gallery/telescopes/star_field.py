@@ -98,12 +98,14 @@ for j, (u, v) in enumerate(places):
         most = exact.max()
         style = {"cmap": "inferno", "vmin": 0.0, "vmax": 1.0} if i < 3 else {"cmap": "RdBu_r", "vmin": -1, "vmax": 1}
         ax.imshow(np.sign(part) * np.sqrt(np.abs(part) / most), extent=extent, **style)
-    worst = [np.abs(part - exact).max() / exact.max() for part in (fitted, mean)]
+    worst = [100 * np.abs(part - exact).max() / exact.max() for part in (fitted, mean)]
     axes[0, j].set_title(f"u = {u:+g}, v = {v:+g}".replace("-", "−"), fontsize=9)
-    axes[3, j].set_title(f"{100 * worst[0]:.1f} % of the peak", fontsize=9)
-    axes[4, j].set_title(f"{100 * worst[1]:.0f} % of the peak", fontsize=9)
+    axes[3, j].set_title(f"{worst[0]:.1f} % of the peak", fontsize=9)
+    axes[4, j].set_title(f"{worst[1]:.0f} % of the peak", fontsize=9)
     axes[4, j].set_xlabel("x (pixels)")
-    print(f"at u = {u:+g}, v = {v:+g} the fit is off by {worst[0]:.2%} of the peak, the average by {worst[1]:.0%}")
+    print(
+        f"at u = {u:+g}, v = {v:+g} the fit is off by {worst[0]:.2f} % of the peak, the average by {worst[1]:.0f} %"
+    )
 for ax, name in zip(axes[:, 0], ("truth", "fit", "average", "fit less truth", "average less truth"), strict=True):
     ax.set_ylabel(f"{name}\ny (pixels)")
 assert fit.converged

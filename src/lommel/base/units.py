@@ -142,6 +142,11 @@ def known(value: float | None, form: str) -> str:
     return "-" if value is None else format(value, form)
 
 
+def percent(share: float | None, digits: int = 0) -> str:
+    """Return a fraction in percent with so many decimals, or "-" for None."""
+    return "-" if share is None else f"{100.0 * share:.{digits}f} %"
+
+
 def strehl_ratio(value: float | None) -> str:
     """Return a Strehl ratio with four significant digits, or "< 1e-10" below its own error."""
     return known(value, ".4g") if value is None or value > 1e-10 else "< 1e-10"

@@ -9,7 +9,7 @@ import numpy as np
 from rich.text import Text
 
 from lommel.base.arrays import plain
-from lommel.base.units import format_length, known, number, per_mm, pitch_in_words, strehl_ratio
+from lommel.base.units import format_length, known, number, per_mm, percent, pitch_in_words, strehl_ratio
 from lommel.channel_psf import ColourPSF
 from lommel.cli.instruments import camera_in_words
 from lommel.cli.output import Facts, Parts, Report, Wrapped, list_of, paragraphs, refused, table_of
@@ -94,7 +94,7 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
         ("focus tolerance", _tolerance(facts)),
     ]
     energies = [
-        (row["within"], format_length(row["radius"]), known(row["fraction"], ".1%"), known(row["unaberrated"], ".1%"))
+        (row["within"], format_length(row["radius"]), percent(row["fraction"], 1), percent(row["unaberrated"], 1))
         for row in facts["encircled_energy"]
     ]
     names, title = ("within", "radius", "this lens", "unaberrated"), "Encircled energy about the axis, optics alone"
@@ -248,7 +248,7 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
         rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
     if mask is not None:
         rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
-    return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
+    return [*rows, ("clear area", f"{percent(facts['clear_area'], 2)} of the full aperture")] if rows else []
 
 
 def _field_parts(field: Facts) -> Parts:
@@ -283,7 +283,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     # As many digits of the peak as its error bound leaves.
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
     pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
-    parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", f"{energy:.2%}")
+    parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", percent(energy, 2))
     notes = []
     if facts["sum"] is not None:
         notes.append(
@@ -291,7 +291,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
             "apart do not. Use --integrate for pixel-integrated values."
         )
     if not enough:
-        notes.append(f"The window holds {energy:.0%} of the light; --shape {side} would hold about 98 %.")
+        notes.append(f"The window holds {percent(energy)} of the light; --shape {side} would hold about 98 %.")
     return Report({"psf": facts}, [*parts, *map(Wrapped, notes)])
 
 
@@ -322,12 +322,14 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[answer.normalize]}"),
         ("pixel", f"{pitch_in_words(answer.pixel)}, {HOW[answer.sampling]}"),
         ("sums of the values", f"{ends}: point samples this far apart miss some of the light" if ends else None),
-        ("energy in the window", f"{energy.min():.2%} to {energy.max():.2%}"),
+        ("energy in the window", f"{percent(energy.min(), 2)} to {percent(energy.max(), 2)}"),
         *_error_and_time(facts),
     ]
     parts: Parts = [Text(instrument.name, "bold"), list_of(lines)]
     if energy.min() < 0.95:
-        parts.append(Text(f"One window holds only {energy.min():.0%} of the light; a larger --shape holds more."))
+        parts.append(
+            Text(f"One window holds only {percent(energy.min())} of the light; a larger --shape holds more.")
+        )
     across, down = ([format_length(at, like=max(sensor)) for at in facts[axis]] for axis in ("x", "y"))
     peaks = [(y, *(f"{value:.4g}" for value in row)) for y, row in zip(down, facts["peak"], strict=True)]
     title = "Largest value at y (down) and x (across)"
@@ -374,7 +376,7 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
         waves = one["wavelengths"]
         ends = " to ".join(dict.fromkeys(format_length(end) for end in (min(waves), max(waves))))
         ends = ends if len(waves) == 1 else f"{len(waves)} from {ends}"
-        rows.append((one["name"], ends, f"{one['light']:.3g}", f"{one['peak']:.4g}", known(one["energy"], ".2%")))
+        rows.append((one["name"], ends, f"{one['light']:.3g}", f"{one['peak']:.4g}", percent(one["energy"], 2)))
     table = table_of(("channel", "wavelengths", "light", "largest value", "sum of values"), rows)
     return Report(facts, [Text(instrument.name, "bold"), list_of(lines), "", table])
 
@@ -529,12 +531,12 @@ def describe_stack(answer: PSF, seconds: float) -> Report:
     pupil: Any = answer.pupil
     energy, best = np.asarray(answer.energy), None
     facts = how_made(answer, seconds)
-    peak, held = f"{np.max(facts['peak']):.4g}", f"{energy.min():.2%}"
+    peak, held = f"{np.max(facts['peak']):.4g}", percent(energy.min(), 2)
     if pupil.shape:
         best = int(np.argmax(facts["peak"]))
         ends = (format_length(float(at[best]), like=1e-6) for at in (pupil.z, pupil.focus))
         peak += " in plane {}, z = {}, stage at {}".format(best, *ends)
-        held += f" to {energy.max():.2%}, by plane"
+        held += f" to {percent(energy.max(), 2)}, by plane"
     facts |= {
         "pixel_in_sample": answer.pixel / pupil.magnification,
         "z": pupil.z.tolist(),

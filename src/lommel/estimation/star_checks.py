@@ -283,7 +283,7 @@ def untested_constants(
         j = int(shares.argmax())
         by = _ONE * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
         found["known defocus"] = names[j], float(by)
-    return untested_findings(found, dict.fromkeys(found, f"{_ONE:.0%} of it"), never=never)
+    return untested_findings(found, dict.fromkeys(found, f"{100.0 * _ONE:g} % of it"), never=never)
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:

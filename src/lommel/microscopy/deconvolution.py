@@ -149,8 +149,8 @@ def deconvolve(
     findings = [] if finding is None else [finding]
     if not whole:
         text = (
-            f"{rim:.0%} of the light of the PSF is on the rim of its window, which cuts off its cone: what is beyond "
-            "counts as background or as a floor of light; take a wider window, or microscopy.restore"
+            f"{100.0 * rim:.0f} % of the light of the PSF is on the rim of its window, which cuts off its cone: what "
+            "is beyond counts as background or as a floor of light; take a wider window, or microscopy.restore"
         )
         findings.append(Finding("untested", "note", text, {"rim": rim, "most": _RIM}))
     unknown = 1.0 - float(counted.known.sum()) / recorded.size

@@ -469,7 +469,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
             ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), at)
             axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
         found = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
-        told = [f"{share:.0%} within {half * factor:.3g} {unit}" for share, half in found.items()]
+        told = [f"{100.0 * share:.0f} % within {half * factor:.3g} {unit}" for share, half in found.items()]
         title = ", ".join([title, *told])
         for share, half in found.items():
             axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)

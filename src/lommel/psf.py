@@ -584,7 +584,7 @@ class PSF(Measured, PSFLike, display.Shown):
         g : array_like
             Of the shape of the values.
         of : sequence, optional
-            As `derivatives` of :func:`psf`; by default the names of :attr:`derivatives`, or the terms of the
+            As `derivatives` of :func:`psf`; by default the names of `derivatives`, or the terms of the
             wavefront.
 
         Returns

@@ -224,7 +224,7 @@ def test_the_section_through_the_focus_is_drawn_with_the_sensor_at_0(camera):
     assert image.origin == "lower"
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("sensor moved away from the lens (µm)", "x (µm)")
     assert axes.get_title() == "f/1.85, 550 nm, object at 1.95 m; dashed: the sensor"
-    assert axes.figure.axes[1].get_ylabel() == "irradiance (1 = unaberrated peak)"
+    assert axes.figure.axes[1].get_ylabel() == "irradiance (1 = unaberrated peak)\n(colours: square root)"
     # The object is nearer than what is in focus: its image is behind the sensor.
     middle = image.get_array()[120]
     assert np.linspace(-60.0, 60.0, 9)[int(middle.argmax())] > 0.0

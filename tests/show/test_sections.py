@@ -83,3 +83,39 @@ def test_axes_for_a_z_stack_and_an_unknown_stretch_are_refused():
         psf.plot(plt.figure().subplots())
     with pytest.raises(ValueError, match="stretch must be one of"):
         psf.plot(stretch="cube")
+
+
+def test_the_fourth_axes_have_the_lines_through_the_brightest_voxel():
+    psf = stack(center=(2, 5))
+    psf.plot()
+    profiles = plt.gcf().axes[3]
+    found = {line.get_label(): line.get_xydata() for line in profiles.get_lines()}
+    expected = {"x": psf.values[3, 2], "y": psf.values[3, :, 5], "z": psf.values[:, 2, 5]}
+    assert found.keys() == expected.keys()
+    for name, values in expected.items():
+        np.testing.assert_allclose(found[name][:, 1], values / psf.values.max())
+        assert found[name][values.argmax(), 0] == 0.0
+
+
+def test_dark_surroundings_of_a_stack_are_cut_off_and_the_title_says_so():
+    psf = stack(shape=(49, 61))
+    xy, xz, yz = psf.plot()
+    said = "dark surroundings are cut off"
+    assert said in plt.gcf().get_suptitle()
+    assert xy.get_xlim() == xz.get_xlim()
+    assert xy.get_ylim()[::-1] == pytest.approx(yz.get_ylim()[::-1])
+    (left, right), dark = xy.get_xlim(), 0.05**2 * psf.values.max()
+    x = psf.grid.x * 1e6 / 60
+    outside = (x < left) | (x > right)
+    assert outside.any()
+    assert psf.values[:, 24][:, outside].max() < dark < psf.values[:, 24][:, ~outside].max()
+    stack().plot()
+    assert said not in plt.gcf().get_suptitle()
+
+
+@pytest.mark.parametrize(("stretch", "said"), [("sqrt", "square root"), ("linear", ""), ("log", "logarithm")])
+def test_a_colour_bar_says_when_it_is_not_linear(stretch, said):
+    for psf in (stack(), lm.psf(lm.Pupil(), 9, 0.5), lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0])), 9, 0.5)):
+        psf.plot(stretch=stretch)
+        label = plt.gcf().axes[-1].get_ylabel()
+        assert label == "fraction of all light per pixel" + (f"\n(colours: {said})" if said else "")

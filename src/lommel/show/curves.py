@@ -237,7 +237,8 @@ def through_focus(
     axes.axvline(0.0, color="C0", linewidth=0.8, linestyle="--")
     axes.set(xlabel=label, ylabel=f"x ({unit})")
     if ax is None:
-        drawing.caption(axes, _through_focus_title(thing, here, object_distance), "irradiance (1 = unaberrated peak)")
+        label = drawing.bar_label("irradiance (1 = unaberrated peak)", stretch)
+        drawing.caption(axes, _through_focus_title(thing, here, object_distance), label)
     return axes
 
 

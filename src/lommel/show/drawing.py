@@ -142,6 +142,14 @@ STRETCHES = {
 }
 """Scales of brightness, and the quantity that is linear on each."""
 
+_BAR_NOTES = {"sqrt": "\n(colours: square root)", "linear": "", "log": "\n(colours: logarithm)"}
+
+
+def bar_label(meaning: str, stretch: str) -> str:
+    """Return the label of a colour bar of values, with its scale where that is not linear."""
+    return meaning + _BAR_NOTES[stretch]
+
+
 COLOURS = "inferno"
 """Colour map of light, as on the live page."""
 
@@ -272,7 +280,7 @@ def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
 def caption(axes: Axes, title: str, label: str) -> None:
     """Give a picture in a figure of its own a title, and a colour bar with a label."""
     axes.set_title(fitted(title, axes), fontsize=9)
-    axes.figure.colorbar(axes.images[-1], ax=axes, label=label)
+    axes.figure.colorbar(axes.images[-1], ax=axes).set_label(label, fontsize=9)
 
 
 def complete_curves(
@@ -314,5 +322,7 @@ def tiles(
         axes.tick_params(labelsize=7)
         only_outer(axes, k, count, columns)
     entitle(figure, title)
-    figure.colorbar(shown, ax=drawn.ravel().tolist(), label=label)
+    bar = figure.colorbar(shown, ax=drawn.ravel().tolist())
+    bar.set_label(label, fontsize=8)
+    bar.ax.tick_params(labelsize=7)
     return drawn

@@ -81,7 +81,10 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     """
     x, y, z, values = voxels(psf)
     plane, row, column = (int(k) for k in np.unravel_index(int(values.argmax()), values.shape))
-    lengths = [float(np.ptp(edges)) for edges in map(_edges, (x, y, z))]
+    levels = values[plane], values[:, row], values[:, :, column].T  # of xy, xz and yz
+    limits = _limits((x, y, z), levels, stretch)
+    lengths = [far - near for near, far in limits]
+    cut = any(length < np.ptp(_edges(at)) for length, at in zip(lengths, (x, y, z), strict=True))
     longest = max(lengths)
     wide, high, deep = (max(length, longest / _LONGEST) for length in lengths)
     inch = _SIDE / longest
@@ -90,41 +93,88 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     )
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
-    xy, yz, xz, legend = grid.flat
+    xy, yz, xz, profiles = grid.flat
     norm = drawing.norm_of(stretch, values)
     aside = drawing.true_minus(f"{x[column] + 0.0:.3g}")
     scales = [inch * side / length for side, length in zip((wide, high, deep), lengths, strict=True)]
-    for axes, across, up, level, aspect, title in (
-        (xy, x, y, values[plane], scales[1] / scales[0], f"xy at z = {drawing.true_minus(f'{z[plane]:.4g}')} µm"),
-        (
-            xz,
-            x,
-            z,
-            values[:, row],
-            scales[2] / scales[0],
-            f"xz at y = {drawing.true_minus(f'{y[row] + 0.0:.3g}')} µm",
-        ),
-        (yz, z, y, values[:, :, column].T, scales[1] / scales[2], f"yz at x = {aside} µm"),
+    places = f"z = {drawing.true_minus(f'{z[plane]:.4g}')}", f"y = {drawing.true_minus(f'{y[row] + 0.0:.3g}')}"
+    for axes, level, (i, j), name, place in (
+        (xy, levels[0], (0, 1), "xy", places[0]),
+        (xz, levels[1], (0, 2), "xz", places[1]),
+        (yz, levels[2], (2, 1), "yz", f"x = {aside}"),
     ):
+        across, up = ((x, y, z)[k] for k in (i, j))
         mesh = axes.pcolormesh(_edges(across), _edges(up), level, norm=norm, cmap=drawing.COLOURS, rasterized=True)
-        axes.set_title(title, fontsize=9)
-        axes.set(aspect=aspect, facecolor="black")
+        axes.set_title(f"{name} at {place} µm", fontsize=9)
+        axes.set(aspect=scales[j] / scales[i], facecolor="black", xlim=limits[i], ylim=limits[j])
     for axes in (xy, yz):
         axes.invert_yaxis()  # rows, from the top
     xy.set_ylabel("y in the sample (µm)")
     xz.set(xlabel="x in the sample (µm)", ylabel="z of the stage (µm)")
     yz.set(xlabel="z of the stage (µm)", yticklabels=[])
-    legend.set_axis_off()
+    _draw_profiles(profiles, (x - x[column], y - y[row], z - z[plane]), levels, (row, column), lengths)
     locator = library("matplotlib.ticker", *drawing.USER).MaxNLocator
     xz.yaxis.set_major_locator(locator(4))
     yz.xaxis.set_major_locator(locator(3 if deep > 0.6 * wide else 2, symmetric=True))
-    lines = _title_lines(psf, z, scales[0] == scales[1] == scales[2], stretch)
-    drawing.entitle(figure, "\n".join([", ".join(lines[:3]), "; ".join(lines[3:])]))
-    figure.colorbar(mesh, ax=grid, label=drawing.MEANING[psf.normalize])
+    lines = _title_lines(psf, z, cut, scales[0] == scales[1] == scales[2])
+    drawing.entitle(figure, "\n".join([", ".join(lines[:3]), "; ".join(lines[3:])]).rstrip("\n"))
+    label = drawing.bar_label(drawing.MEANING[psf.normalize], stretch)
+    figure.colorbar(mesh, ax=grid).set_label(label, fontsize=9)
     return np.array([xy, xz, yz])
 
 
-def _title_lines(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[str]:
+def _draw_profiles(
+    axes: Axes,
+    distances: tuple[Array, Array, Array],
+    levels: tuple[Values, Values, Values],
+    peak: tuple[int, int],
+    lengths: Sequence[float],
+) -> None:
+    """Draw the values along x, y and z through the brightest voxel, a row and a column of the xy section `levels[0]`.
+
+    `distances` are those from that voxel, micrometres, and `lengths` the sides of the sections.
+    """
+    xy, xz, _ = levels
+    row, column = peak
+    for name, style, at, line in zip(
+        "xyz", ("-", "--", "-"), distances, (xy[row], xy[:, column], xz[:, column]), strict=True
+    ):
+        axes.plot(at, line / (float(xy.max()) or 1.0), style, marker=".", markersize=3, linewidth=0.9, label=name)
+    half = 0.5 * max(lengths)
+    axes.set(xlim=(-half, half), ylim=(0.0, 1.05), xlabel="from the peak (µm)")
+    axes.legend(
+        title="value / peak along",
+        loc="lower center",
+        bbox_to_anchor=(0.5, 0.98),
+        ncols=3,
+        fontsize=8,
+        title_fontsize=9,
+        frameon=False,
+        handlelength=1.2,
+        columnspacing=0.8,
+        borderaxespad=0.0,
+    )
+
+
+_DARK = 0.05  # share of the brightness scale up to which the surroundings of a stack count as dark
+_RIM = 0.15  # dark rim that is drawn, over the size of what is not dark
+
+
+def _limits(places: Sequence[Array], levels: Sequence[Values], stretch: str) -> list[tuple[float, float]]:
+    """Return the limits of x, y and z between which the sections through a stack are not dark, with a rim."""
+    top = max(float(level.max()) for level in levels) or 1.0
+    xy, xz, yz = (drawing.stretched(level / top, stretch) > _DARK for level in levels)
+    lit = xy.any(axis=0) | xz.any(axis=0), xy.any(axis=1) | yz.any(axis=1), xz.any(axis=1) | yz.any(axis=0)
+    limits = []
+    for at, bright in zip(places, lit, strict=True):
+        edges, found = _edges(at), np.flatnonzero(bright)
+        first, last = (float(edges[found[0]]), float(edges[found[-1] + 1])) if found.size else (edges[0], edges[-1])
+        rim = _RIM * (last - first)
+        limits.append((max(float(edges[0]), first - rim), min(float(edges[-1]), last + rim)))
+    return limits
+
+
+def _title_lines(psf: PSFLike, z: Array, cut: bool, to_scale: bool) -> list[str]:
     """Return a description of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
@@ -133,7 +183,7 @@ def _title_lines(psf: PSFLike, z: Array, to_scale: bool, stretch: str) -> list[s
         f"{z.size} planes, {steps.mean():.4g} µm apart" if even else f"{z.size} planes, not evenly spaced",
         f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample",
         drawing.HOW[psf.sampling],
-        f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}",
+        *(["dark surroundings are cut off"] if cut else []),
         *([] if to_scale else ["x, y and z are not to one scale"]),
     ]
 
@@ -178,17 +228,16 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> draw
         return sections(psf, stretch=stretch)
     drawing.at_most(psf.pupil.shape)
     norm = drawing.norm_of(stretch, psf.values)
+    label = drawing.bar_label(drawing.MEANING[psf.normalize], stretch)
     if psf.pupil.shape != ():
 
         def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
             return _draw(psf[index], axes, norm).images[0]
 
-        return drawing.tiles(
-            psf.pupil.shape, one, drawing.of_pupils(psf.pupil), _title(psf), drawing.MEANING[psf.normalize]
-        )
+        return drawing.tiles(psf.pupil.shape, one, drawing.of_pupils(psf.pupil), _title(psf), label)
     axes = _draw(psf, drawing.new_axes(ax), norm)
     if ax is None:
-        drawing.caption(axes, _title(psf), drawing.MEANING[psf.normalize])
+        drawing.caption(axes, _title(psf), label)
     return axes
 
 
@@ -461,7 +510,8 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
         axes.set_title(title, fontsize=9, loc="left", pad=22)
     if ax is None and not coloured:
         scale = library("matplotlib.cm", *drawing.USER).ScalarMappable(drawing.norm_of(stretch, np.ones(1)), colors)
-        axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
+        label = drawing.bar_label("value over the largest of each PSF", stretch)
+        axes.figure.colorbar(scale, ax=axes, shrink=0.75, label=label)
     axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")
     # Within the PSFs lengths are `larger`.
     inner, inner_unit = drawing.lengths(grid.unit)

@@ -490,8 +490,11 @@ def test_the_picture_shows_images_model_residual_and_terms():
     assert_allclose(pictures[3].images[0].get_array(), found.model[0])
     assert_allclose(pictures[6].images[0].get_array(), found.residual[0])
     bars = figure.subfigs[1].axes[0]
-    assert [bar.get_height() for bar in bars.containers[0]] == pytest.approx(list(found.coefficients.values()))
-    assert "noll 8 coma x" in [label.get_text() for label in bars.get_xticklabels()]
+    assert [bar.get_width() for bar in bars.containers[0]] == pytest.approx(list(found.coefficients.values()))
+    assert [label.get_text() for label in bars.get_yticklabels()][4] == "noll 8 coma x"
+    numbers = bars.texts[4].get_text().replace("\N{MINUS SIGN}", "-").split(" ± ")
+    expected = list(found.coefficients.values())[4], list(found.errors.values())[4]
+    assert [float(number) for number in numbers] == pytest.approx(expected, rel=0.06)
     assert "noll 8 coma x" in repr(found)
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import re
+
 import numpy as np
 import pytest
 
@@ -33,3 +36,26 @@ def test_curves_of_precision_have_gaps_where_nothing_can_be_known():
     assert [text.get_text() for text in axes.get_legend().get_texts()] == ["near", "far"]
     axes.figure.canvas.draw()
     estimates.precision(distance, {"": np.full(5, np.inf)}, "nothing").figure.canvas.draw()
+
+
+def test_numbers_of_standard_errors_have_no_powers_of_ten():
+    errors = np.geomspace(0.8e-3, 5e-3, 48).reshape(6, 8)
+    figure = estimates.maps(1000.0 * errors, errors, None)
+    figure.canvas.draw()
+    bar = figure.axes[-1]
+    ticks = [*bar.yaxis.get_majorticklabels(), *bar.yaxis.get_minorticklabels()]
+    texts = {tick.get_text() for tick in ticks if tick.get_text()}
+    assert {"1", "2", "3", "5"} <= texts
+    assert all(re.fullmatch(r"[\d.]+", text) for text in texts)
+    assert bar.get_ylabel() == "standard error of depth (mm)\n(colours: logarithm)"
+
+
+@pytest.mark.parametrize("shape", [(144, 256), (100, 100), (200, 100)], ids=str)
+def test_depth_maps_fill_their_figure_and_their_labels_are_apart(shape):
+    depth = np.linspace(1.0, 2.0, math.prod(shape)).reshape(shape)
+    figure = estimates.maps(depth, 1e-3 * depth, depth)
+    figure.canvas.draw()
+    boxes = [axes.get_tightbbox() for axes in figure.axes]
+    assert not any(a.overlaps(b) for k, a in enumerate(boxes) for b in boxes[k + 1 :])
+    area = sum(box.width * box.height for box in boxes)
+    assert area > 0.6 * figure.bbox.width * figure.bbox.height

@@ -13,7 +13,7 @@ from scipy import ndimage
 
 from lommel.base.arrays import Array, Values
 from lommel.base.optional import library
-from lommel.base.units import format_length
+from lommel.base.units import format_length, with_error
 from lommel.show import drawing
 
 if TYPE_CHECKING:
@@ -183,7 +183,8 @@ def _residual_rows(
             panel.imshow(values, cmap=drawing.COLOURS, norm=scale, interpolation="nearest")
         left = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
         column[0].set_title(title, fontsize=8)
-    for row, text in zip(panels, ("measured", "model", "residual"), strict=True):
+    rows = "measured\n(square root)", "model\n(square root)", "residual"
+    for row, text in zip(panels, rows, strict=True):
         row[0].set_ylabel(text, fontsize=letters)
     for panel in panels.flat:
         panel.set(xticks=[], yticks=[], facecolor="0.5")  # of what was left out
@@ -302,32 +303,62 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     """Draw depth and its standard error (metres, NaN grey), and the light of the sharp image, side by side."""
     height, width = depth.shape
     count = 2 if light is None else 3
-    side = 4.4
-    figure: Figure = drawing.pyplot().figure(
-        figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
-    )
+    high = _MAP * min(max(height / width, 0.4), 2.0)
+    wide = min(_MAP, high * width / height)
+    size = count * wide + 2 * _BAR_WIDTH + 0.8, high + 1.0
+    figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
+    figure.get_layout_engine().set(w_pad=0.08)  # type: ignore[union-attr, call-arg]
     axes = figure.subplots(1, count, squeeze=False)[0]
     known = np.isfinite(errors)
     low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
     shown = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
-    figure.colorbar(shown, ax=axes[0], label="depth (m)", extend="both", shrink=0.85)
-    axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=10)
-    norm = None
+    _bar(figure, shown, axes[0], "depth (m)")
+    axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=9)
+    norm, label = None, "standard error of depth (mm)"
     millimetres = np.where(known, 1e3 * errors, np.nan)
     if known.any():
-        ends = np.percentile(millimetres[known], [0.5, 99.5])
-        norm = library("matplotlib.colors", *drawing.USER).LogNorm(*(ends * [0.99, 1.01]))
+        ends = np.percentile(millimetres[known], [0.5, 99.5]) * [0.99, 1.01]
+        norm = library("matplotlib.colors", *drawing.USER).LogNorm(*ends)
+        label = drawing.bar_label(label, "log")
     shown = axes[1].imshow(millimetres, cmap=drawing.COLOURS, norm=norm, interpolation="nearest")
-    figure.colorbar(shown, ax=axes[1], label="standard error of depth (mm)", extend="both", shrink=0.85)
-    axes[1].set_title("standard error", fontsize=10)
+    bar = _bar(figure, shown, axes[1], label)
+    if known.any():
+        _plain_log_ticks(bar.ax.yaxis, *ends)
+    axes[1].set_title("standard error", fontsize=9)
     if light is not None:
         top = float(np.percentile(light, 99.5))
         within = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
         axes[2].imshow(within, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
-        axes[2].set_title("all-in-focus image", fontsize=10)
+        axes[2].set_title("all-in-focus image", fontsize=9)
     for each in axes:
-        each.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
+        each.set(facecolor=_UNKNOWN)
+        each.set_xlabel("x (pixels)", fontsize=8)
+        each.tick_params(labelsize=7, labelleft=each is axes[0])
+    axes[0].set_ylabel("y (pixels)", fontsize=8)
     return figure
+
+
+_MAP, _BAR_WIDTH = 3.6, 0.9  # inches: width of a depth map, and of a colour bar with its numbers and label
+
+
+def _bar(figure: Figure, shown: AxesImage, axes: Axes, label: str) -> Any:
+    """Add a colour bar beside axes, for values beyond its ends as well."""
+    bar = figure.colorbar(shown, ax=axes, extend="both", aspect=25)
+    bar.set_label(label, fontsize=8)
+    bar.ax.tick_params(labelsize=7, which="both")
+    return bar
+
+
+def _plain_log_ticks(axis: Any, low: float, high: float) -> None:
+    """Write numbers on a logarithmic axis without powers of ten, and between these where it is short."""
+    ticker = library("matplotlib.ticker", *drawing.USER)
+    plain = ticker.FuncFormatter(lambda value, _: f"{value:g}")
+    axis.set_major_formatter(plain)
+    if math.log10(high / low) < 1.5:
+        axis.set_minor_locator(ticker.LogLocator(subs=(2.0, 3.0, 5.0)))
+        axis.set_minor_formatter(plain)
+    else:
+        axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Sequence[float] = ()) -> Axes:
@@ -345,7 +376,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
     axes.set(xlabel="distance (m)", ylabel="standard error of depth (mm)")
     axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
-    axes.grid(which="both", alpha=0.3)
+    axes.grid(alpha=0.3)
     for focus in foci:
         if distance[0] <= focus <= distance[-1]:
             axes.axvline(focus, color="0.4", linewidth=1.0, linestyle=":")
@@ -354,10 +385,7 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
             axes.text(focus, 0.98, words, transform=place, fontsize=8, rotation=90, va="top", ha="right")
     if len(curves) > 1:
         axes.legend(fontsize=9)
-    plain = library("matplotlib.ticker", *drawing.USER).FuncFormatter(lambda value, _: f"{value:g}")
-    axes.yaxis.set_major_formatter(plain)
-    if finite.size and math.log10(axes.get_ylim()[1] / axes.get_ylim()[0]) < 1.5:
-        axes.yaxis.set_minor_formatter(plain)
+    _plain_log_ticks(axes.yaxis, *axes.get_ylim())
     return axes
 
 
@@ -375,24 +403,35 @@ def fit(
     """Draw images (n, height, width), their model, the residual over the noise, and the fitted terms in a unit."""
     names, values, errors, unit = found
     count = min(len(images), _MOST)
-    bars = max(3.0, 0.42 * len(names))
-    figure: Figure = drawing.pyplot().figure(figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained")
-    widths = 1.9 * count + 1.2, bars + 1.0
-    pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=widths)[0]
+    high = max(6.2, 0.2 * len(names) + 1.4)
+    figure: Figure = drawing.pyplot().figure(figsize=(1.9 * count + 1.2 + _TERMS, high), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1)  # type: ignore[union-attr, call-arg]
+    pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=(1.9 * count + 1.2, _TERMS))[0]
     short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
     columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))
     panels, left = _residual_rows(pictures, columns, letters=9)
     pictures.colorbar(left, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
     drawn = graph.subplots()
+    unit = "µm" if unit == "um" else unit
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in errors]
-    drawn.bar(at, values, color="C0", alpha=0.6)
-    drawn.errorbar(at, values, yerr=finite, fmt="none", ecolor=drawn.xaxis.label.get_color(), capsize=3)
-    drawn.axhline(0.0, color="0.5", linewidth=0.8)
-    drawn.set_xticks(at, names, rotation=90, fontsize=8)
-    drawn.set_ylabel(f"coefficient and standard error ({'µm' if unit == 'um' else unit})")
-    drawn.set_title(title, fontsize=9)
+    drawn.barh(at, values, color="C0", alpha=0.6)
+    drawn.errorbar(
+        values, at, xerr=finite, fmt="none", ecolor=drawn.xaxis.label.get_color(), capsize=2, linewidth=1.0
+    )
+    drawn.axvline(0.0, color="0.5", linewidth=0.8)
+    drawn.set_yticks(at, names, fontsize=8)
+    drawn.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
+    # Error bars are often shorter than a line is wide.
+    beside = drawn.get_yaxis_transform()
+    for k, pair in enumerate(map(with_error, values, errors)):
+        number, error = map(drawing.true_minus, pair)
+        drawn.text(1.02, k, f"{number} ± {error.replace('inf', '∞')}", transform=beside, fontsize=8, va="center")
+    drawn.set_title(f"{title}\nfitted coefficients ± standard errors", fontsize=9)
     return figure
+
+
+_TERMS = 5.4  # inches: width of the graph of fitted terms with their names and numbers
 
 
 _REASONS = {

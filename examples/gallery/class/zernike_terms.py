@@ -29,7 +29,7 @@ for j, (n, m) in enumerate(terms):
     above, below = axes[2 * (j // columns), j % columns], axes[2 * (j // columns) + 1, j % columns]
     shown = above.imshow(phase, cmap="RdBu_r", vmin=-0.6, vmax=0.6, extent=(-1, 1, 1, -1))
     above.set_title(f"Noll {j + 1}: ({n}, {m})\n{zernike.name(n, m)}", fontsize=7)
-    above.set_xticks([-1, 0, 1], [])
+    above.set(xticks=[-1, 0, 1], yticks=[-1, 0, 1], xticklabels=[])
     half = 49 * 0.2 / 2
     below.imshow(np.sqrt(image.values), cmap="inferno", extent=(-half, half, half, -half))
     for one in (above, below):

@@ -94,6 +94,8 @@ left.axhline(error(stack), color="0.6", label="recording")
 left.set_ylabel("rms error over that of nothing")
 left.legend(fontsize=9)
 middle.set_ylabel("discrepancy")
+middle.set_yticks([1, 1.5, 2, 3, 4], ["1", "1.5", "2", "3", "4"])
+middle.minorticks_off()
 for axes in (left, middle):
     axes.set_xlabel("steps")
     axes.grid(alpha=0.3)

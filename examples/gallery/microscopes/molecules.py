@@ -25,7 +25,7 @@ in_sample = pixel / objective.magnification
 camera = lm.Noise(white=0.46, read=1.6, offset=100)
 
 # %%
-# Molecules blink at random along one turn of a helix of 2 um radius, 1 um deep: two on opposite sides in each frame,
+# Molecules blink at random along one turn of a helix of 2 µm radius, 1 µm deep: two on opposite sides in each frame,
 # with about 3000 photons each.
 
 random = np.random.default_rng(2)
@@ -65,7 +65,7 @@ axes[0, 0].set_title("a frame")
 axes[0, 1].imshow(movie.sum(axis=0, dtype=float), cmap="gray", extent=extent)
 axes[0, 1].set_title("all frames")
 found.plot(pixel=30e-9, ax=axes[1, 0])
-for what, colour, label in ((found, "C0", "PSF at 1 um"), (shifted, "C1", "beads on the glass")):
+for what, colour, label in ((found, "C0", "PSF at 1 µm"), (shifted, "C1", "beads on the glass")):
     rows = what.table[what.kept]
     turned = np.arctan2(1e6 * rows["y"] - extent[1] / 2, 1e6 * rows["x"] - extent[1] / 2)
     axes[1, 1].plot(np.degrees(turned), 1e9 * rows["z"], ".", ms=2, color=colour, label=label)
@@ -73,5 +73,5 @@ axes[1, 1].plot([-180, 180], [-450, 450], "k-", lw=0.8, label="true")
 axes[1, 1].set(xlabel="angle (deg)", ylabel="z of the stage (nm)", title="along the helix")
 axes[1, 1].legend(fontsize=8, loc="upper left")
 for ax in axes[0]:
-    ax.set(xlabel="x (um)", ylabel="y (um)")
+    ax.set(xlabel="x (µm)", ylabel="y (µm)")
 plt.show()

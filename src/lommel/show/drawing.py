@@ -193,10 +193,16 @@ def pyplot() -> ModuleType:
     return library("matplotlib.pyplot", *USER)
 
 
+def with_margins(figure: Figure) -> None:
+    """Keep labels off the edges of a figure, and those of its axes apart."""
+    figure.get_layout_engine().set(w_pad=0.08, h_pad=0.08)  # type: ignore[union-attr, call-arg]
+
+
 def new_axes(ax: Axes | None, **options: object) -> Axes:
     """Return the given axes, or those of a new figure with these options."""
     if ax is None:
-        ax = pyplot().subplots(layout="constrained", **options)[1]
+        figure, ax = pyplot().subplots(layout="constrained", **options)
+        with_margins(figure)
     return ax
 
 
@@ -313,6 +319,7 @@ def tiles(
     figure = pyplot().figure(
         figsize=(max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8), layout="constrained"
     )
+    with_margins(figure)
     drawn = np.empty(shape, dtype=object)
     shown: AxesImage | None = None
     for k, index in enumerate(np.ndindex(shape)):

@@ -114,13 +114,13 @@ def field(
     """Draw terms (name, values and standard errors over the sensor), the stars on it, and some images with models."""
     x, y, length = axes
     across, down, chi2, used = stars
-    factor, name = (1e3, "mm") if length == "m" else (1.0, "lambda*N")
+    factor, name = (1e3, "mm") if length == "m" else (1.0, "λN")
     rows = math.ceil((len(maps) + 1) / _ACROSS)
+    columns = math.ceil((len(maps) + 1) / rows)
     figure: Figure = drawing.pyplot().figure(figsize=(2.6 * _ACROSS + 1.0, 2.7 * rows + 4.6), layout="constrained")
-    # So that numbers beside bars are not cut.
-    figure.get_layout_engine().set(w_pad=0.15)  # type: ignore[union-attr, call-arg]
+    drawing.with_margins(figure)
     upper, lower = figure.subfigures(2, 1, height_ratios=(2.7 * rows, 4.2))  # type: ignore[misc]
-    panels = upper.subplots(rows, _ACROSS, squeeze=False)
+    panels = upper.subplots(rows, columns, squeeze=False)
     extent = [factor * x[0], factor * x[-1], factor * y[-1], factor * y[0]]
     for panel, (term, values, errors) in zip(panels.flat, maps, strict=False):
         most = max(float(np.abs(values).max()), 1e-12)
@@ -195,7 +195,7 @@ _COLOURS = "turbo"
 _MOST_PIXELS, _USUAL = 4096, 800  # largest and usual side, pixels
 _LEAST_WIDTH = 5e-9
 _WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # pixels: widths of the Gaussians that are drawn together
-_AXES = {"z": "stage position z (um)", "depth": "depth (um)"}
+_AXES = {"z": "stage position z (µm)", "depth": "depth (µm)"}
 
 
 def picture(
@@ -215,7 +215,7 @@ def picture(
     figure = drawing.figure_of(axes)
     if not flat:
         figure.colorbar(map_, ax=axes, label=_AXES[along], extend="both", shrink=0.85)
-    axes.set(xlabel="x (um)", ylabel="y (um)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
+    axes.set(xlabel="x (µm)", ylabel="y (µm)", title=f"{rows.size} localisations, pixels of {1e9 * side:.3g} nm")
     return axes
 
 
@@ -263,6 +263,7 @@ def projections(
     below = max(deep, _LEAST_SHARE * high)
     size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
     figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
+    drawing.with_margins(figure)
     axes = figure.subplots(2 * len(channels), 3, height_ratios=[high, below] * len(channels), squeeze=False)
     for rows, (name, pictures) in zip(axes.reshape(len(channels), 2, 3), channels, strict=True):
         for column, (words, pair) in enumerate(zip(("recorded", "restored", "residual"), pictures, strict=True)):
@@ -280,7 +281,8 @@ def projections(
                 drawn = panel.imshow(values, extent=extent, interpolation="nearest", **how)
                 panel.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
                 panel.set_aspect("equal" if below == deep or extent[2] == high else "auto")
-            rows[0, column].set_title(f"{name}{words}", fontsize=9)
+            scale = "" if words == "residual" else " (square root)"
+            rows[0, column].set_title(f"{name}{words}{scale}", fontsize=9)
         rows[0, 0].set_ylabel("xy", fontsize=9)
         rows[1, 0].set_ylabel("xz", fontsize=9)
         figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual over noise", shrink=0.9, extend="both")
@@ -307,7 +309,7 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
     wide = min(_MAP, high * width / height)
     size = count * wide + 2 * _BAR_WIDTH + 0.8, high + 1.0
     figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
-    figure.get_layout_engine().set(w_pad=0.08)  # type: ignore[union-attr, call-arg]
+    drawing.with_margins(figure)
     axes = figure.subplots(1, count, squeeze=False)[0]
     known = np.isfinite(errors)
     low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
@@ -405,7 +407,7 @@ def fit(
     count = min(len(images), _MOST)
     high = max(6.2, 0.2 * len(names) + 1.4)
     figure: Figure = drawing.pyplot().figure(figsize=(1.9 * count + 1.2 + _TERMS, high), layout="constrained")
-    figure.get_layout_engine().set(w_pad=0.1)  # type: ignore[union-attr, call-arg]
+    drawing.with_margins(figure)
     pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=(1.9 * count + 1.2, _TERMS))[0]
     short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
     columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))

@@ -91,7 +91,7 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     figure = drawing.pyplot().figure(
         figsize=(inch * (wide + deep) + 1.9, inch * (high + deep) + 1.3), layout="compressed"
     )
-    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
+    drawing.with_margins(figure)
     grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
     xy, yz, xz, profiles = grid.flat
     norm = drawing.norm_of(stretch, values)
@@ -311,6 +311,7 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
     if ax is None:
         size = (max(2.4 * columns + 1.0, 4.4), 2.3 * max(rows, 1.5 - 0.5 * (columns > 1)) + 0.7)
         figure, grid = drawing.pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
+        drawing.with_margins(figure)
         drawn = grid.ravel()
         each = "each channel over its largest value" if len(psf.psfs) == 3 else "all over the largest value"
         drawing.entitle(figure, f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {each}")
@@ -365,7 +366,7 @@ def compare(
     figure: Figure = library("matplotlib.figure", *drawing.USER).Figure(
         figsize=(width, above + 4.6), layout="constrained"
     )
-    figure.get_layout_engine().set(w_pad=0.08, h_pad=0.08)  # type: ignore[union-attr, call-arg]
+    drawing.with_margins(figure)
     pictures, graphs = figure.subfigures(2, 1, squeeze=False, height_ratios=(above, 4.6))[:, 0]
     peak = float(truth.values.max())
     scale = library("matplotlib.colors", *drawing.USER).LogNorm(*_ERRORS, clip=True)

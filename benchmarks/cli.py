@@ -138,7 +138,7 @@ def _publish() -> None:
     docs.mkdir(exist_ok=True)
     (docs / "benchmarks.md").write_text(report.write(results, second), encoding="utf-8")
     tables = {table["key"]: table for table in results["tables"]}
-    report.draw(tables["sizes"], docs / "benchmarks.png")
+    report.draw(tables["sizes"], docs / "benchmarks.png", results["machine"])
     report.draw_costs(tables["costs"], docs / "benchmarks-costs.png")
 
 

@@ -286,49 +286,66 @@ def write(results: dict[str, Any], second: dict[str, Any]) -> str:
     return "\n".join(parts)
 
 
-_COLORS = {
-    "lommel": "#c1121f",
-    "FFT, alone": "#8d99ae",
-    "FFT, whole method": "#2b2d42",
-    "quadrature": "#2a9d8f",
-    "closed form, Fresnel": "#e9a23b",
-    "closed form, Abramowitz 30": "#b5651d",
-    "ray tracing": "#7b2cbf",
+# Colour of each way in the figure of sizes, and its name there.
+_CURVES = {
+    "lommel": ("#c1121f", "lommel, to 1e-6"),
+    "FFT, alone": ("#8d99ae", "FFT alone, twice the side"),
+    "FFT, whole method": ("#2b2d42", "FFT method, all its steps"),
+    "quadrature": ("#2a9d8f", "quadrature over the radius"),
+    "closed form, Fresnel": ("#e9a23b", "closed form of the paper, Fresnel integrals"),
+    "closed form, Abramowitz 30": ("#b5651d", "closed form of the paper, series of 30 terms"),
+    "ray tracing": ("#7b2cbf", "sum over wavelets (Huygens-Fresnel)"),
 }
 
 
-def draw(sizes: dict[str, Any], path: Path) -> None:
-    """Draw the table of sizes, as it stands in the JSON file."""
+def draw(sizes: dict[str, Any], path: Path, machine: dict[str, Any]) -> None:
+    """Draw the table of sizes, as it stands in the JSON file, beside the time of the unit on that machine."""
     from matplotlib.figure import Figure
 
     curves: dict[str, list[tuple[int, float]]] = {}
     for row in sizes["rows"]:
         curves.setdefault(row["way"], []).append((int(row["n"]), row["cost"]["median"]))
-    figure = Figure(figsize=(8.0, 5.2), layout="constrained")
+    figure = Figure(figsize=(9.6, 5.2), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.08)  # type: ignore[union-attr, call-arg]
     axes = figure.add_subplot()
-    for name, color in _COLORS.items():
-        if name not in curves:
-            continue
-        n, cost = np.array(curves[name]).T
-        axes.loglog(n, cost, "o-", color=color, label=name, linewidth=2.4 if name == "lommel" else 1.5, markersize=4)
-    if "lommel" in curves and "FFT, alone" in curves:
-        # Anchored where neither calls nor memory dominate.
-        n, cost = np.array(curves["lommel"]).T
-        at = np.searchsorted(n, 1024, side="right") - 1
-        axes.loglog(n, cost[at] * (n / n[at]) ** 2, ":", color="#c1121f", linewidth=1, label="n²")
-        n, cost = np.array(curves["FFT, alone"]).T
-        slope = n**2 * np.log2(2 * n)
-        at = np.searchsorted(n, 1024, side="right") - 1
-        axes.loglog(n, cost[at] * slope / slope[at], ":", color="#8d99ae", linewidth=1, label="n² log n")
-    axes.set_xlabel("side n of the window, pixels")
-    axes.set_ylabel("cost of one PSF, in FFTs of 1024²")
-    axes.set_title("Time of one PSF on one thread, at a defocus of C_d = 10 rad")
-    axes.grid(which="both", linewidth=0.3)
+    # The legend has the order of the curves at the right.
+    ways = sorted(curves.keys() & _CURVES.keys(), key=lambda way: -curves[way][-1][1] / curves[way][-1][0] ** 2)
+    for way in ways:
+        n, cost = np.array(curves[way]).T
+        color, name = _CURVES[way]
+        width = 2.6 if way == "lommel" else 1.5
+        axes.loglog(n, cost, "o-", color=color, label=name, linewidth=width, markersize=4)
+    unit = 1e-3 * machine["yardsticks"]["FFT 1024²"]
+    axes.set_xlabel("pixels along a side of the image")
+    axes.set_ylabel("time of one PSF (1 = one FFT of 1024 × 1024)")
+    milliseconds = axes.secondary_yaxis("right", functions=(lambda cost: unit * cost, lambda time: time / unit))
+    milliseconds.set_ylabel(f"time on {machine['processor']} (ms)")
+    axes.set_title("Time of one PSF of a defocused lens on one thread", fontsize=11)
+    axes.grid(linewidth=0.3)
     sides = sorted({n for curve in curves.values() for n, _ in curve})
     axes.set_xticks(sides, [str(n) for n in sides])
     axes.minorticks_off()
-    axes.legend(fontsize=8)
+    figure.legend(*axes.get_legend_handles_labels(), fontsize=8, loc="outside right upper", frameon=False)
     figure.savefig(path, dpi=130, metadata={"Software": None})
+
+
+# Title and label of x for each panel of the figure of costs, and the names of its curves.
+_PANELS = {
+    "side of the window, pixels": ("Larger images", "pixels along a side of the image"),
+    "aberration, rad rms (radial: defocus at the edge)": (
+        "Stronger aberrations, 512 × 512 pixels",
+        "wavefront error (rad): rms, or defocus at the edge",
+    ),
+    "Zernike terms, 1 rad rms together, 33²": ("More Zernike terms, 33 × 33 pixels, 1 rad rms", "Zernike terms"),
+    "tolerance, 512²": ("Smaller tolerances, 512 × 512 pixels", "tolerance (fraction of the peak)"),
+    "pupils of 17²": ("More PSFs in one call, 17 × 17 pixels", "PSFs in one call"),
+}
+_PUPILS = {
+    "radial": "radially symmetric",
+    "15 terms": "15 Zernike terms",
+    "one pupil": "1 PSF in a call",
+    "16 pupils": "16 PSFs in a call",
+}
 
 
 def draw_costs(costs: dict[str, Any], path: Path) -> None:
@@ -339,16 +356,21 @@ def draw_costs(costs: dict[str, Any], path: Path) -> None:
     for row in costs["rows"]:
         curves = panels.setdefault(row["against"], {})
         curves.setdefault(row["pupil"], []).append((float(row["at"]), row["cost"]["median"]))
-    figure = Figure(figsize=(9.0, 8.6), layout="constrained")
+    figure = Figure(figsize=(9.6, 9.0), layout="constrained")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)  # type: ignore[union-attr, call-arg]
+    figure.suptitle("Time of a pixel on one thread (1 = absolute value of a complex number by NumPy)", fontsize=11)
     for k, (against, curves) in enumerate(panels.items()):
         axes = figure.add_subplot(3, 2, k + 1)
         for (name, curve), color in zip(curves.items(), ("#c1121f", "#2b2d42"), strict=False):
             x, y = np.array(curve).T
-            axes.loglog(x, y, "o-", color=color, label=name, markersize=4)
+            axes.loglog(x, y, "o-", color=color, label=_PUPILS.get(name, name), markersize=4)
         if against.startswith("tolerance"):
             axes.invert_xaxis()
-        axes.set_xlabel(against)
-        axes.set_ylabel("cost of a pixel, in np.abs")
-        axes.grid(which="both", linewidth=0.3)
+        title, label = _PANELS.get(against, (against, against))
+        axes.set_title(title, fontsize=10)
+        axes.set_xlabel(label)
+        axes.set_ylabel("time of a pixel")
+        axes.grid(linewidth=0.3)
+        axes.minorticks_off()
         axes.legend(fontsize=8)
     figure.savefig(path, dpi=120, metadata={"Software": None})

@@ -266,6 +266,8 @@ def test_frequencies_above_the_cutoff_are_told(call_lommel, lenses, tmp_path):
     shown = call_lommel("psf", lenses["camera-field"], "--mtf", "--field", "1x2", folder=tmp_path).stdout
     assert "0: the lens passes nothing above its cutoff, 909.1 cycles/mm at 550 nm" in shown
     assert "0.0000" not in shown
+    coloured = call_lommel("psf", lenses["camera-field"], "--mtf", "--colour", folder=tmp_path).stdout
+    assert "909.1 cycles/mm at 550 nm, higher at shorter wavelengths" in " ".join(coloured.split())
 
 
 def test_options_restate_focus_f_number_wavelength_and_focal_length(call_lommel, lenses, tmp_path):

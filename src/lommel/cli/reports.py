@@ -420,7 +420,8 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     said = [f"Nyquist frequency: {along}; {lines}"]
     if max(frequencies) > (cutoff := max(pupil.cutoff for _, _, pupil in places)):
         light = format_length(instrument.lens.wavelength)
-        said.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {light}")
+        others = "" if channels is None else ", higher at shorter wavelengths"
+        said.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {light}{others}")
     return Report({"mtf": facts}, ["", table, *(Text(line, "dim") for line in said)])
 
 

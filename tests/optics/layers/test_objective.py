@@ -368,3 +368,8 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
 def test_other_questions_refuse_what_is_none(ask, message):
     with pytest.raises((TypeError, ValueError), match=message):
         ask()
+
+
+def test_a_pupil_of_an_objective_is_one_line_with_its_depth_and_planes():
+    pupil = OBJECTIVE.pupil(depth=2e-6, z=np.array([-3e-7, 0.0, 3e-7]), wavelength=WAVE, emitter="scalar")
+    assert repr(pupil).startswith("<ObjectivePupil NA 1.4, 520 nm, 3 planes: depth 2 um, z -0.3 to 0.3 um, Scalar(")

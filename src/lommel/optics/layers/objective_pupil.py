@@ -170,9 +170,13 @@ class ObjectivePupil(BasePupil):
 
     def __repr__(self) -> str:
         planes = "one plane" if not self.shape else f"{'x'.join(map(str, self.shape))} planes"
-        spans = ", ".join(
-            f"{name} {1e6 * float(at.min()):.4g} to {1e6 * float(at.max()):.4g} um"
+        ends = {
+            name: (1e6 * float(at.min()), 1e6 * float(at.max()))
             for name, at in (("depth", self.depth), ("z", self.z))
+        }
+        spans = ", ".join(
+            f"{name} {low:.4g} um" if low == high else f"{name} {low:.4g} to {high:.4g} um"
+            for name, (low, high) in ends.items()
         )
         of = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
         measured = f", {self.aberrations!r}" if self.aberrations else ""

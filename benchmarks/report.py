@@ -127,7 +127,7 @@ def _plain(text: str) -> str:
 
 _HEAD = """# Benchmarks
 
-Written by `make bench` from `benchmarks/results.json`; do not edit this page.
+<!-- Written by `make bench` from benchmarks/results.json: do not edit this page. -->
 
 ## In short
 
@@ -255,9 +255,11 @@ def _short(results: dict[str, Any], second: dict[str, Any]) -> str:
         ["–" if value is None else f"{value:.3g}" for value in column] for column in map(in_short, (results, second))
     ]
     rows = [f"| {q[0]} | {q[1]} | {a} | {b} |" for q, a, b in zip(IN_SHORT, *cells, strict=True)]
-    return "\n".join(
+    text = "\n".join(
         ["| task | against | EPYC of 2024, AVX-512 | EPYC of 2021, AVX2 |", "|---|---|---:|---:|", *rows]
     )
+    # Cells are narrow on phones, and lines break at hyphens.
+    return text.replace("1e-4", "10⁻⁴").replace("1e-6", "10⁻⁶").replace("AVX-512", "AVX\N{NON-BREAKING HYPHEN}512")
 
 
 def write(results: dict[str, Any], second: dict[str, Any]) -> str:

@@ -403,7 +403,7 @@ def compare(
         {"drawstyle": "steps-mid"} if truth.sampling == "pixel" else {"marker": ".", "markersize": 4}
     )
     slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.4, **how)
-    slices.set_title("the reference along x, from the centre, pixel by pixel", fontsize=9)
+    slices.set_title("the reference along x, pixel by pixel", fontsize=9)
     slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
     for k, (name, psf) in enumerate(others.items()):
         difference = np.maximum(np.abs(psf.profile()[1] - expected) / peak, 1e-17)

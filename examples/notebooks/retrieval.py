@@ -24,11 +24,11 @@ true = lm.Wavefront.zernike({5: 0.5, 7: -0.35, 11: 0.3}, order="noll")
 pupil = lm.Pupil(true + lm.Wavefront(defocus=defocus), **telescope)
 stars = noise.record(1e5 * lm.psf(pupil, 35, pixel).values + 8.0, seed=3)
 
-figure, panels = plt.subplots(1, 3, figsize=(9.0, 3.2), layout="constrained")
+figure, panels = plt.subplots(1, 3, figsize=(9.0, 3.6), layout="constrained")
 panels[0].set_ylabel("y (pixels)")
 for panel, image, extra in zip(panels, stars, defocus, strict=True):
     panel.imshow(np.sqrt(np.maximum(image, 0.0)), cmap="inferno")
-    panel.set_title(f"defocus {extra:+g} rad")
+    panel.set_title(f"defocus {extra:+g} rad".replace("-", "−"))
     panel.set_xlabel("x (pixels)")
 
 # %% [markdown]

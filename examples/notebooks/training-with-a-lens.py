@@ -72,6 +72,8 @@ print(f"focus distance {focuses[-1]:.2f} m, mean squared error {np.mean(losses[-
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.0), layout="constrained")
 left.semilogy(losses)
+left.set_yticks([0.003, 0.01, 0.03, 0.1], ["0.003", "0.01", "0.03", "0.1"])
+left.minorticks_off()
 left.set_xlabel("step")
 left.set_ylabel("mean squared error")
 right.plot(focuses)

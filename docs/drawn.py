@@ -126,5 +126,5 @@ def write(folder: Path, pages: list[Path] | None = None) -> None:
 
 if __name__ == "__main__":
     figure = first_psf()
-    figure.set_size_inches(4.4, 3.4)
+    figure.set_size_inches(5.4, 4.0)
     figure.savefig(HERE / "first-psf.png", dpi=100)

@@ -99,6 +99,15 @@ def test_a_window_without_light_is_drawn_without_a_warning():
         dark.plot(stretch=stretch).figure.canvas.draw()
 
 
+@pytest.mark.parametrize("shape", [(21, 101), (65, 65), (101, 21)], ids=str)
+def test_the_figure_of_an_image_has_its_aspect_ratio(shape):
+    axes = lm.psf(lm.Pupil(), shape, 0.5).plot()
+    axes.figure.canvas.draw()
+    box = axes.get_window_extent()
+    assert box.height / box.width == pytest.approx(shape[0] / shape[1], rel=1e-3)
+    assert max(box.width / axes.figure.bbox.width, box.height / axes.figure.bbox.height) > 0.6
+
+
 def test_a_comparison_shows_every_image_and_the_slices_and_the_errors(answers):
     figure = plot.compare(answers, "Hankel")
     figure.canvas.draw()

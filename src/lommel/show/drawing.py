@@ -206,6 +206,21 @@ def new_axes(ax: Axes | None, **options: object) -> Axes:
     return ax
 
 
+_LONG = 3.9  # inches: longer side of a picture
+_BESIDE, _ABOVE = 2.5, 0.9  # inches: width of a colour bar with its labels, height of a title with those of x
+
+
+def picture_axes(ax: Axes | None, height: float, width: float) -> Axes:
+    """Return the given axes, or those of a new figure for a picture with such sides and a colour bar."""
+    if ax is not None:
+        return ax
+    inch = _LONG / max(height, width)
+    size = max(inch * width, 0.5) + _BESIDE, max(inch * height + _ABOVE, 2.6)
+    figure = pyplot().figure(figsize=size, layout="compressed")
+    with_margins(figure)
+    return figure.subplots()  # type: ignore[no-any-return]
+
+
 def lengths(unit: str) -> tuple[float, str]:
     """Return the factor from lengths in the `unit` of a pupil to those on axes, and the unit there."""
     return (1e6, "µm") if unit == "m" else (1.0, "λN")

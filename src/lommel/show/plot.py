@@ -63,8 +63,8 @@ def voxels(psf: PSFLike) -> Voxels:
 def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     """Draw the sections through the brightest voxel of a z stack: xy, with yz beside and xz below it.
 
-    Surroundings that are dark in all sections are cut off. A fourth graph has the values along x, y and z through that
-    voxel.
+    Surroundings that are dark in all sections are cut off. A fourth graph has the values along x, y and z through
+    that voxel.
 
     Parameters
     ----------
@@ -238,7 +238,8 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> draw
             return _draw(psf[index], axes, norm).images[0]
 
         return drawing.tiles(psf.pupil.shape, one, drawing.of_pupils(psf.pupil), _title(psf), label)
-    axes = _draw(psf, drawing.new_axes(ax), norm)
+    sides = (count * pitch for count, pitch in zip(psf.shape, psf.grid.pitch, strict=True))
+    axes = _draw(psf, drawing.picture_axes(ax, *sides), norm)
     if ax is None:
         drawing.caption(axes, _title(psf), label)
     return axes
@@ -265,7 +266,8 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
     high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
     axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high), **how)
-    axes.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})")
+    where = " on the camera" if isinstance(psf.pupil, ObjectivePupil) else ""  # not in the sample
+    axes.set(xlabel=f"x{where} ({unit})", ylabel=f"y{where} ({unit})")
     return axes
 
 

@@ -269,7 +269,7 @@ class ImageQuality(PointQuality):
         here = min(self.mtf(frequency, angle, pixel=True) for angle in (0.0, 0.5 * math.pi))
         if here < least:
             raise ValueError(
-                f"the sensor has no focus tolerance, as the MTF at half the Nyquist frequency is {here:.2g}, "
+                f"the sensor has no focus tolerance, as the MTF at half the Nyquist frequency is {here:.3g}, "
                 f"below {least:g}"
             )
         return transfer.focus_tolerance(self.pupil, frequency, least=least, **sensor)

@@ -259,7 +259,7 @@ def _short(results: dict[str, Any], second: dict[str, Any]) -> str:
         ["| task | against | EPYC of 2024, AVX-512 | EPYC of 2021, AVX2 |", "|---|---|---:|---:|", *rows]
     )
     # Cells are narrow on phones, and lines break at hyphens.
-    return text.replace("1e-4", "10⁻⁴").replace("1e-6", "10⁻⁶").replace("AVX-512", "AVX\N{NON-BREAKING HYPHEN}512")
+    return text.replace("1e-4", "10⁻⁴").replace("1e-6", "10⁻⁶")
 
 
 def write(results: dict[str, Any], second: dict[str, Any]) -> str:

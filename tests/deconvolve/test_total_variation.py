@@ -37,7 +37,7 @@ def test_it_finds_the_minimum_that_another_solver_finds(channels: int) -> None:
     photo[4, 4] = np.nan
     counts = PhotographCounts(blur, photo, Noise(white=white, read=2.0))
     iteration = VariationIteration(counts.operator, counts, background=Background(0.0))
-    iteration._settle(strength, 3000, _silent, last=True)
+    iteration._converge(strength, 3000, _silent, final=True)
     light = counts.operator.image(iteration.inside(0, 0))
     rounding = 0.01 * np.nanmean(photo)
     known = np.isfinite(photo).ravel()

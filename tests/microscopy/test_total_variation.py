@@ -61,12 +61,12 @@ def test_steps_reach_the_minimum_and_plain_ones_never_go_up(aspect):
     strength = 0.05
     walk, stack = small(aspect)
     walk.solve(lm.imaging.TotalVariation(strength=strength, steps=400), lambda *_: None)
-    best = minimum(stack, strength, aspect, float(walk._round))
+    best = minimum(stack, strength, aspect, float(walk._rounding))
     assert walk.objectives[-1] == pytest.approx(best, rel=2e-3)
     plain, _ = small(aspect)
     plain._strength = strength
     for _ in range(30):
-        plain._look(0.0)
+        plain._evaluate(0.0)
         plain._step()
     assert np.diff(plain.objectives).max() < 1e-6 * plain.objectives[0]
     assert best < plain.objectives[-1] < 1.05 * best

@@ -14,35 +14,36 @@ from lommel.base import validation
 # Why a method stopped.
 NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise do not fit", "one pass"
 
-# Called with the number of a step, its discrepancy, and about how many seconds are left.
-Tell = Callable[[int, float, float], object]
+# Arguments: number of steps taken, discrepancy, estimated remaining time (s).
+ProgressCallback = Callable[[int, float, float], object]
 
 
 def silent(*_: object) -> None:
     """Report no progress."""
 
 
-EARLIEST = 20  # steps after which a misfit can be detected
+EARLIEST = 20  # first step at which a misfit can be detected
 
 
 @dataclass(frozen=True, kw_only=True)
 class RichardsonLucy:
     r"""Richardson-Lucy deconvolution: ``x <- x / (A^T w) * A^T[w (y + s) / (A x + s)]``, from a uniform scene.
 
-    Each step raises the likelihood; since late steps fit the noise, stopping early keeps the result smooth. It stops
-    when the discrepancy (about 1 for the true scene) reaches `target`. A discrepancy that stays above 1 shows a
-    misfit of depth, lens or noise, which further steps would turn into artefacts. The discrepancy D falls less at
-    each doubling of the number k of steps: a misfit is detected from step 20 on where it would stay above 1, by more
-    than its own noise s, until the last of n steps if it fell as much at each, and at one more at least,
-    ``D(k) - (D(k/2) - D(k)) max(log2(n/k), 1) > 1 + s``.
+    Each step raises the likelihood; since late steps fit the noise, stopping early keeps the result smooth. The
+    iteration stops when the discrepancy D (Poisson deviance per pixel, about 1 for the true scene) reaches `target`.
+    A discrepancy that stays above 1 shows a misfit of depth, lens or noise, which further steps would turn into
+    artefacts. Each doubling of the number of steps k lowers D by less than the doubling before. Step k >= 20 is
+    therefore a misfit if D would still exceed 1 by more than d, three standard deviations of its noise, after all n
+    steps, even if every remaining doubling (at least one) lowered it as much as the last:
+    ``D(k) - (D(k/2) - D(k)) max(log2(n/k), 1) > 1 + d``.
 
     Parameters
     ----------
     steps : int, default 200
         Maximum number of steps, 1 to 100000.
     target : float, default 0.9
-        Discrepancy at which to stop. The default is below 1 because the result also fits part of the noise. 0 takes
-        all `steps`.
+        Discrepancy at which to stop. The default is below 1 because the result also fits part of the noise. With 0
+        all `steps` are taken.
     accelerate : bool, default True
         Whether to extrapolate the steps, which saves about two thirds of them.
 
@@ -53,7 +54,8 @@ class RichardsonLucy:
 
     Notes
     -----
-    Richardson 1972, doi:10.1364/JOSA.62.000055; Lucy 1974, doi:10.1086/111605; s, the read variance, after
+    In the formula x is the scene, y the image, A the blur, w the weights of the pixels and s the read variance.
+    Richardson 1972, doi:10.1364/JOSA.62.000055; Lucy 1974, doi:10.1086/111605; read variance after
     Snyder et al. 1993, doi:10.1364/JOSAA.10.001014; acceleration after Biggs and Andrews 1997,
     doi:10.1364/AO.36.001766; stopping after Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004.
     """
@@ -69,70 +71,76 @@ class RichardsonLucy:
 
 
 class StoppingRule:
-    """Course of an iteration: its discrepancies, when to stop, and how far steps are extrapolated."""
+    """Stopping criterion of Richardson-Lucy steps, with the history of discrepancies and the extrapolation factor.
 
-    def __init__(self, method: RichardsonLucy, slack: float, tell: Tell) -> None:
-        self._method, self._slack, self._tell = method, slack, tell
+    `slack` is three standard deviations of the discrepancy of the true scene.
+    """
+
+    def __init__(self, method: RichardsonLucy, slack: float, report: ProgressCallback) -> None:
+        self._method, self._slack, self._report = method, slack, report
         self._history: list[float] = []
         self._start = time.perf_counter()
-        self.pace = 0.0
+        self.extrapolation = 0.0  # factor alpha of Biggs and Andrews, 0 to below 1, for the next step
 
     @property
     def steps(self) -> int:
-        """Number of steps."""
+        """Number of steps taken; the first discrepancy of the history is that of the initial scene."""
         return len(self._history) - 1
 
     def judge(self, discrepancy: float) -> str | None:
-        """Return the reason to stop at this discrepancy, if any, and call `tell`."""
+        """Record and report the discrepancy of a step, and return the reason to stop, or None to continue."""
         self._history.append(discrepancy)
-        self._tell(self.steps, discrepancy, self._left(time.perf_counter() - self._start))
-        step, target, most = self.steps, self._method.target, 1.0 + self._slack
-        # A flat scene that explains all has nothing to be found in it.
-        if target > 0.0 and (discrepancy <= target or (step == 0 and discrepancy <= most)):
+        self._report(self.steps, discrepancy, self._remaining_seconds(time.perf_counter() - self._start))
+        step, target, largest_fitting = self.steps, self._method.target, 1.0 + self._slack
+        # If a uniform scene already agrees with the image within the noise, no detail can be restored.
+        if target > 0.0 and (discrepancy <= target or (step == 0 and discrepancy <= largest_fitting)):
             return NOISE
-        if target > 0.0 and step >= EARLIEST and discrepancy > most:
-            # It falls the less the longer it goes on: at no doubling of the steps by more than at the last one.
+        if target > 0.0 and step >= EARLIEST and discrepancy > largest_fitting:
+            # Optimistic forecast of the final discrepancy: see the docstring of RichardsonLucy.
             fall = self._history[step // 2] - discrepancy
-            if discrepancy - fall * max(math.log2(self._method.steps / step), 1.0) > most:
+            if discrepancy - fall * max(math.log2(self._method.steps / step), 1.0) > largest_fitting:
                 return MISFIT
         return STEPS if step == self._method.steps else None
 
-    def extrapolate_by(self, size: float, overlap: float) -> None:
-        """Set the pace: the product of the last two changes over the square of the earlier one."""
-        # Below 1: at 1 a geometric series of changes would have no limit.
-        self.pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
+    def update_extrapolation(self, square: float, overlap: float) -> None:
+        """Set the extrapolation factor from successive changes g' and g: ``overlap = g.g'``, ``square = g'.g'``."""
+        # Below 1: at 1 a geometric series of changes would diverge.
+        self.extrapolation = min(max(overlap / square, 0.0), 0.999) if square > 0.0 else 0.0
 
-    def _left(self, spent: float) -> float:
-        """Return about how many seconds are left, if the discrepancy goes on falling as it did."""
+    def _remaining_seconds(self, elapsed: float) -> float:
+        """Return the estimated remaining time (s), from the fall of the discrepancy so far."""
         step, history, target = self.steps, self._history, self._method.target
         total = float(self._method.steps)
         if step >= 2 and target > 0.0 and history[step] < history[step // 2]:
-            # Discrepancies fall about as a power of the number of steps: its exponent is the slope in logarithms.
+            # D falls about as steps^-rate: the rate is the slope of log D over log steps in the last doubling.
             rate = np.log(history[step // 2] / history[step]) / np.log(step / (step // 2))
             total = min(total, step * max(history[step] / target, 1.0) ** min(1.0 / rate, 8.0))
-        return max(total - step, 0.0) * spent / max(step, 1)
+        return max(total - step, 0.0) * elapsed / max(step, 1)
 
 
-_SEARCHES = 6  # largest number of strengths that are tried
-_NEAR = (-0.1, 0.03)  # logarithm of the discrepancy over the target: range that ends the search
+_MAX_TRIALS = 6  # number of total variation strengths tried by a search
+_CLOSE_ENOUGH = (-0.1, 0.03)  # range of ln(discrepancy / target) that ends a search
 
 
 @dataclass(frozen=True, kw_only=True)
 class TotalVariation:
     r"""Deblurring with total variation, which preserves edges.
 
-    The minimum of ``sum w (m - y ln m) + strength * sum |grad x|`` over ``x >= 0``, with ``m = A x + s``. The
-    gradient is that of all channels together, so that they share their edges. The `strength` is found from the noise,
-    such that the discrepancy of the result is `target`.
+    Minimizes ``sum w (m - y ln m) + strength * sum |grad x|`` over ``x >= 0``, with ``m = A x + s``, for a scene x,
+    image y, blur A, pixel weights w and read variance s. The norm of the gradient is taken over all channels
+    together, so that they share their edges. By default the `strength` is chosen so that the discrepancy of the
+    result (Poisson deviance per pixel) is `target`.
 
     Parameters
     ----------
     strength : float, optional
-        Dimensionless weight of the total variation, typically ``0.15 / sqrt(electrons per pixel)``.
+        Dimensionless weight of the total variation, typically ``0.15 / sqrt(electrons per pixel)``. Chosen from the
+        noise by default.
     steps : int, default 150
-        Maximum number of steps of each `strength`, 1 to 100000: they end where the objective hardly falls.
+        Maximum number of steps for each `strength` tried, 1 to 100000. Fewer are taken once the objective hardly
+        falls.
     target : float, default 0.9
-        Discrepancy to reach, above 0. Less than 1, since the result follows some of the noise.
+        Discrepancy to reach, above 0. The default is below 1 because the result also fits part of the noise.
 
     Raises
     ------
@@ -141,8 +149,9 @@ class TotalVariation:
 
     Notes
     -----
-    Steps of De Pierro 1995, doi:10.1109/42.370409, in closed form for each pixel, extrapolated. Gradients
-    below 0.01 of the mean light count by their squares. Each strength starts from the result of the last one.
+    Extrapolated steps of De Pierro 1995, doi:10.1109/42.370409, which have a closed form for each pixel. The norm is
+    rounded, ``sqrt(|grad x|^2 + e^2)`` with e = 0.01 of the mean light. Each strength starts from the result of the
+    strength before.
     """
 
     strength: float | None = None
@@ -156,38 +165,43 @@ class TotalVariation:
         validation.real("target", self.target, above=0.0)
 
 
-def search(settle: Callable[[float], float], first: float, target: float, least: float) -> tuple[float, float]:
-    """Return the discrepancy and the strength with which `settle`, called with strengths, ended near the target.
+def search(
+    discrepancy_at: Callable[[float], float], first: float, target: float, smallest: float
+) -> tuple[float, float]:
+    """Find the strength of the total variation whose result has the target discrepancy.
 
-    Strengths are sought on a line of their logarithms, from the `first` one on, between the `least` and 64 times the
-    first, until a discrepancy is near the target; the light is that of the last.
+    `discrepancy_at` iterates with a strength and returns the discrepancy of the result. The search solves
+    ``ln(discrepancy / target) = 0`` for ln(strength), from strength `first` on, between `smallest` and 64 times
+    `first`. Returns the discrepancy and the strength of the last call.
     """
-    tried: list[tuple[float, float]] = []
+    trials: list[tuple[float, float]] = []  # ln(strength), ln(discrepancy / target)
     strength = first
     while True:
-        found = settle(strength)
-        tried.append((math.log(strength), math.log(found / target)))
-        if len(tried) == _SEARCHES or _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
-            return found, strength
-        following = min(max(_next(tried), least), 64.0 * first)
+        discrepancy = discrepancy_at(strength)
+        trials.append((math.log(strength), math.log(discrepancy / target)))
+        if len(trials) == _MAX_TRIALS or _CLOSE_ENOUGH[0] <= trials[-1][1] <= _CLOSE_ENOUGH[1]:
+            return discrepancy, strength
+        following = min(max(_next_strength(trials), smallest), 64.0 * first)
         if math.isclose(following, strength, rel_tol=1e-6):
-            return found, strength
+            return discrepancy, strength
         strength = following
 
 
-def _next(tried: list[tuple[float, float]]) -> float:
-    """Return the next strength, from logarithms of strengths and of discrepancies over the target, which rise."""
-    at, off = tried[-1]
-    below = [point for point in tried if point[1] < 0.0]
-    above = [point for point in tried if point[1] >= 0.0]
+def _next_strength(trials: list[tuple[float, float]]) -> float:
+    """Return the next strength to try, given pairs ln(strength), ln(discrepancy / target).
+
+    The discrepancy rises with the strength.
+    """
+    below = [trial for trial in trials if trial[1] < 0.0]
+    above = [trial for trial in trials if trial[1] >= 0.0]
     if below and above:
         (a, u), (b, v) = max(below), min(above)
-        # Between the bracket's ends by the secant, but not near either end, so that the bracket shrinks by 30 % or
-        # more.
+        # Secant in the bracket [a, b], kept away from its ends so that the bracket shrinks by at least 30 %.
         share = min(max(-u / (v - u), 0.3), 0.7) if b > a else 0.5
         return math.exp(a + share * (b - a))
-    slope = 0.3  # usual increase of the discrepancy's logarithm with that of the strength
-    if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
-        slope = max((off - tried[-2][1]) / (at - tried[-2][0]), 1e-3)
-    # At most a factor of 4 at a time: the slope is known at the last points alone.
-    return math.exp(at - min(max(off / slope, -math.log(4.0)), math.log(4.0)))
+    last, excess = trials[-1]
+    slope = 0.3  # typical d ln(discrepancy) / d ln(strength)
+    if len(trials) > 1 and last != trials[-2][0]:
+        slope = max((excess - trials[-2][1]) / (last - trials[-2][0]), 1e-3)
+    # Without a bracket the strength changes by a factor of 4 at most: the slope is a local estimate.
+    return math.exp(last - min(max(excess / slope, -math.log(4.0)), math.log(4.0)))

@@ -16,234 +16,252 @@ from lommel.deconvolve.algorithms import (
     MISFIT,
     NOISE,
     STEPS,
+    ProgressCallback,
     RichardsonLucy,
     StoppingRule,
-    Tell,
     TotalVariation,
     search,
     silent,
 )
-from lommel.deconvolve.linear import Made, PlaneOperator, Take
+from lommel.deconvolve.linear import PartConsumer, PlaneOperator, Result
 from lommel.deconvolve.poisson_counts import PhotographCounts, PoissonCounts, at_least
 
-_EVERY = 2  # stride along each axis of the voxels that determine the extrapolation
-_MOST_AHEAD = 4.0  # largest factor by which a step is extrapolated
-_DIM = 0.01  # of the mean light: start of a specimen whose flat part is left to the background
+_STRIDE = 2  # stride along each axis of the voxels from which the extrapolation factor is computed
+_MAX_GROWTH = 4.0  # largest factor by which extrapolation multiplies the light of a voxel
+_DIM_START = 0.01  # initial light of the specimen over the mean light, where the background is estimated too
 
 
 class Background(NamedTuple):
-    """Light besides that of the specimen: a known level, or None to estimate it at `points` by `points` places."""
+    """Uniform or slowly varying light besides that of the specimen.
+
+    `level` is the known light of each voxel, or None to estimate the background at a grid of `points` by `points`
+    points over the field, the same in all planes.
+    """
 
     level: float | None
     points: int = 1
 
 
-_NONE = Background(0.0)
+_NO_BACKGROUND = Background(0.0)
 
 
-class Move(NamedTuple):
-    """Extrapolation of a step, levels of the background, and the weight of the total variation."""
+class StepSettings(NamedTuple):
+    """Settings of a step that another part of the same recording can repeat.
 
-    pace: float
+    `extrapolation` is the factor from which the step starts (0: none), `background` the levels at the grid points,
+    shape (points, points), and `strength` the weight of the total variation.
+    """
+
+    extrapolation: float
     background: Array
     strength: float = 0.0
 
 
 class State(NamedTuple):
-    """Light of a specimen, and of each plane beyond its margin; None where an iteration begins flat."""
+    """Light from which an iteration starts; None for uniform light.
+
+    `light` has the shape of the specimen with its margin, `outside` one value for each plane: the light beyond it.
+    """
 
     light: Values | None = None
     outside: Values | None = None
 
     def less(self, level: float) -> State:
-        """Return the state with `level` less light everywhere."""
-        light, outside = (None if each is None else each - np.float32(level) for each in self)
+        """Return the state with `level` subtracted from the light everywhere."""
+        light, outside = (None if values is None else values - np.float32(level) for values in self)
         return State(light, outside)
 
 
 class Iteration:
     """Richardson-Lucy steps with memory for twice the specimen and once the recording.
 
-    An unknown `background` (light of each voxel besides that of the specimen) is estimated along. A flat specimen
-    and a background have the same image; as steps multiply, flat light goes to what starts bright. So the specimen
-    starts with next to nothing.
+    An unknown `background` is estimated together with the specimen. Uniform light could be assigned to either, since
+    both have the same image. Each step multiplies light by a factor, so that uniform light is assigned to whichever
+    starts brighter: the specimen therefore starts at `_DIM_START` of the mean light.
 
-    With the `course` of another part of the same stack as many steps are taken, with the same extrapolations and,
-    if it has one level, the same background.
+    `course`, the settings of the steps of another part of the same stack, prescribes the number of steps, their
+    extrapolation factors and, for a background of a single level, that level.
     """
 
     def __init__(
         self,
         blur: PlaneOperator,
         counted: PoissonCounts,
-        course: Sequence[Move] | None = None,
+        course: Sequence[StepSettings] | None = None,
         *,
-        background: Background = _NONE,
+        background: Background = _NO_BACKGROUND,
     ) -> None:
         self._blur, self._counted = blur, counted
-        self._given = None if course is None else list(course)
-        least = _DIM * counted.level
-        level, self._estimated = background.level, background.level is None
-        start = np.maximum(counted.start - level, least) if level is not None else np.asarray(least)
-        self._like = self._given is not None and background.points == 1
+        self._prescribed = None if course is None else list(course)
+        dim = _DIM_START * counted.level
+        level, self._background_unknown = background.level, background.level is None
+        start = np.maximum(counted.start - level, dim) if level is not None else np.asarray(dim)
+        self._background_prescribed = self._prescribed is not None and background.points == 1
         if level is None:
-            # A flat recording needs no specimen: the background takes all of it.
+            # If a uniform scene agrees with the recording within the noise, all light is background.
+            # Otherwise the background starts from the light of the darkest parts, which contain little specimen.
             counted.background = 0.0
-            # Otherwise it starts from the darkest parts, which hold little else.
             dark = counted.level if counted.flat() <= 1.0 + counted.slack else counted.darkest()
-            level = max(min(dark, counted.level - least), counted.smallest)
+            level = max(min(dark, counted.level - dim), counted.smallest)
         self._background = np.full((background.points, background.points), level)
-        if self._given and self._like:
-            self._background = self._given[0].background
-        self._background_before = self._levels = self._background
-        counted.set_background(self._levels)
-        self._light = np.full(blur.whole, start, dtype=counted.dtype)
+        if self._prescribed and self._background_prescribed:
+            self._background = self._prescribed[0].background
+        self._background_before = self._extrapolated_background = self._background
+        counted.set_background(self._extrapolated_background)
+        self._light = np.full(blur.whole, start, dtype=counted.dtype)  # result of the last step
+        # Result of the step before the last; its memory then receives the light extrapolated from both.
         self._before: Values | None = None
-        self._misfit = np.empty(blur.shape, dtype=counted.dtype)
+        self._misfit = np.empty(blur.shape, dtype=counted.dtype)  # weighted ratio of counts to model, less 1
         blur.weigh(counted.most_weight)
-        # Light of the specimen beyond its margin, if the blur has any.
+        # Light of the specimen beyond its margin, one value for each plane, if the blur has any.
         self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=counted.dtype)
         self._outside_before = self._outside
-        self._pace = 0.0
+        self._extrapolation = 0.0
         self._strength = 0.0
         self.strength: float | None = None  # estimated weight of the total variation
-        self._earlier = np.zeros([-(-side // _EVERY) for side in blur.whole], dtype=counted.dtype)
-        self.course: list[Move] = []
-        self._of_specimen: list[float] = []
-        self.discrepancies = np.full(len(counted.known), np.inf)
+        # Last change of the light, sampled with stride _STRIDE.
+        self._last_change = np.zeros([-(-side // _STRIDE) for side in blur.whole], dtype=counted.dtype)
+        self.course: list[StepSettings] = []  # of all steps so far
+        self._specimen_discrepancies: list[float] = []  # of the voxels lit by the specimen, after each step
+        self.discrepancies = np.full(len(counted.known), np.inf)  # of each plane
         self.enough: Callable[[int, float], bool] | None = None  # further criterion to stop: step and discrepancy
 
     @property
     def state(self) -> State:
         """Copy of the extrapolated light, from which another iteration may start."""
-        ahead = self._light if self._before is None else self._before
-        return State(ahead.copy(), None if self._blur.outside is None else self._blur.outside.copy())
+        return State(self._extrapolated.copy(), None if self._blur.outside is None else self._blur.outside.copy())
+
+    @property
+    def _extrapolated(self) -> Values:
+        """Light from which the next step starts."""
+        return self._light if self._before is None else self._before
 
     def start_from(self, state: State) -> None:
-        """Start from the light of another iteration, if there is any."""
+        """Start from the light of another iteration, where the state has any."""
         if state.light is not None:
             self._light = at_least(state.light, self._counted.smallest)
         if state.outside is not None:
             self._outside = self._outside_before = np.maximum(state.outside, self._counted.smallest)
 
-    def solve(self, method: RichardsonLucy | TotalVariation, tell: Tell) -> tuple[int, str, Array]:
+    def solve(self, method: RichardsonLucy | TotalVariation, report: ProgressCallback) -> tuple[int, str, Array]:
         """Iterate until a stopping rule applies; return the number of steps, the reason and the discrepancies."""
         assert isinstance(method, RichardsonLucy)
-        if self._given is not None:
-            method = replace(method, steps=max(len(self._given), 1), target=0.0)
-        rule = StoppingRule(method, self._counted.slack, tell)
+        if self._prescribed is not None:
+            method = replace(method, steps=max(len(self._prescribed), 1), target=0.0)
+        rule = StoppingRule(method, self._counted.slack, report)
         last = np.inf
         while True:
-            found = self._look(rule.pace)
-            stopped = rule.judge(found)
-            # A background explains a nearly empty stack before its specimen is there: that must fit, too.
-            if self._estimated and stopped in (None, NOISE) and rule.steps < method.steps:
-                stopped = NOISE if self._explained(found, method.target) else None
-            if stopped is None and self.enough is not None and self.enough(rule.steps, found):
+            discrepancy = self._evaluate(rule.extrapolation)
+            stopped = rule.judge(discrepancy)
+            # In a nearly empty stack the background alone reaches the target: the specimen must agree as well.
+            if self._background_unknown and stopped in (None, NOISE) and rule.steps < method.steps:
+                stopped = NOISE if self._specimen_settled(discrepancy, method.target) else None
+            if stopped is None and self.enough is not None and self.enough(rule.steps, discrepancy):
                 stopped = NOISE
-            if stopped or (self._given is not None and rule.steps == len(self._given) - 1):
+            if stopped or (self._prescribed is not None and rule.steps == len(self._prescribed) - 1):
                 return rule.steps, stopped or STEPS, self.discrepancies
-            size = float(np.vdot(self._earlier, self._earlier))
+            square = float(np.vdot(self._last_change, self._last_change))
             overlap = self._step()
             if method.accelerate and rule.steps > 0:
-                rule.extrapolate_by(size, overlap)
-                if found > last:  # extrapolated too far: continue with a plain step
-                    rule.pace = 0.0
-            last = found
+                rule.update_extrapolation(square, overlap)
+                if discrepancy > last:  # extrapolated too far: continue without extrapolation
+                    rule.extrapolation = 0.0
+            last = discrepancy
 
-    def _look(self, pace: float) -> float:
-        """Extrapolate the last step, and return the discrepancy of the result."""
-        move = Move(pace, self._levels, self._strength)
-        if self._given:
-            move = self._given[min(len(self.course), len(self._given) - 1)]
-        self._pace, self._strength = move.pace, move.strength
-        self._extrapolate(move.background)
+    def _evaluate(self, extrapolation: float) -> float:
+        """Extrapolate the last step, compute its image and misfit, and return the discrepancy."""
+        settings = StepSettings(extrapolation, self._extrapolated_background, self._strength)
+        if self._prescribed:
+            settings = self._prescribed[min(len(self.course), len(self._prescribed) - 1)]
+        self._extrapolation, self._strength = settings.extrapolation, settings.strength
+        self._extrapolate(settings.background)
         self.discrepancies = self._counted.discrepancies(self._blur, self.guess, self._misfit)
-        self.course.append(move._replace(background=self._levels))
-        self._of_specimen.append(self._counted.of_specimen[0])
+        self.course.append(settings._replace(background=self._extrapolated_background))
+        self._specimen_discrepancies.append(self._counted.of_specimen[0])
         return self._counted.mean(self.discrepancies)
 
-    def _explained(self, discrepancy: float, target: float) -> bool:
-        """Return whether all agrees with its noise, and the light of the specimen does or hardly changes any more."""
-        # A stack that is mostly background may agree with its noise long before its specimen does.
-        most = max(target, 1.0 + self._counted.slack) if target >= 1.0 else target
-        found, slack = self._of_specimen, self._counted.of_specimen[1]
-        if target == 0.0 or discrepancy > most:
+    def _specimen_settled(self, discrepancy: float, target: float) -> bool:
+        """Check that the whole recording has reached the target, and the specimen has too or no longer improves.
+
+        A stack that is mostly background may reach the target long before the voxels lit by its specimen do.
+        """
+        limit = max(target, 1.0 + self._counted.slack) if target >= 1.0 else target
+        history, slack = self._specimen_discrepancies, self._counted.of_specimen[1]
+        if target == 0.0 or discrepancy > limit:
             return False
-        # Compared with half as many steps: a slow improvement is not mistaken for none.
-        return found[-1] <= target or found[(len(found) - 1) // 2] - found[-1] < slack
+        # Compared with half as many steps, so that a slow improvement is not mistaken for none.
+        return history[-1] <= target or history[(len(history) - 1) // 2] - history[-1] < slack
 
     def guess(self, plane: int, rows: slice, columns: slice) -> Values:
-        """Return the extrapolated light."""
-        ahead = self._light if self._before is None else self._before
-        return ahead[plane, rows, columns]
+        """Return part of a plane of the extrapolated light."""
+        return self._extrapolated[plane, rows, columns]
 
-    def _extrapolate(self, levels: Array) -> None:
-        """Replace the light of the previous step by the extrapolation to the next."""
-        pace, least = self._pace, self._counted.smallest
+    def _extrapolate(self, prescribed_background: Array) -> None:
+        """Extrapolate light and background; the light overwrites that of the step before the last."""
+        factor, smallest = self._extrapolation, self._counted.smallest
         if self._outside is not None and self._outside_before is not None:
-            self._blur.outside = np.maximum(_ahead(self._outside, self._outside_before, pace), least)
-        if self._estimated:
-            ahead = np.maximum(_ahead(self._background, self._background_before, pace), least)
-            self._levels = levels if self._like else ahead
-            self._counted.set_background(self._levels)
+            self._blur.outside = np.maximum(_extrapolate(self._outside, self._outside_before, factor), smallest)
+        if self._background_unknown:
+            own = np.maximum(_extrapolate(self._background, self._background_before, factor), smallest)
+            self._extrapolated_background = prescribed_background if self._background_prescribed else own
+            self._counted.set_background(self._extrapolated_background)
         if self._before is None:
             return
         for light, before in zip(self._light, self._before, strict=True):
-            if pace == 0.0:
+            if factor == 0.0:
                 before[...] = light
                 continue
-            at_least(_ahead(light, before, pace, out=before), least)
+            at_least(_extrapolate(light, before, factor, out=before), smallest)
 
     def _step(self) -> float:
         """Take a step, update the sampled change, and return the product of this change and the one before."""
         following = np.empty_like(self._light) if self._before is None else self._before
-        least = self._counted.smallest
+        smallest = self._counted.smallest
 
-        def stepped(plane: int, rows: slice, columns: slice, back: Values) -> float:
+        def step_part(plane: int, rows: slice, columns: slice, correction: Values) -> float:
             guess = self.guess(plane, rows, columns)
-            # Light that no voxel of the recording sees stays as it is: per_seen is 0 there.
-            found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
-            found += 1.0
-            found *= guess
-            at_least(found, least)
-            overlap = self._moved(plane, rows, columns, found, guess)
-            following[plane, rows, columns] = found
+            # x (1 + A^T[w (ratio - 1)] / A^T w). Light that no recorded voxel sees stays the same: per_seen is 0.
+            stepped = np.multiply(correction, self._blur.per_seen(plane, rows, columns), out=correction)
+            stepped += 1.0
+            stepped *= guess
+            at_least(stepped, smallest)
+            overlap = self._update_change(plane, rows, columns, stepped, guess)
+            following[plane, rows, columns] = stepped
             return overlap
 
-        overlap = sum(self._returned(stepped))
+        overlap = sum(self._back_projected(step_part))
         self._before, self._light = self._light, following
         return overlap
 
-    def _returned(self, take: Take[Made]) -> list[Made]:
-        """Pass the correction of the light to `take`, and update background and outside light."""
-        misfit, least = self._misfit, self._counted.smallest
-        if self._estimated:
-            means = self._counted.means(misfit, len(self._levels))
+    def _back_projected(self, consume: PartConsumer[Result]) -> list[Result]:
+        """Call `consume` with the parts of A^T of the misfit, and update the background and the light outside."""
+        misfit, smallest = self._misfit, self._counted.smallest
+        if self._background_unknown:
+            levels = self._extrapolated_background
+            means = self._counted.means(misfit, len(levels))
             self._background_before = self._background
-            self._background = np.maximum(self._levels * (1.0 + means), least)
-        made = self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], take)
+            self._background = np.maximum(levels * (1.0 + means), smallest)
+        results = self._blur.adjoint(lambda plane, *part: misfit[(plane, *part)], consume)
         if self._outside is not None:
-            guess = self._blur.outside
-            found = guess * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
-            self._outside_before, self._outside = self._outside, np.maximum(found, least)
-        return made
+            stepped = self._blur.outside * np.maximum(1.0 + self._blur.outside_back * self._blur.per_outside, 0.0)
+            self._outside_before, self._outside = self._outside, np.maximum(stepped, smallest)
+        return results
 
-    def _moved(self, plane: int, rows: slice, columns: slice, found: Values, guess: Values) -> float:
-        """Replace the sampled change of a part by the new one, and return their product."""
-        if plane % _EVERY:
+    def _update_change(self, plane: int, rows: slice, columns: slice, stepped: Values, guess: Values) -> float:
+        """Replace the sampled change of a part by that of this step, and return the product of both."""
+        if plane % _STRIDE:
             return 0.0
-        first = -rows.start % _EVERY, -columns.start % _EVERY
-        here = np.s_[first[0] :: _EVERY, first[1] :: _EVERY]
-        moved = found[here] - guess[here]
-        at = (rows.start + first[0]) // _EVERY, (columns.start + first[1]) // _EVERY
-        kept = self._earlier[plane // _EVERY, at[0] :, at[1] :][: moved.shape[0], : moved.shape[1]]
-        overlap = float(np.vdot(moved, kept))
-        kept[...] = moved
+        first = -rows.start % _STRIDE, -columns.start % _STRIDE
+        sampled = np.s_[first[0] :: _STRIDE, first[1] :: _STRIDE]
+        change = stepped[sampled] - guess[sampled]
+        at = (rows.start + first[0]) // _STRIDE, (columns.start + first[1]) // _STRIDE
+        stored = self._last_change[plane // _STRIDE, at[0] :, at[1] :][: change.shape[0], : change.shape[1]]
+        overlap = float(np.vdot(change, stored))
+        stored[...] = change
         return overlap
 
     def inside(self, planes: int, pixels: int) -> Values:
-        """Return the light without margins; ends the iteration."""
+        """Return the light without margins of so many planes and pixels; frees memory, so it ends the iteration."""
         self._misfit = np.empty((0, 0, 0), self._counted.dtype)
         self._blur.release()
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
@@ -253,43 +271,52 @@ class Iteration:
         return out
 
 
-def _ahead(light: Values, before: Values, pace: float, out: Values | None = None) -> Values:
-    """Return light extrapolated beyond that of the step before, by a ratio, so that it stays positive.
+def _extrapolate(light: Values, before: Values, factor: float, out: Values | None = None) -> Values:
+    """Return ``light / (factor before / light + 1 - factor)``: extrapolated by a ratio, so that it stays positive.
 
-    The harmonic mean of the ratio and 1 stands for a power of the ratio, which would be slower.
+    The ratio is a weighted harmonic mean of light / before and 1. It replaces ``(light / before)^factor``, which
+    agrees to first order and takes longer.
     """
-    made = np.multiply(before, pace, out=out)
-    made += (1.0 - pace) * light
-    made = np.divide(light, made, out=out)
+    result = np.multiply(before, factor, out=out)
+    result += (1.0 - factor) * light
+    result = np.divide(light, result, out=out)
     # A row of limits: NumPy compares two arrays much faster than an array and a number here (see `at_least`).
-    made = np.minimum(made, np.full(np.shape(made)[-1:], _MOST_AHEAD, np.asarray(made).dtype), out=out)
-    made *= light
-    return made
+    result = np.minimum(result, np.full(np.shape(result)[-1:], _MAX_GROWTH, np.asarray(result).dtype), out=out)
+    result *= light
+    return result
 
 
-_ROUND = 0.01  # of the mean light, over which the edge of the total variation is rounded
-_STEPS_BETWEEN, _SETTLED = 20, 1e-3  # steps between tests for convergence, and the relative change that ends them
+_ROUNDING = 0.01  # gradient over the mean light below which the norm of the total variation is rounded
+# Converged: the objective fell by less than this share of the likelihood term in so many steps.
+_CONVERGENCE_STEPS, _CONVERGED = 20, 1e-3
 
 
 class VariationIteration(Iteration):
     r"""Steps to the minimum of ``sum w (m - y ln m) + strength * sum |grad x|``, for light x above 0.
 
-    Each step minimizes a function of one voxel at a time that is nowhere below the objective and equal to it at the
-    light of before, so that the objective never rises (De Pierro 1995, doi:10.1109/42.370409): that of the likelihood
-    is that of Richardson and Lucy, ``s x - e ln x``, and ``|g| <= (|g|^2 / |g'| + |g'|) / 2`` of the gradients, with
-    squares ``(x - x')^2`` of which each voxel gets its half. With P and Q the sums over neighbours of weights, and of
-    weights times the light of both, the root of ``2 P x^2 + (s - Q) x = e`` is in closed form. Steps are extrapolated
-    as those of Richardson and Lucy, and one that raised the objective is followed by a plain one.
+    Each step minimizes a separable surrogate: a sum of functions of one voxel each, nowhere below the objective and
+    equal to it at the current light x', so that the objective never rises (De Pierro 1995, doi:10.1109/42.370409).
 
-    Memory: one specimen more than the iteration of Richardson and Lucy. Differences along z are per pixel too:
-    `aspect` is pixel over step. Without it planes are channels, whose gradient is one vector: they share their edges.
+    - Likelihood: the surrogate of Richardson and Lucy, ``s x - e ln x`` with ``s = A^T w`` and
+      ``e = x' A^T[w y / m]``.
+    - Total variation: ``|g| <= (|g|^2 / |g'| + |g'|) / 2`` for the gradient g of x and g' of x', where each squared
+      difference of voxels i and j is bounded by a function of either:
+      ``(x_i - x_j)^2 <= ((2 x_i - c)^2 + (2 x_j - c)^2) / 2`` with ``c = x'_i + x'_j``.
+
+    With ``P = strength * sum 1/|g'|`` and ``Q = strength * sum c/|g'|`` over the differences of a voxel with its
+    neighbours, the minimum is the positive root of ``2 P x^2 + (s - Q) x = e``. Steps are extrapolated as those of
+    Richardson and Lucy; after a step that raised the objective the next one is not.
+
+    Memory: one specimen more than the iteration of Richardson and Lucy. `aspect` is the pixel size over the step
+    along z, by which differences between planes are multiplied, so that all are per pixel. Without `aspect` planes
+    are channels: the norm of the gradient is taken over all of them together, so that they share their edges.
     """
 
     def __init__(
         self,
         blur: PlaneOperator,
         counted: PoissonCounts,
-        course: Sequence[Move] | None = None,
+        course: Sequence[StepSettings] | None = None,
         *,
         background: Background,
         aspect: float | None = None,
@@ -298,163 +325,182 @@ class VariationIteration(Iteration):
         super().__init__(blur, counted, course, background=background)
         self._aspect = None if aspect is None else np.float32(aspect)
         self._threads = threads
-        self._spare: Values | None = None
+        self._spare: Values | None = None  # memory for the next step
         self._likelihood = 0.0
-        self._round = counted.dtype.type(max(_ROUND * counted.level, counted.smallest))
-        self.objectives: list[float] = []
-        self.strength = self._given[-1].strength if self._given else 0.0
-        self._begun = time.perf_counter()
+        self._rounding = counted.dtype.type(max(_ROUNDING * counted.level, counted.smallest))
+        self.objectives: list[float] = []  # at the start of each step with the current strength
+        self.strength = self._prescribed[-1].strength if self._prescribed else 0.0
+        self._start_time = time.perf_counter()
 
-    def solve(self, method: RichardsonLucy | TotalVariation, tell: Tell) -> tuple[int, str, Array]:
-        """Iterate with the strength that was asked for, or to the one that the noise asks for."""
+    def solve(self, method: RichardsonLucy | TotalVariation, report: ProgressCallback) -> tuple[int, str, Array]:
+        """Iterate with the strength of the method, or search the strength whose result has its target discrepancy."""
         assert isinstance(method, TotalVariation)
         counted = self._counted
-        most = 1.0 + counted.slack
+        largest_fitting = 1.0 + counted.slack
         electrons = counted.white * counted.level
         first = 0.15 / math.sqrt(max(electrons, 1e-6))
-        is_flat = len(self._given) == 1 if self._given else method.strength is None and counted.flat() <= most
+        # If a uniform scene agrees with the recording within the noise, there is no detail to restore.
+        if self._prescribed:
+            is_flat = len(self._prescribed) == 1
+        else:
+            is_flat = method.strength is None and counted.flat() <= largest_fitting
         if is_flat:
-            self._look(0.0)
+            self._evaluate(0.0)
             self.strength = None
             return 0, NOISE, self.discrepancies
         self.start_from(State(counted.estimate))
-        if self._given:
-            self._settle(0.0, len(self._given), tell, last=True)
+        if self._prescribed:
+            self._converge(0.0, len(self._prescribed), report, final=True)
             return len(self.course) - 1, STEPS, self.discrepancies
 
-        def found_at(strength: float) -> float:
-            return self._settle(strength, method.steps, tell, last=method.strength is not None)
+        def discrepancy_at(strength: float) -> float:
+            return self._converge(strength, method.steps, report, final=method.strength is not None)
 
         if method.strength is not None:
-            found, self.strength = found_at(method.strength), method.strength
+            discrepancy, self.strength = discrepancy_at(method.strength), method.strength
         else:
-            found, self.strength = search(found_at, first, method.target, first * counted.weakest)
-        stopped = NOISE if found <= most else STEPS
-        if method.strength is None and found > most and self.strength <= 1.001 * first * counted.weakest:
+            weakest = first * counted.weakest
+            discrepancy, self.strength = search(discrepancy_at, first, method.target, weakest)
+        stopped = NOISE if discrepancy <= largest_fitting else STEPS
+        # A discrepancy that stays above 1 even at the weakest strength is not due to smoothing.
+        if stopped == STEPS and method.strength is None and self.strength <= 1.001 * first * counted.weakest:
             stopped = MISFIT
         return len(self.course) - 1, stopped, self.discrepancies
 
-    def _settle(self, strength: float, most: int, tell: Tell, *, last: bool) -> float:
-        """Iterate with one strength until it changes little, and return the discrepancy."""
-        self._strength, pace = strength, 0.0
-        self.objectives, found = [], math.inf
+    def _converge(self, strength: float, steps: int, report: ProgressCallback, *, final: bool) -> float:
+        """Take at most so many steps with one strength, until they converge, and return the discrepancy.
+
+        `final`: no other strength follows. Convergence is then tested for stacks only (`PoissonCounts.settles`).
+        """
+        self._strength, extrapolation = strength, 0.0
+        self.objectives = []
         while True:
             if self.course:
-                if self._given:
-                    self._strength = self._given[len(self.course)].strength
-                size = float(np.vdot(self._earlier, self._earlier))
+                if self._prescribed:
+                    self._strength = self._prescribed[len(self.course)].strength
+                square = float(np.vdot(self._last_change, self._last_change))
                 overlap = self._step()
-                here = len(self.objectives)
-                pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 and here > 1 else 0.0
-                if here > 1 and self.objectives[-1] > self.objectives[-2]:
-                    pace = 0.0
-                if self._given is None and here > _STEPS_BETWEEN and (self._counted.settles or not last):
-                    fall = self.objectives[-1 - _STEPS_BETWEEN] - self.objectives[-1]
-                    most = here if fall < _SETTLED * self._likelihood else most
-            found = self._look(pace)
-            each = (time.perf_counter() - self._begun) / len(self.course)
+                done = len(self.objectives)
+                extrapolation = min(max(overlap / square, 0.0), 0.999) if square > 0.0 and done > 1 else 0.0
+                if done > 1 and self.objectives[-1] > self.objectives[-2]:
+                    extrapolation = 0.0
+                if self._prescribed is None and done > _CONVERGENCE_STEPS and (self._counted.settles or not final):
+                    fall = self.objectives[-1 - _CONVERGENCE_STEPS] - self.objectives[-1]
+                    steps = done if fall < _CONVERGED * self._likelihood else steps
+            discrepancy = self._evaluate(extrapolation)
+            seconds_per_step = (time.perf_counter() - self._start_time) / len(self.course)
             done = len(self.objectives)
-            tell(len(self.course) - 1, found, each * (max(most - done, 0) + (0 if last else 2 * _STEPS_BETWEEN)))
-            if done >= most or (self._given and len(self.course) >= len(self._given)):
-                return found
+            # Another strength starts from light near its own, and takes about two tests of convergence.
+            remaining = max(steps - done, 0) + (0 if final else 2 * _CONVERGENCE_STEPS)
+            report(len(self.course) - 1, discrepancy, seconds_per_step * remaining)
+            if done >= steps or (self._prescribed and len(self.course) >= len(self._prescribed)):
+                return discrepancy
 
-    def _look(self, pace: float) -> float:
-        found = super()._look(pace)
-        # Half of the deviance, in units of light.
+    def _evaluate(self, extrapolation: float) -> float:
+        discrepancy = super()._evaluate(extrapolation)
+        # Half of the deviance, in units of light: sum w (m - y ln m) up to a constant.
         sums = self.discrepancies * np.maximum(self._counted.known, 1) / (2.0 * self._counted.white)
         self._likelihood = float(sums.sum()) * self._counted.expected
-        return found
+        return discrepancy
 
     def _step(self) -> float:
-        """Take a step, and keep the objective that it started from."""
-        guess = self._light if self._before is None else self._before
+        """Take a step, record the objective at its start, and return the product of this change and the last."""
+        guess = self._extrapolated
         following = np.empty_like(guess) if self._spare is None else self._spare
-        least = self._counted.smallest
+        smallest = self._counted.smallest
 
-        def stepped(plane: int, rows: slice, columns: slice, back: Values) -> None:
-            found = np.multiply(back, self._blur.per_seen(plane, rows, columns), out=back)
-            found += 1.0
-            found *= guess[plane, rows, columns]
-            following[plane, rows, columns] = at_least(found, least)
+        def step_part(plane: int, rows: slice, columns: slice, correction: Values) -> None:
+            # e / s: the step of Richardson and Lucy.
+            stepped = np.multiply(correction, self._blur.per_seen(plane, rows, columns), out=correction)
+            stepped += 1.0
+            stepped *= guess[plane, rows, columns]
+            following[plane, rows, columns] = at_least(stepped, smallest)
 
-        self._returned(stepped)
-        whole = slice(0, guess.shape[1]), slice(0, guess.shape[2])
+        self._back_projected(step_part)
+        plane_slices = slice(0, guess.shape[1]), slice(0, guess.shape[2])
         strength = self._counted.dtype.type(self._strength)
 
-        def smoothed(plane: int) -> tuple[float, float]:
-            weights, both, total = self._neighbours(guess, plane)
-            per = strength * self._blur.per_seen(plane, *whole)
-            following[plane] = at_least(_root(following[plane], per * weights, per * both), least)
-            return total, self._moved(plane, *whole, following[plane], guess[plane])
+        def smooth(plane: int) -> tuple[float, float]:
+            weights, weighted_sums, variation = self._neighbours(guess, plane)
+            scale = strength * self._blur.per_seen(plane, *plane_slices)
+            following[plane] = at_least(_root(following[plane], scale * weights, scale * weighted_sums), smallest)
+            return variation, self._update_change(plane, *plane_slices, following[plane], guess[plane])
 
-        made = side_by_side(smoothed, range(len(guess)), self._threads)
-        self.objectives.append(self._likelihood + self._strength * sum(total for total, _ in made))
+        pairs = side_by_side(smooth, range(len(guess)), self._threads)
+        self.objectives.append(self._likelihood + self._strength * sum(variation for variation, _ in pairs))
         self._spare, self._before, self._light = self._before, self._light, following
-        return sum(overlap for _, overlap in made)
+        return sum(overlap for _, overlap in pairs)
 
-    def _slopes(self, light: Values, plane: int) -> Values:
-        """Return the magnitude of the gradient at each voxel of a plane, rounded; channels have it in common."""
-        squares = np.full(light.shape[1:], self._round * self._round, light.dtype)
-        for here in light if self._aspect is None else light[plane : plane + 1]:
-            squares[:-1] += np.square(here[1:] - here[:-1])
-            squares[:, :-1] += np.square(here[:, 1:] - here[:, :-1])
+    def _gradient_norms(self, light: Values, plane: int) -> Values:
+        """Return the rounded norm of the gradient at each voxel of a plane; planes that are channels share it."""
+        squares = np.full(light.shape[1:], self._rounding * self._rounding, light.dtype)
+        for values in light if self._aspect is None else light[plane : plane + 1]:
+            squares[:-1] += np.square(values[1:] - values[:-1])
+            squares[:, :-1] += np.square(values[:, 1:] - values[:, :-1])
         if self._aspect is not None and plane + 1 < len(light):
             squares += np.square(self._aspect * (light[plane + 1] - light[plane]))
         return np.sqrt(squares, out=squares)
 
     def _neighbours(self, light: Values, plane: int) -> tuple[Values, Values, float]:
-        """Return sums over the neighbours of each voxel, of weights and of these times both, and the variation."""
-        here, slopes = light[plane], self._slopes(light, plane)
-        total = float(slopes.sum(dtype=np.float64))
-        one = light.dtype.type(1.0) / slopes
-        weights, both = np.zeros_like(here), np.zeros_like(here)
+        """Return P/strength and Q/strength (class docstring) at each voxel of a plane, and its total variation.
+
+        Channels have the total variation in common: each returns an equal share.
+        """
+        values, norms = light[plane], self._gradient_norms(light, plane)
+        variation = float(norms.sum(dtype=np.float64))
+        weight = light.dtype.type(1.0) / norms
+        weights, weighted_sums = np.zeros_like(values), np.zeros_like(values)
         for low, high in ((np.s_[:-1], np.s_[1:]), (np.s_[:, :-1], np.s_[:, 1:])):
-            shared = one[low] * (here[low] + here[high])
+            weighted_sum = weight[low] * (values[low] + values[high])
             for side in (low, high):
-                weights[side] += one[low]
-                both[side] += shared
+                weights[side] += weight[low]
+                weighted_sums[side] += weighted_sum
         if self._aspect is None:
-            return weights, both, total / len(light)
-        square = self._aspect * self._aspect
+            return weights, weighted_sums, variation / len(light)
+        aspect_squared = self._aspect * self._aspect
         if plane + 1 < len(light):
-            one *= square
-            weights += one
-            both += one * (here + light[plane + 1])
+            weight *= aspect_squared
+            weights += weight
+            weighted_sums += weight * (values + light[plane + 1])
         if plane > 0:
-            one = square / self._slopes(light, plane - 1)
-            weights += one
-            both += one * (here + light[plane - 1])
-        return weights, both, total
+            weight = aspect_squared / self._gradient_norms(light, plane - 1)
+            weights += weight
+            weighted_sums += weight * (values + light[plane - 1])
+        return weights, weighted_sums, variation
 
 
-def _root(found: Values, weights: Values, both: Values) -> Values:
-    """Return the positive root of ``2 P x^2 + (1 - Q) x = e``, without cancellation."""
-    over = both - 1.0
-    root = np.sqrt(over * over + 8.0 * weights * found)
+def _root(e: Values, p: Values, q: Values) -> Values:
+    """Return the positive root of ``2 p x^2 + (1 - q) x = e``, without cancellation.
+
+    This is the equation of :class:`VariationIteration` divided by s.
+    """
+    linear = q - 1.0
+    root = np.sqrt(linear * linear + 8.0 * p * e)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(over > 0.0, (over + root) / (4.0 * weights), 2.0 * found / (root - over))
+        return np.where(linear > 0.0, (linear + root) / (4.0 * p), 2.0 * e / (root - linear))
 
 
 def iteration_of(
     method: RichardsonLucy | TotalVariation,
     blur: PlaneOperator,
     counted: PoissonCounts,
-    course: Sequence[Move] | None = None,
+    course: Sequence[StepSettings] | None = None,
     *,
     background: Background,
     aspect: float | None = None,
     threads: int = 0,
 ) -> Iteration:
-    """Return the steps of a method."""
+    """Return the iteration of a method; see :class:`Iteration` and :class:`VariationIteration` for the arguments."""
     if isinstance(method, RichardsonLucy):
         return Iteration(blur, counted, course, background=background)
     return VariationIteration(blur, counted, course, background=background, aspect=aspect, threads=threads)
 
 
 class Solution(NamedTuple):
-    """The result of a method for a photograph: light, number of steps, why it stopped, weight of the total variation.
+    """Result of a method for a photograph: light, number of steps, reason to stop, weight of the total variation.
 
-    `alike` does the same to other counts, as of other parts of the photograph, and returns their light.
+    `alike` repeats the same steps for other counts, for example of another part of the photograph, and returns their
+    light.
     """
 
     light: Values
@@ -467,12 +513,12 @@ class Solution(NamedTuple):
 def iterated(
     method: RichardsonLucy | TotalVariation,
     counts: PhotographCounts,
-    tell: Tell,
-    course: Sequence[Move] | None = None,
+    report: ProgressCallback,
+    course: Sequence[StepSettings] | None = None,
 ) -> Solution:
-    """Return the sharp light behind the counts of a photograph, by the `course` of another part if it is given."""
-    iteration = iteration_of(method, counts.operator, counts, course, background=_NONE)
-    steps, stopped, _ = iteration.solve(method, tell)
+    """Deblur the counts of a photograph, with the steps of the `course` of another part if one is given."""
+    iteration = iteration_of(method, counts.operator, counts, course, background=_NO_BACKGROUND)
+    steps, stopped, _ = iteration.solve(method, report)
     light = counts.operator.image(iteration.inside(0, 0))
 
     def alike(other: PhotographCounts) -> Values:

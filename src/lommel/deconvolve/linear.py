@@ -145,21 +145,21 @@ class LinearBlur(ABC):
 
 Plane = tuple[slice, slice]
 """Rows and columns of a part of a plane."""
-Made = TypeVar("Made")
-Made_co = TypeVar("Made_co", covariant=True)
+Result = TypeVar("Result")
+Result_co = TypeVar("Result_co", covariant=True)
 
 
 class Part(Protocol):
-    """Accessor of parts of planes."""
+    """Accessor of planes of light, part by part."""
 
     def __call__(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return them."""
+        """Return the values of a plane in these rows and columns."""
 
 
-class Take(Protocol[Made_co]):
-    """Consumer of parts of planes, called concurrently."""
+class PartConsumer(Protocol[Result_co]):
+    """Function of a part of a plane and its values, called from several threads; it may overwrite the values."""
 
-    def __call__(self, plane: int, rows: slice, columns: slice, values: Values, /) -> Made_co:
+    def __call__(self, plane: int, rows: slice, columns: slice, values: Values, /) -> Result_co:
         """Return a result for a part."""
 
 
@@ -182,16 +182,16 @@ class PlaneOperator(ABC):
     per_outside: Values
 
     @abstractmethod
-    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
-        """Hand the image of a scene to `take`, each part of it once; return what it makes of the parts."""
+    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Blur a scene, call `consume` once with each part of the image, and return its results."""
 
     @abstractmethod
-    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
-        """Hand the transpose of :meth:`forward` applied to an image to `take`, each part of the scene once."""
+    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Apply the transpose of :meth:`forward` to an image, call `consume` once with each part of the result."""
 
     @abstractmethod
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return 1 over the recorded share of the light of points, times the weight; 0 where that is 0."""
+        """Return 1 over the weighted share of each point's light that is recorded (A^T w); 0 where none is."""
 
     def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
         """Set the largest weight of a pixel, which divides :meth:`per_seen`."""
@@ -222,18 +222,20 @@ class ImagePlanes(PlaneOperator):
         per = np.where(seen > UNSEEN, 1.0 / np.maximum(seen, UNSEEN), 0.0)
         self._per = np.moveaxis(per.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
 
-    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
-        """Hand the image of a scene to `take`, as :meth:`PlaneOperator.forward` does."""
-        return self._handed(self._blur.forward, specimen, take)
+    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Call `consume` with the blurred planes, as :meth:`PlaneOperator.forward` does."""
+        return self._consumed(self._blur.forward, specimen, consume)
 
-    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
-        """Hand the transpose to `take`, as :meth:`PlaneOperator.adjoint` does."""
-        return self._handed(self._blur.adjoint, recording, take)
+    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Call `consume` with the planes of the transpose, as :meth:`PlaneOperator.adjoint` does."""
+        return self._consumed(self._blur.adjoint, recording, consume)
 
-    def _handed(self, operator: Callable[[Values], Values], values: Part, take: Take[Made]) -> list[Made]:
+    def _consumed(
+        self, operator: Callable[[Values], Values], values: Part, consume: PartConsumer[Result]
+    ) -> list[Result]:
         rows, columns = (slice(0, side) for side in self.shape[1:])
         made = self.planes(operator(self.image([values(k, rows, columns) for k in range(self.shape[0])])))
-        return [take(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
+        return [consume(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
 
     def image(self, planes: Sequence[Values] | Values) -> Values:
         """Return planes as an image; a single plane shares its memory."""

@@ -13,7 +13,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values, fields_of, plain
-from lommel.deconvolve.algorithms import Tell, silent
+from lommel.deconvolve.algorithms import ProgressCallback, silent
 from lommel.fit.findings import Findings, Judged
 
 Pixels = NDArray[np.generic]  # stored values, unsigned integers or floats
@@ -108,7 +108,7 @@ class Restoration(Judged):
 
 
 @contextmanager
-def shown(progress: Tell | None) -> Iterator[Tell]:
+def shown(progress: ProgressCallback | None) -> Iterator[ProgressCallback]:
     """Yield the function called at each step: `progress`, or a line on standard error if it is a terminal."""
     validation.function("progress", progress, required=False)
     if progress is not None or sys.stderr is None or not sys.stderr.isatty():

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.deconvolve.algorithms import ONE_PASS, Tell, silent
+from lommel.deconvolve.algorithms import ONE_PASS, ProgressCallback, silent
 from lommel.deconvolve.iterations import Solution
 from lommel.deconvolve.linear import LinearBlur
 from lommel.deconvolve.poisson_counts import PhotographCounts
@@ -103,7 +103,7 @@ class OnePass:
     def __post_init__(self) -> None:
         validation.real("loss", self.loss, above=0.0, infinite=True)
 
-    def solve(self, observed: PhotographCounts, tell: Tell) -> Solution:
+    def solve(self, observed: PhotographCounts, tell: ProgressCallback) -> Solution:
         """Return the sharp light behind the counts `observed`; `tell` gets one step. ValueError for other blurs."""
         blur = lens_blur(observed.blur)
         if blur is None:

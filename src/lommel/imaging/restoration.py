@@ -32,8 +32,8 @@ from lommel.deconvolve.algorithms import (
     MISFIT,
     NOISE,
     STEPS,
+    ProgressCallback,
     RichardsonLucy,
-    Tell,
     TotalVariation,
     silent,
 )
@@ -73,7 +73,7 @@ _TURN = 0.1  # of the noise: step of the difference quotient of a result by the 
 Method = RichardsonLucy | TotalVariation | OnePass
 
 
-def solve(method: Method, observed: PhotographCounts, tell: Tell) -> Solution:
+def solve(method: Method, observed: PhotographCounts, tell: ProgressCallback) -> Solution:
     """Return the sharp light behind counts, by a method that leaves what they show to be noise."""
     if isinstance(method, OnePass):
         return method.solve(observed, tell)
@@ -148,7 +148,7 @@ def restore_with(
     *,
     method: Method | None = None,
     saturation: float = math.inf,
-    progress: Tell | None = None,
+    progress: ProgressCallback | None = None,
 ) -> Restoration:
     """Deblur an image with a given linear blur operator.
 

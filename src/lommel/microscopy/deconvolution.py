@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Values
-from lommel.deconvolve.algorithms import RichardsonLucy, Tell, TotalVariation, silent
+from lommel.deconvolve.algorithms import ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, State, iteration_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.deconvolve.result import Restoration, shown
@@ -41,7 +41,7 @@ def deconvolve(
     margin: tuple[int, int] | None = None,
     saturation: float | None = None,
     diagnosis: bool = True,
-    progress: Tell | None = None,
+    progress: ProgressCallback | None = None,
 ) -> Restoration:
     """Deconvolve a stack of planes recorded by a microscope, with its PSF and noise (3-D deconvolution).
 

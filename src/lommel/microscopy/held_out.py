@@ -16,7 +16,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Values
 from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
-from lommel.deconvolve.iterations import Background, Iteration, Move, State
+from lommel.deconvolve.iterations import Background, Iteration, State, StepSettings
 from lommel.deconvolve.linear import PlaneOperator
 from lommel.deconvolve.poisson_counts import TINY, PoissonCounts
 from lommel.fit.findings import Finding
@@ -48,7 +48,7 @@ class Best(NamedTuple):
     electrons: Values  # that are expected in each voxel
     level: float  # background of a half
     state: State
-    course: list[Move]  # of the whole walk
+    course: list[StepSettings]  # of the whole walk
 
 
 class _Half(PoissonCounts):
@@ -115,7 +115,7 @@ class Halves:
     def walked(
         self, blur: PlaneOperator, told: Callable[[int, float, float], object], *, fold: int = 0,
         background: Background = _ESTIMATED, start: State = _FLAT, steps: int = _STEPS,
-        course: list[Move] | None = None,
+        course: list[StepSettings] | None = None,
     ) -> Best:  # fmt: skip
         """Restore a half, and return the step that agrees best with the other one."""
         half = _Half(self.parts[fold], self.parts[1 - fold], self.noise)
@@ -175,7 +175,7 @@ class HeldOut(TrialDeconvolution):
         """Whether a flat scene explains the stack."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
-    def best(self, words: str, model: DepthModel, fold: int = 0, course: list[Move] | None = None) -> Best:
+    def best(self, words: str, model: DepthModel, fold: int = 0, course: list[StepSettings] | None = None) -> Best:
         """Restore a half, and return the step that agrees best with the other one.
 
         With the `course` of another PSF steps are extrapolated as far as with that: lnL is then smooth in the index.

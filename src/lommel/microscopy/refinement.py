@@ -12,7 +12,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.deconvolve.algorithms import RichardsonLucy
-from lommel.deconvolve.iterations import Background, Iteration, Move
+from lommel.deconvolve.iterations import Background, Iteration, StepSettings
 from lommel.deconvolve.linear import PlaneOperator
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.microscopy.depth_model import DepthModel
@@ -133,7 +133,7 @@ class TrialDeconvolution:
         self._counted = PoissonCounts(self._values, self._camera, context.saturation)
         self._threads, self._widest = context.threads, widest
         self._degrees: tuple[int, int] | None = None  # those of the first model
-        self._courses: dict[int, list[Move]] = {}  # those of the first walk, of each number of steps
+        self._courses: dict[int, list[StepSettings]] = {}  # those of the first walk, of each number of steps
 
     @property
     def slack(self) -> float:

@@ -22,8 +22,8 @@ from lommel.base.atomic import Unfinished
 from lommel.base.optional import version
 from lommel.base.units import format_length, with_error
 from lommel.base.validation import line, shown
-from lommel.deconvolve.algorithms import EARLIEST, STEPS, RichardsonLucy, Tell, TotalVariation, silent
-from lommel.deconvolve.iterations import Background, Iteration, Move, iteration_of
+from lommel.deconvolve.algorithms import EARLIEST, STEPS, ProgressCallback, RichardsonLucy, TotalVariation, silent
+from lommel.deconvolve.iterations import Background, Iteration, StepSettings, iteration_of
 from lommel.deconvolve.linear import Part, PlaneOperator, tiles_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -1138,7 +1138,7 @@ class _Job:
         )
         # All chunks start from the same light.
         level = None if len(tiles) == 1 else _level(source)
-        course: list[Move] | None = None
+        course: list[StepSettings] | None = None
         per = np.float32(1.0 / self._model.window[0] if self._options.per_plane else 1.0)
         found = _Outcome(background=np.zeros((height, width)) if background.points > 1 else 0.0)
         for number, (place, around, within) in enumerate(tiles):
@@ -1183,7 +1183,7 @@ class _Job:
         return found
 
     def _iteration(
-        self, blur: PlaneOperator, counted: PoissonCounts, course: list[Move] | None, background: Background
+        self, blur: PlaneOperator, counted: PoissonCounts, course: list[StepSettings] | None, background: Background
     ) -> Iteration:
         """Return the steps of a chunk, which end early where photons that were held out agree with it."""
         model, method = self._model, self._options.method
@@ -1194,7 +1194,7 @@ class _Job:
         made.enough = enough(method, self._steps, counted)
         return made
 
-    def _solved(self, iteration: Iteration, tell: Tell, *, alone: bool) -> tuple[int, str, Array]:
+    def _solved(self, iteration: Iteration, tell: ProgressCallback, *, alone: bool) -> tuple[int, str, Array]:
         """Iterate; a single chunk in memory keeps what was done until Ctrl-C."""
         try:
             return iteration.solve(self._options.method, tell)

@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.threads import product, side_by_side
 from lommel.core import engine
-from lommel.deconvolve.linear import UNSEEN, LinearBlur, Made, Part, Plane, PlaneOperator, Take, overlap
+from lommel.deconvolve.linear import UNSEEN, LinearBlur, Part, PartConsumer, Plane, PlaneOperator, Result, overlap
 from lommel.measures.spot import stage
 from lommel.psf import PSF
 
@@ -235,18 +235,18 @@ class TiledBlur(PlaneOperator):
             between = sums[bottom] - sums[top]
             self._seen[plane] += share * (between[:, right] - between[:, left])
 
-    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+    def forward(self, specimen: Part, take: PartConsumer[Result]) -> list[Result]:
         """Hand the recording of a specimen to `take`, each part of it once; return what it makes of the parts."""
-        made: list[Made] = []
+        made: list[Result] = []
         for job in self._jobs(self.shape, self.whole, self._upper, self._margin[1]):
             self._transformed(specimen, self.whole[0], job)
             self._along(transposed=False)
             made += self._planes(self.shape[0], job, take)
         return made
 
-    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+    def adjoint(self, recording: Part, take: PartConsumer[Result]) -> list[Result]:
         """Hand the transpose of :meth:`forward` applied to a recording to `take`, each part of the specimen once."""
-        made: list[Made] = []
+        made: list[Result] = []
         for job in self._jobs(self.whole, self.shape, self._lower, -self._margin[1]):
             self._transformed(recording, self.shape[0], job)
             self._along(transposed=True)
@@ -313,14 +313,14 @@ class TiledBlur(PlaneOperator):
 
         side_by_side(transform, range(planes), self._threads)
 
-    def _planes(self, planes: int, job: _Job, take: Take[Made]) -> list[Made]:
+    def _planes(self, planes: int, job: _Job, take: PartConsumer[Result]) -> list[Result]:
         """Hand on the first planes of the room, transformed back."""
         from scipy.fft import irfft2
 
         room = self._room
         assert room is not None
 
-        def back(plane: int) -> Made:
+        def back(plane: int) -> Result:
             # What follows is faster in contiguous memory.
             light = np.ascontiguousarray(irfft2(room[plane], self._tile, overwrite_x=True)[job.inside])
             return take(plane, *job.core, light)
@@ -590,7 +590,7 @@ class WideBlur(PlaneOperator):
         self.outside_back = np.zeros(near.whole[0], np.float32)
         self.weigh(1.0)
 
-    def forward(self, specimen: Part, take: Take[Made]) -> list[Made]:
+    def forward(self, specimen: Part, take: PartConsumer[Result]) -> list[Result]:
         """Hand the recording of a specimen to `take`, as :meth:`TiledBlur.forward` does."""
         coarse = self._binned(specimen, self.whole, self._given)
         coarse += self.outside[:, np.newaxis, np.newaxis] * self._beyond
@@ -602,7 +602,7 @@ class WideBlur(PlaneOperator):
         self._far.forward(lambda plane, *at: coarse[(plane, *at)], put)
         return self._near.forward(specimen, self._added(light, self._recorded, take))
 
-    def adjoint(self, recording: Part, take: Take[Made]) -> list[Made]:
+    def adjoint(self, recording: Part, take: PartConsumer[Result]) -> list[Result]:
         """Hand the transpose of :meth:`forward` to `take`; that of the light outside is `outside_back`."""
         light = self._returned(self._binned(recording, self.shape, self._recorded))
         self.outside_back = np.einsum("pyx,yx->p", light, self._beyond)
@@ -660,10 +660,10 @@ class WideBlur(PlaneOperator):
         side_by_side(share, range(shape[0]), self._threads)
         return made
 
-    def _added(self, light: Values, hats: list[_Hats], take: Take[Made]) -> Take[Made]:
+    def _added(self, light: Values, hats: list[_Hats], take: PartConsumer[Result]) -> PartConsumer[Result]:
         """Return `take` with interpolated light added to its values."""
 
-        def added(plane: int, rows: slice, columns: slice, values: Values) -> Made:
+        def added(plane: int, rows: slice, columns: slice, values: Values) -> Result:
             values += _between(light[plane], hats, rows, columns)
             return take(plane, rows, columns, values)
 

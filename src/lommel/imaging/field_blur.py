@@ -40,11 +40,11 @@ if TYPE_CHECKING:
 class FieldBlur(LinearBlur):
     """Blur that varies over the field and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
 
-    K_p is the pixel-integrated PSF of the source point p, at its field position, and at its distance where a depth
-    is given. It is truncated to a window that holds `energy` of its light, of one size for all points, and divided by
-    the light in the window. Between nodes over the field (and over defocus) it is interpolated by splines; the nodes
-    are chosen so that the error of K_p is below `tol`. With ``energy=1`` it is not truncated: the light beyond the
-    windows is a kernel that all points share, scaled for each.
+    K_p is the pixel-integrated PSF of the source point p, at its field position and, if `depth` is given, at its
+    distance. It is truncated to a window that contains at least the fraction `energy` of the light, of one size for
+    all points, and normalised to sum 1. Between nodes over the field (and over defocus) K_p is interpolated by
+    splines; the nodes are chosen so that the error of K_p is below `tol`. With ``energy=1`` K_p is not truncated:
+    beyond the windows all points share one kernel, scaled to the light of each.
 
     Parameters
     ----------
@@ -56,20 +56,20 @@ class FieldBlur(LinearBlur):
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
     depth : array_like, shape (height, width), optional
         Distance of each point from the lens along the axis, metres, positive; may be infinite. The defocus of `lens`
-        for it is added to the wavefront of the map.
-    lens : Lens
-        Required with `depth`, and only with it: the lens that gives the defocus, of the wavelength, f-number and
-        aperture of the map, without aberrations.
+        at this distance is added to the wavefront of the map.
+    lens : Lens, optional
+        Lens from which defocus is computed, of the wavelength, f-number and aperture of the map, without aberrations.
+        Required with `depth`; not accepted without.
     center : (float, float), optional
-        Row and column of the optical axis, in pixels from the centre of the first; by default the centre of the
-        image. For a crop it may lie outside the image.
+        Row and column of the optical axis, in pixels from the centre of the first pixel; by default the centre of
+        the image. For a crop the axis may lie outside the image.
     sensor : (float, float), optional
         Height and width of the part of the field that the image shows, in the unit of the map; by default
-        ``shape * pixel``. A larger one exaggerates the PSFs, to illustrate a lens over its whole field.
+        ``shape * pixel``. A larger sensor exaggerates the blur, to illustrate a lens over its whole field.
     channels : sequence, default (wavelength of the map,)
-        For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
+        For each channel a wavelength (metres), or a spectrum: pairs of wavelength and weight.
     tol : float, default 1e-3
-        Bound on the sum of absolute differences between K_p and the exact window, each of sum 1; 1e-6 to 1e-1.
+        Limit on the sum of absolute differences between K_p and the exact window, both of sum 1; 1e-6 to 1e-1.
         Checked half-way between nodes.
     {options}
 
@@ -78,24 +78,25 @@ class FieldBlur(LinearBlur):
     banks : tuple of FieldBank
         One for each channel.
     error : float
-        Largest sum of absolute differences found between interpolated windows and exact ones, of any channel.
+        Largest sum of absolute differences between interpolated and exact windows, over the checked positions of all
+        channels.
     lost : float
-        Largest fraction found of the light beyond the windows. The sum of absolute differences between a window and
-        the whole PSF is at most ``error + 2 * lost``.
+        Largest fraction of the light beyond the windows, over the same positions. The sum of absolute differences
+        between a window and the whole PSF is at most ``error + 2 * lost``.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range; if the image goes beyond the map; if the blur exceeds `largest`, or takes more
-        than 2^27 values.
+        If an argument is out of range; if the image goes beyond the map; if the blur exceeds `largest`, or its
+        windows have more than 2^27 values.
 
     Notes
     -----
-    Each source spreads its light by its own PSF (scatter), as in a lens; to average around each pixel by its own PSF
-    (gather) is the transpose. Light is conserved: for a lens that is darker towards the corners, multiply the image
-    by its relative illumination first.
+    Each source spreads its light by its own PSF (scatter), as in a lens. Averaging around each pixel with the PSF of
+    that pixel (gather) is the transpose. Light is conserved: for a lens that is darker towards the corners, multiply
+    the image by the relative illumination first.
 
-    Beyond the edges, a copy of a point ("reflect", "extend") spreads the PSF of the point that it copies.
+    Beyond the edges ("reflect", "extend"), the copy of a point has the PSF of the original.
 
     Examples
     --------
@@ -132,66 +133,67 @@ class FieldBlur(LinearBlur):
         settings = Settings.of(FieldBlur, options, FieldKeywords)
         self.border, self.dtype = settings.border, cast("np.dtype[np.floating]", settings.dtype)
         self.threads = settings.threads or 0
-        self._scaled = sensor is not None
+        self._scaled = sensor is not None  # the pixels of the image are not those of the PSFs
         if channels is not None and not metric:
             raise ValueError("channels need a map with a wavelength, to which theirs are related")
         self.spectra = (None,) if channels is None else spectra("channels", channels)
         self.channels = len(self.spectra)
-        self.y, self.x = self._places(center, sensor)
-        self.lens, self.defocus = lens, self._focus(depth, lens)
-        spans = [(float(along[0]), float(along[-1])) for along in (self.y, self.x)]
+        self.y, self.x = self._field_positions(center, sensor)
+        self.lens, self.defocus = lens, self._defocus_map(depth, lens)
+        spans = [(float(positions[0]), float(positions[-1])) for positions in (self.y, self.x)]
         spans.append((float(self.defocus.min()), float(self.defocus.max())))
 
         # Channels with equal spectra share a bank: the windows are by far the largest part of the work.
         @cache
-        def made(
+        def bank_and_operators(
             spectrum: tuple[tuple[float, float], ...] | None,
         ) -> tuple[FieldBank, tuple[WindowBlur | MixedBlur, ...]]:
-            # PSFs a thousand times as exact as the blur, within what double precision holds.
-            phase, accuracy = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
-            light = self._points(field_map, phase, spectrum, self.pixel, accuracy, settings.threads)
+            # PSFs are computed to 1e-3 of the tolerance of the blur, but no better than double precision allows.
+            phase, psf_tol = None if lens is None else lens.phase, min(1e-6, max(1e-10, 1e-3 * tol))
+            light = self._point_light(field_map, phase, spectrum, self.pixel, psf_tol, settings.threads)
             bank = build_field_bank(light, spans, self.shape, settings, tol)
-            return bank, self._made(bank)
+            return bank, self._operators(bank)
 
-        self.banks: tuple[FieldBank, ...] = tuple(made(spectrum)[0] for spectrum in self.spectra)
-        self._parts = tuple(made(spectrum)[1] for spectrum in self.spectra)
+        self.banks: tuple[FieldBank, ...] = tuple(bank_and_operators(spectrum)[0] for spectrum in self.spectra)
+        # Operators of each channel; the image is the sum of their results.
+        self._parts = tuple(bank_and_operators(spectrum)[1] for spectrum in self.spectra)
 
     @property
     def error(self) -> float:
-        """Largest sum of absolute differences found between interpolated windows and exact ones."""
+        """Largest sum of absolute differences between interpolated and exact windows, where they were checked."""
         return max(bank.error + parts[0].error for bank, parts in zip(self.banks, self._parts, strict=True))
 
     @property
     def lost(self) -> float:
-        """Largest fraction found of the light beyond the windows."""
+        """Largest fraction of the light beyond the windows, where they were checked."""
         return max(bank.lost for bank in self.banks)
 
     def crop(
         self, shape: int | tuple[int, int], *, center: tuple[float, float], depth: ArrayLike | None = None
     ) -> FieldBlur:
-        """Return the blur of another part of the field, or of another depth, with the windows that are known.
+        """Return the blur of a part of this image, or of another depth, without computing windows anew.
 
         For data sets: the windows of the whole image are computed once, and each crop takes a few milliseconds.
 
         Parameters
         ----------
         shape : int or (int, int)
-            Height and width, pixels; the windows are as large as those of this blur.
+            Height and width of the crop, pixels. The windows keep the size of those of this blur.
         center : (float, float)
-            Row and column of the optical axis, in pixels from the centre of the first one of the crop.
+            Row and column of the optical axis, in pixels from the centre of the first pixel of the crop.
         depth : array_like, shape (height, width), optional
-            Required if this blur has a depth: metres, within the range of its own.
+            Distances (m) within the range of those of this blur. Required if this blur has a depth.
 
         Returns
         -------
         FieldBlur
-            It shares the `banks` of this one.
+            It shares the `banks` of this blur.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or the crop goes beyond the image or the depth of this blur; or if this
-            was made with ``sensor=``, whose pixels are not those of PSFs.
+            If an argument is out of range; if the crop goes beyond the image or the depth range of this blur; or if
+            this blur was made with ``sensor=``, so that pixels of the image differ from those of the PSFs.
 
         Examples
         --------
@@ -205,38 +207,41 @@ class FieldBlur(LinearBlur):
         """
         if self._scaled:
             raise ValueError("crop needs a blur whose image has its true size, without sensor=")
-        made = copy.copy(self)
-        made.shape = validation.image_shape(shape)
-        made.y, made.x = made._places(validation.position("center", center), None)
+        crop = copy.copy(self)
+        crop.shape = validation.image_shape(shape)
+        crop.y, crop.x = crop._field_positions(validation.position("center", center), None)
         lens = self.lens
         if (depth is None) != (lens is None):
-            wanted = "must not have a depth" if lens is None else "needs a depth"
-            raise ValueError(f"crop {wanted}, as the blur that it is part of")
-        made.defocus = made._focus(depth, lens)
-        for name, found, axis in zip(
-            ("rows", "columns", "defocus"), (made.y, made.x, made.defocus), self.banks[0].axes, strict=True
+            requirement = "must not have a depth" if lens is None else "needs a depth"
+            raise ValueError(f"crop {requirement}, as the blur that it is part of")
+        crop.defocus = crop._defocus_map(depth, lens)
+        for name, positions, axis in zip(
+            ("rows", "columns", "defocus"), (crop.y, crop.x, crop.defocus), self.banks[0].axes, strict=True
         ):
             first, last = axis.first, axis.last
             # A thousandth of a pixel beyond the nodes is rounding: splines are constant beyond their ends.
             slack = 1e-6 * (last - first) + (1e-3 * self.pixel if name != "defocus" else 1e-9)
-            if not (first - slack <= found.min() and found.max() <= last + slack):
+            if not (first - slack <= positions.min() and positions.max() <= last + slack):
                 unit = "rad" if name == "defocus" else self.field_map.unit
                 raise ValueError(
-                    f"crop must be within the blur that it is part of: its {name} span {found.min():.6g} to "
-                    f"{found.max():.6g} {unit}, and those {first:.6g} to {last:.6g}"
+                    f"crop must be within the blur that it is part of: its {name} span {positions.min():.6g} to "
+                    f"{positions.max():.6g} {unit}, and those {first:.6g} to {last:.6g}"
                 )
-        # Channels with one spectrum share a bank.
-        parts = {id(bank): made._made(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
-        made._parts = tuple(parts[id(bank)] for bank in self.banks)
-        return made
+        # Channels with equal spectra share a bank.
+        operators = {id(bank): crop._operators(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
+        crop._parts = tuple(operators[id(bank)] for bank in self.banks)
+        return crop
 
     @property
-    def _points(self) -> type[PointLight]:
+    def _point_light(self) -> type[PointLight]:
         """Class that computes the PSFs of points."""
         return PointLight
 
     def window(self, row: int, column: int, channel: int = 0) -> Array:
-        """Return the PSF (side, side) of the point at `row`, `column` in a `channel`; ValueError if there is none."""
+        """Return the PSF (side, side) of the point at `row`, `column` in a `channel`.
+
+        Raises ValueError for a row, column or channel outside the image.
+        """
         height, width = self.shape
         row = validation.integer("row", row, least=0, most=height - 1)
         column = validation.integer("column", column, least=0, most=width - 1)
@@ -255,8 +260,10 @@ class FieldBlur(LinearBlur):
             image, lambda channel, plane: reduce(np.add, (part.adjoint(plane) for part in self._parts[channel]))
         )
 
-    def _places(self, center: tuple[float, float] | None, sensor: tuple[float, float] | None) -> tuple[Array, Array]:
-        """Return the positions of rows (y) and columns (x) in the field."""
+    def _field_positions(
+        self, center: tuple[float, float] | None, sensor: tuple[float, float] | None
+    ) -> tuple[Array, Array]:
+        """Return the field coordinates of rows y (height,) and columns x (width,), in the unit of the map."""
         unit = self.field_map.unit
         axis = [0.5 * (side - 1) for side in self.shape] if center is None else validation.position("center", center)
         pitch = [self.pixel] * 2
@@ -267,7 +274,7 @@ class FieldBlur(LinearBlur):
             for step, n, at in zip(pitch, self.shape, axis, strict=True)
         )
         try:
-            self._reached(x[[0, -1]], y[[0, -1], None])
+            self._require_within_map(x[[0, -1]], y[[0, -1], None])
         except ValueError as error:
             height, width = self.shape
             raise ValueError(
@@ -277,12 +284,12 @@ class FieldBlur(LinearBlur):
             ) from None
         return y, x
 
-    def _reached(self, x: Array, y: Array) -> None:
+    def _require_within_map(self, x: Array, y: Array) -> None:
         """Raise ValueError for positions outside of the map."""
         self.field_map.pupil(x, y)
 
-    def _focus(self, depth: ArrayLike | None, lens: Lens | None) -> Array:
-        """Return the defocus of each point, 0 without a depth."""
+    def _defocus_map(self, depth: ArrayLike | None, lens: Lens | None) -> Array:
+        """Return the defocus C_d (rad) of each point, shape (height, width); 0 without a depth."""
         if (depth is None) != (lens is None):
             missing = "lens" if lens is None else "depth"
             raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
@@ -299,38 +306,39 @@ class FieldBlur(LinearBlur):
         defocus.flags.writeable = False
         return defocus
 
-    def _made(self, bank: FieldBank) -> tuple[WindowBlur | MixedBlur, ...]:
-        """Return the operators of a channel: of its windows, and of the light beyond them."""
-        made = partial(MixedBlur, border=self.border, threads=self.threads)
+    def _operators(self, bank: FieldBank) -> tuple[WindowBlur | MixedBlur, ...]:
+        """Return the operators of a channel: that of its windows and, with ``energy=1``, of the light beyond them."""
+        mixed_blur = partial(MixedBlur, border=self.border, threads=self.threads)
         focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
         near: WindowBlur | MixedBlur | None = None
-        # Small windows are mixed for each point directly; of larger ones transforms are faster.
+        # Small windows are interpolated for each point directly; for large windows Fourier transforms are faster.
         if bank.coefficients.shape[-1] <= LARGEST[min(2, focus.count)]:
-            # ArithmeticError: parabolas in place of the splines would need too many tiles.
+            # ArithmeticError: the parabolas that replace the splines would need too many tiles.
             with suppress(ArithmeticError):
                 near = WindowBlur(
                     bank.coefficients, bank.axes, self.y, self.x, self.defocus,
                     border=self.border, threads=self.threads, allowed=self.tol - bank.error,
                 )  # fmt: skip
-        near = near or made(bank.coefficients, (down, across), focus, self.defocus)
+        near = near or mixed_blur(bank.coefficients, (down, across), focus, self.defocus)
         if bank.far is None:
             return (near,)
-        # All light: each point sends what its own window does not hold through the common kernel.
-        held = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
-        inside = [down @ plane @ across.T for plane in np.moveaxis(held, 2, 0)]
-        beyond = 1.0 - sum(share * inside[node] for node, share in focus.shares(self.defocus))
-        kernel, alike = bank.far.kernel.astype(self.dtype), (np.ones((len(self.y), 1)), np.ones((len(self.x), 1)))
-        share = np.asarray(beyond, dtype=self.dtype)
-        return near, made(kernel[None, None, None], alike, Nodes(0.0, 0.0, 1), self.defocus, share=share)
+        # Light beyond the window of each point, which the common kernel spreads: 1 less the sum of the window, itself
+        # a spline over the same nodes.
+        sums = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
+        inside = [down @ plane @ across.T for plane in np.moveaxis(sums, 2, 0)]
+        beyond = 1.0 - sum(weight * inside[node] for node, weight in focus.nonzero_weights(self.defocus))
+        kernel, uniform = bank.far.kernel.astype(self.dtype), (np.ones((len(self.y), 1)), np.ones((len(self.x), 1)))
+        scale = np.asarray(beyond, dtype=self.dtype)
+        return near, mixed_blur(kernel[None, None, None], uniform, Nodes(0.0, 0.0, 1), self.defocus, scale=scale)
 
 
-_KEPT = 2**29  # bytes of spectra that are kept, 512 MiB
+_MAX_KEPT_BYTES = 2**29  # transforms of all windows are kept in memory up to this size, 512 MiB
 _LONGEST = 512  # longest transform, unless windows are longer
-_OVERHEAD = 20_000  # of a block, in samples of a transform
+_OVERHEAD = 20_000  # cost of a block, in samples of a transform
 
 
 class Block(NamedTuple):
-    """A block of points that spread light, and the nodes whose windows they mix."""
+    """A block of points (rows and columns), and the nodes with nonzero weights there, down and across the image."""
 
     rows: slice
     columns: slice
@@ -339,14 +347,29 @@ class Block(NamedTuple):
 
 
 class MixedBlur:
-    """Blur by windows mixed of nodes, with the borders of an image, and its transpose.
+    """Blur by windows that are weighted sums over nodes, computed by Fourier transforms, and its transpose.
 
-    ``out[q] = sum_kl sum_p D[p_y, k] A[p_x, l] sum_i c_i[p] x[p] W[k, l, i, q - p]``. A block of points takes one
-    transform for each node that it mixes, and one back: the transforms are linear. Those along rows are made before
-    the weights down the image are applied, which they do not depend on.
+    ``out[q] = sum_kl sum_p D[p_y, k] A[p_x, l] sum_i c_i[p] x[p] W[k, l, i, q - p]``. Since transforms are linear, a
+    block of points takes one forward transform for each of its nodes, but a single inverse transform. Transforms
+    along rows do not depend on the weights D down the image, and are therefore computed before D is applied.
+
+    Parameters
+    ----------
+    windows : ndarray, shape (k, l, i, side, side)
+        Spline coefficients W over nodes down and across the image and over defocus.
+    weights : two ndarray, shapes (height, k) and (width, l)
+        D and A.
+    focus : Nodes
+        Nodes over defocus, with the weights c.
+    defocus : ndarray, shape (height, width)
+        C_d in radians.
+    border : {"reflect", "extend", "zero"}
+    threads : int
+    scale : ndarray or float
+        Factor on the light of each point, shape (height, width).
     """
 
-    error = 0.0  # to the windows of the splines
+    error = 0.0  # the spline weights are used as they are
 
     def __init__(
         self,
@@ -357,10 +380,10 @@ class MixedBlur:
         *,
         border: str,
         threads: int,
-        share: Values | float = 1.0,
+        scale: Values | float = 1.0,
     ) -> None:
-        self.windows, self.focus, self.defocus, self.threads, self.share = windows, focus, defocus, threads, share
-        self.beyond = windows.shape[-1] - 1  # rows and columns by which a block spreads light beyond itself
+        self.windows, self.focus, self.defocus, self.threads, self.scale = windows, focus, defocus, threads, scale
+        self.beyond = windows.shape[-1] - 1  # rows and columns by which the result of a block exceeds the block
         margin = 0 if border == "zero" else self.beyond // 2
         self.before = margin + self.beyond // 2  # index of the image's first pixel in the padded result
         self.rows, self.columns = (copies(len(part), margin, border) for part in weights)
@@ -375,51 +398,54 @@ class MixedBlur:
 
     def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
-        light = (self.share * plane)[self.rows[:, None], self.columns]
-        # Blocks overlap by the size of a window: their results are added (overlap-add).
-        room = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
+        light = (self.scale * plane)[self.rows[:, None], self.columns]
+        # The results of neighbouring blocks overlap by the size of a window, and are added (overlap-add).
+        padded = np.zeros([side + self.beyond for side in light.shape], dtype=light.dtype)
 
-        def made(block: Block) -> Values:
+        def blurred(block: Block) -> Values:
             points = light[block.rows, block.columns]
-            mixed = reduce(np.add, (self._mixed(block, share * points, node) for node, share in self._shares(block)))
-            return self._back(mixed, [side + self.beyond for side in points.shape])
+            spectra = (
+                self._blurred_spectrum(block, weight * points, node) for node, weight in self._focus_weights(block)
+            )
+            return self._inverse_transform(reduce(np.add, spectra), [side + self.beyond for side in points.shape])
 
-        for block, part in self._each(made):
-            room[self._reached(block)] += part
-        return room[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
+        for block, part in self._results(blurred):
+            padded[self._lit_area(block)] += part
+        return padded[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
 
     def adjoint(self, plane: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image."""
-        # Transposed: each block reads what its light would reach (overlap-save).
-        room = np.pad(plane, self.before)
-        taken = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
+        # Each block of the result depends on the pixels that its light reaches in `forward` (overlap-save).
+        padded = np.pad(plane, self.before)
+        result = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
-        def made(block: Block) -> Values:
-            spectrum = self._transformed(room[self._reached(block)])
-            return reduce(np.add, (share * self._taken(block, spectrum, node) for node, share in self._shares(block)))
+        def correlated(block: Block) -> Values:
+            spectrum = self._transform(padded[self._lit_area(block)])
+            parts = (weight * self._correlated(block, spectrum, node) for node, weight in self._focus_weights(block))
+            return reduce(np.add, parts)
 
-        for block, part in self._each(made):
-            taken[block.rows, block.columns] = part
-        return self.share * without_copies(taken, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
+        for block, part in self._results(correlated):
+            result[block.rows, block.columns] = part
+        return self.scale * without_copies(result, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
 
-    def _each(self, made: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
-        """Yield blocks and their results, a row of blocks at a time."""
+    def _results(self, function: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
+        """Yield blocks and the results of a function of blocks, a row of blocks at a time."""
         for rows, down in self._parts[0]:
             blocks = [Block(rows, columns, down, across) for columns, across in self._parts[1]]
-            yield from zip(blocks, side_by_side(made, blocks, self.threads), strict=True)
+            yield from zip(blocks, side_by_side(function, blocks, self.threads), strict=True)
 
-    def _reached(self, block: Block) -> tuple[slice, slice]:
-        """Return the rows and columns reached by the light of a block."""
+    def _lit_area(self, block: Block) -> tuple[slice, slice]:
+        """Return the rows and columns of the padded image that the light of a block reaches."""
         rows, columns = (slice(part.start, part.stop + self.beyond) for part in (block.rows, block.columns))
         return rows, columns
 
-    def _shares(self, block: Block) -> list[tuple[int, Values]]:
-        """Return nodes over defocus, and their weights for the points of a block."""
+    def _focus_weights(self, block: Block) -> list[tuple[int, Values]]:
+        """Return the nodes over defocus with nonzero weights in a block, and their weight at each of its points."""
         places = self.defocus[self.rows[block.rows][:, None], self.columns[block.columns]]
-        return [(node, share.astype(self.windows.dtype)) for node, share in self.focus.shares(places)]
+        return [(node, weight.astype(self.windows.dtype)) for node, weight in self.focus.nonzero_weights(places)]
 
-    def _mixed(self, block: Block, points: Values, node: int) -> Values:
-        """Return the transform of the light that points spread by the windows at one node over defocus."""
+    def _blurred_spectrum(self, block: Block, points: Values, node: int) -> Values:
+        """Return the transform of the image of points (rows, columns), with the windows at one node over defocus."""
         from scipy.fft import fft, rfft
 
         down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
@@ -427,39 +453,40 @@ class MixedBlur:
         lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
         planes = down.T[:, None, :, None] * lines
         spectra = fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
-        # Sum over nodes before the inverse transform, which is linear: one transform back for all of them.
-        spectra *= self._of(block, node)
+        # The sum over nodes is taken before the inverse transform, so that there is a single one.
+        spectra *= self._window_spectra(block, node)
         return np.asarray(spectra.sum(axis=(0, 1)))
 
-    def _back(self, spectrum: Values, shape: Sequence[int]) -> Values:
+    def _inverse_transform(self, spectrum: Values, shape: Sequence[int]) -> Values:
+        """Return the first rows and columns of the inverse transform."""
         from scipy.fft import ifft, irfft
 
         lines = ifft(spectrum, axis=0, overwrite_x=True)[: shape[0]]
         return np.asarray(irfft(lines, n=self.sides[1], axis=1)[:, : shape[1]])
 
-    def _taken(self, block: Block, spectrum: Values, node: int) -> Values:
-        """Return the transpose of :meth:`_mixed` and :meth:`_back`."""
+    def _correlated(self, block: Block, spectrum: Values, node: int) -> Values:
+        """Return the transpose of :meth:`_blurred_spectrum` and :meth:`_inverse_transform`."""
         from scipy.fft import ifft, irfft
 
         down, across = self.down[block.rows, block.down], self.across[block.columns, block.across]
-        spectra = np.conj(self._of(block, node))
+        spectra = np.conj(self._window_spectra(block, node))
         spectra *= spectrum
         planes = ifft(spectra, axis=-2, overwrite_x=True)[..., : len(down), :]
         planes = planes * down.T[:, None, :, None]
         lines = irfft(planes.sum(axis=0), n=self.sides[1], axis=-1)[..., : len(across)]
         return np.asarray((lines * across.T[:, None, :]).sum(axis=0))
 
-    def _of(self, block: Block, node: int) -> Values:
-        """Return the transforms of the windows that a block mixes."""
+    def _window_spectra(self, block: Block, node: int) -> Values:
+        """Return the transforms of the windows of a block at one node over defocus; kept if all fit in memory."""
         if self._spectra is None:
             count, size = math.prod(self.windows.shape[:3]), self.sides[0] * (self.sides[1] // 2 + 1)
-            if count * size * 2 * self.windows.itemsize > _KEPT:
-                return self._transformed(self.windows[block.down, block.across, node])
-            self._spectra = self._transformed(self.windows)
+            if count * size * 2 * self.windows.itemsize > _MAX_KEPT_BYTES:
+                return self._transform(self.windows[block.down, block.across, node])
+            self._spectra = self._transform(self.windows)
         return self._spectra[block.down, block.across, node]
 
-    def _transformed(self, images: Values) -> Values:
-        """Return the transforms of small images, padded to the sides of a block."""
+    def _transform(self, images: Values) -> Values:
+        """Return the Fourier transforms over the last two axes, zero-padded to the sides of a block."""
         from scipy.fft import fft, rfft
 
         lines = rfft(images, n=self.sides[1], axis=-1)
@@ -467,22 +494,27 @@ class MixedBlur:
 
 
 def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
-    """Return the sides of transforms, rows and columns, that minimise the work."""
+    """Return the numbers of rows and columns of the transforms that minimise the work.
+
+    `down` and `across` are the number of points along an axis and of nodes, `window` is the side of a window.
+    """
+    # f: length of the transform, b: points of a block, n: number of blocks along an axis.
     rows, columns = (_candidates(points, window) for points, _ in (down, across))
     best = (math.inf, (0, 0))
     for fy, by, ny in ((f, b, math.ceil(down[0] / b)) for f, b in rows):
         for fx, bx, nx in ((f, b, math.ceil(across[0] / b)) for f, b in columns):
-            # Blocks shorter than the image mix fewer nodes, at least the four of a cubic spline.
-            each = 2.0 + math.prod(
+            # Transforms of a block: one for each node with nonzero weights, at least the four of a cubic spline along
+            # either axis.
+            transforms = 2.0 + math.prod(
                 min(count, 4.0 + block * (count - 1) / points)
                 for block, (points, count) in ((by, down), (bx, across))
             )
-            best = min(best, (ny * nx * (fy * fx * each * math.log2(fy * fx) + _OVERHEAD * 10.0), (fy, fx)))
+            best = min(best, (ny * nx * (fy * fx * transforms * math.log2(fy * fx) + _OVERHEAD * 10.0), (fy, fx)))
     return best[1]
 
 
 def _candidates(points: int, window: int) -> list[tuple[int, int]]:
-    """Return fast lengths of transforms, and the number of points that each leaves to a block."""
+    """Return pairs: a length for which the transform is fast, and the number of points of a block of this length."""
     from scipy.fft import next_fast_len
 
     most = next_fast_len(min(points + window - 1, max(_LONGEST, 4 * window)), real=True)
@@ -495,7 +527,10 @@ def _candidates(points: int, window: int) -> list[tuple[int, int]]:
 
 
 def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
-    """Return parts of the points, and the nodes with weights there."""
+    """Divide points into parts of at most `length`, and return each with its nodes of nonzero weight.
+
+    `weights` has the shape (points, nodes).
+    """
     parts = []
     count = math.ceil(len(weights) / length)
     edges = [round(k * len(weights) / count) for k in range(count + 1)]
@@ -505,29 +540,38 @@ def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
     return parts
 
 
-_BEYOND = 2.5  # sides of the table of far light, over those of the windows
-_ELSEWHERE = 1.2  # factor on errors at the places that were checked, for all others
+_TABLE_SIDE = 2.5  # side of the table of computed far light, over that of the windows
+_MARGIN = 1.2  # factor on errors at the positions that were checked, for all other positions
 
 
 @dataclass(frozen=True)
 class FarLight:
-    """Light that points spread beyond their windows: one kernel for all, times a share."""
+    """Light beyond the windows: a kernel that all points share, to be scaled to the light of each beyond its window.
+
+    `half` is the half width of the windows (pixels). `error` is the largest sum of absolute differences between the
+    scaled kernel and the light of a point, with a margin for positions that were not checked. `lost` is the largest
+    fraction of the light beyond the kernel, which is added to the kernel instead.
+    """
 
     kernel: Array  # mean over the field, of sum 1; 0 within the window
-    half: int  # pixels from the middle of the windows to their edges
-    error: float  # largest sum of absolute differences to the light of points, with a reserve for points not checked
-    lost: float  # largest share of light beyond the kernel, which is placed within it
+    half: int
+    error: float
+    lost: float
 
 
 def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
-    """Return the smallest windows beyond which all points spread light alike to `tol`, and that light."""
+    """Return the smallest windows beyond which the light of all points is equal within `tol`, and its kernel.
+
+    `spans` are the ranges of y, x and C_d; `largest` is the largest half width of windows and `farthest` that of the
+    kernel, in pixels. Light is compared after division by its sum beyond the window.
+    """
     places = overview(spans)
     half = 8
     while True:
         half = min(half, largest)
-        reach = int(np.ceil(_BEYOND * half))
+        reach = int(np.ceil(_TABLE_SIDE * half))
         windows = light.windows(places, reach)
-        if _off(windows, half) <= tol:
+        if _tail_error(windows, half) <= tol:
             break
         if half == largest:
             raise ValueError(
@@ -536,43 +580,50 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
             )
         half *= 2
     # The error grows as windows shrink: bisection for the smallest.
-    half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _off(windows, smaller) <= tol)
-    error, tails = _off(windows, half), windows.copy()
+    half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _tail_error(windows, smaller) <= tol)
+    error, tails = _tail_error(windows, half), windows.copy()
     tails[:, reach - half : reach + half + 1, reach - half : reach + half + 1] = 0.0
     beyond = 1.0 - windows.sum(axis=(1, 2))
-    # Diffraction at edges falls as r^-3, so that the light beyond a square falls as 1 over its side.
-    enough = int(np.ceil(4.0 * float(beyond.max()) / tol * (reach + 0.5)))
-    side = max(reach, min(farthest, enough))
-    kernel = np.pad(tails.sum(axis=0), side - reach)
-    if side > reach:
-        away = np.arange(-side, side + 1.0)
+    # Light diffracted at edges falls as r^-3. The light beyond a square therefore falls as 1 / side, and beyond the
+    # computed table the kernel is continued by r^-3, until the light beyond it is a quarter of the tolerance.
+    sufficient = int(np.ceil(4.0 * float(beyond.max()) / tol * (reach + 0.5)))
+    kernel_half = max(reach, min(farthest, sufficient))
+    kernel = np.pad(tails.sum(axis=0), kernel_half - reach)
+    if kernel_half > reach:
+        away = np.arange(-kernel_half, kernel_half + 1.0)
         ring = np.hypot(away[:, None], away)
-        ring[side - reach : side + reach + 1, side - reach : side + reach + 1] = np.inf
+        table = slice(kernel_half - reach, kernel_half + reach + 1)
+        ring[table, table] = np.inf
         ring = ring**-3.0
-        kernel += ring * (float(beyond.sum()) * (1.0 - (reach + 0.5) / (side + 0.5)) / ring.sum())
-    # The same law for what even the kernel leaves out.
-    lost = float(beyond.max()) * (reach + 0.5) / (side + 0.5)
+        kernel += ring * (float(beyond.sum()) * (1.0 - (reach + 0.5) / (kernel_half + 0.5)) / ring.sum())
+    # By the same law for the light beyond the kernel.
+    lost = float(beyond.max()) * (reach + 0.5) / (kernel_half + 0.5)
     return FarLight(kernel / kernel.sum(), half, error, lost)
 
 
-def _off(windows: Array, half: int) -> float:
-    """Return the largest sum of absolute differences between tails and their scaled mean, with a reserve."""
+def _tail_error(windows: Array, half: int) -> float:
+    """Return the largest sum of absolute differences between tails and their scaled mean, with a margin.
+
+    `windows` (points, side, side) contain the light of points; tails are their pixels beyond the half width `half`.
+    """
     reach = windows.shape[-1] // 2
     inner = slice(reach - half, reach + half + 1)
     outside = np.ones(windows.shape[1:], dtype=np.bool_)
     outside[inner, inner] = False
     tails: Values = windows[:, outside]
-    bright = tails.sum(axis=1)
-    mean = tails.sum(axis=0) / bright.sum()
-    return _ELSEWHERE * float(np.abs(tails - bright[:, None] * mean).sum(axis=1).max())
+    sums = tails.sum(axis=1)
+    mean = tails.sum(axis=0) / sums.sum()
+    return _MARGIN * float(np.abs(tails - sums[:, None] * mean).sum(axis=1).max())
 
 
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_CHECKED = 1500  # most places half-way between nodes that are checked
-_FINE = 3e-4  # tolerance below which splines of degree 5 are faster than cubic ones
-_SHARES = (0.9, 1.2, 1.4)  # of the tolerance, for 1, 2, 3 axes together: their errors peak at different places
-_PARABOLAS = 0.03  # of the tolerance, for parabolas in place of splines
-_FAR = 0.4  # of the tolerance, for the light beyond the windows, if it counts
+_MAX_CHECKED = 1500  # largest number of positions half-way between nodes at which windows are checked
+_QUINTIC_BELOW = 3e-4  # tolerance below which splines of degree 5 are faster than cubic ones
+# Fractions of the tolerance: for the splines along 1, 2 or 3 axes together (above 1, as the errors of different axes
+# peak at different positions), for parabolas in place of splines, and for the light beyond the windows (energy=1).
+_SPLINE_SHARES = (0.9, 1.2, 1.4)
+_PARABOLA_SHARE = 0.03
+_FAR_SHARE = 0.4
 
 
 @dataclass(frozen=True)
@@ -584,11 +635,12 @@ class FieldBank:
     axes : tuple of three Nodes
         Nodes along y and x in the field, and along defocus (radians at the wavelength of the map).
     coefficients : ndarray, shape (y, x, defocus, side, side)
-        Spline coefficients along these axes. Every interpolated window has the sum 1, less the light of `far`.
+        Spline coefficients along these axes. Every interpolated window has the sum 1, or with `far` the fraction of
+        the light within the window.
     far : FarLight or None
         Light beyond the windows, for ``energy=1``.
     lost : float
-        Largest fraction found of the light beyond the windows, which is spread over these instead.
+        Largest fraction of the light beyond the windows (with `far`, beyond its kernel), by which they are divided.
     error : float
         Largest sum of absolute differences between interpolated and exact windows, checked half-way between nodes.
     """
@@ -611,12 +663,12 @@ class FieldBank:
 
     def window(self, y: float, x: float, defocus: float = 0.0) -> Array:
         """Return the light of a point at `y`, `x` in the field and `defocus` C_d in radians, shape (side, side)."""
-        made = next(_mixed(self.axes, self.coefficients, np.array([[y, x, defocus]])))
+        window = next(_interpolated_windows(self.axes, self.coefficients, np.array([[y, x, defocus]])))
         if self.far is None:
-            return made
-        middle = len(self.far.kernel) // 2 - self.half
-        whole = np.asarray((1.0 - made.sum()) * self.far.kernel)
-        whole[middle : middle + len(made), middle : middle + len(made)] += made
+            return window
+        first = len(self.far.kernel) // 2 - self.half
+        whole = np.asarray((1.0 - window.sum()) * self.far.kernel)
+        whole[first : first + len(window), first : first + len(window)] += window
         return whole
 
 
@@ -627,45 +679,49 @@ def build_field_bank(
     settings: Settings,
     tol: float,
 ) -> FieldBank:
-    """Return the bank of one channel for images of this shape; ValueError if windows or bank would be too large."""
+    """Return the bank of one channel for images of this shape; ValueError if windows or bank would be too large.
+
+    `spans` are the ranges of y, x and C_d. `tol` is shared among parabolas, the light beyond the windows and splines.
+    """
     energy, largest = settings.energy, settings.largest or max(1, min(shape) // 2)
-    half, core = light.enough(spans, CORE if energy == 1.0 else energy, largest)
-    far = far_light(light, spans, _FAR * tol, largest, max(shape)) if energy == 1.0 else None
-    beyond = 0.0
+    half, core_half = light.half_widths(spans, CORE if energy == 1.0 else energy, largest)
+    far = far_light(light, spans, _FAR_SHARE * tol, largest, max(shape)) if energy == 1.0 else None
+    far_error = 0.0
     if far is not None:
-        half, beyond = far.half, far.error
-    room = (1.0 - _PARABOLAS) * tol - beyond
-    axes = _axes(light, spans, min(core, half), room)
-    before = 0.0 if all(nodes.count == 1 for nodes in axes) else math.inf
+        half, far_error = far.half, far.error
+    spline_tol = (1.0 - _PARABOLA_SHARE) * tol - far_error
+    axes = _axes(light, spans, min(core_half, half), spline_tol)
+    previous_error = 0.0 if all(nodes.count == 1 for nodes in axes) else math.inf
     while True:
         side = 2 * half + 1
         _require_few(axes, side, tol)
         windows = light.windows(lattice([nodes.places for nodes in axes]), half)
-        held = windows.sum(axis=(1, 2))
-        if far is None and held.min() < energy:  # between the places of the first estimate
+        energies = windows.sum(axis=(1, 2))
+        # The half width was estimated at a few positions: between them PSFs may be larger.
+        if far is None and energies.min() < energy:
             if half == largest:
-                raise light.too_large(lattice([nodes.places for nodes in axes]), energy, largest, held)
+                raise light.too_large(lattice([nodes.places for nodes in axes]), energy, largest, energies)
             half = min(largest, math.ceil(1.05 * half) + 1)
             continue
         if far is None:
-            windows /= held[:, None, None]
+            windows /= energies[:, None, None]
         coefficients: Values = windows.reshape(*(nodes.count for nodes in axes), side, side)
         for axis, nodes in enumerate(axes):
             coefficients = nodes.coefficients(coefficients, axis)
-        error, least = _error_between(light, axes, coefficients, whole=far is None)
-        if error <= room:
-            lost = 1.0 - min(float(held.min()), least) if far is None else far.lost
-            return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + beyond)
+        error, least_energy = _error_between(light, axes, coefficients, normalise=far is None)
+        if error <= spline_tol:
+            lost = 1.0 - min(float(energies.min()), least_energy) if far is None else far.lost
+            return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + far_error)
         degree = axes[0].degree
         # The error of a spline of degree d falls as the (d + 1)th power of the spacing; aim a tenth below.
-        times = max(1.02, (error / (0.9 * room)) ** (1.0 / (degree + 1)))
-        # If closer nodes do not help, axes with a single node may need more.
-        single, before = error > 0.9 * before, error
-        axes = _finer(axes, times, single=single)
+        factor = max(1.02, (error / (0.9 * spline_tol)) ** (1.0 / (degree + 1)))
+        # If denser nodes do not help, axes with a single node may need more.
+        single, previous_error = error > 0.9 * previous_error, error
+        axes = _finer(axes, factor, single=single)
 
 
 def _finer(axes: Sequence[Nodes], times: float, *, single: bool) -> tuple[Nodes, ...]:
-    """Return axes with `times` as many nodes, those with a `single` node included or not."""
+    """Return axes with `times` as many nodes; those with one node only if `single`."""
     return tuple(
         nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes for nodes in axes
     )
@@ -683,69 +739,74 @@ def _require_few(axes: Sequence[Nodes], side: int, tol: float) -> None:
 
 
 def _error_between(
-    light: PointLight, axes: Sequence[Nodes], coefficients: Values, *, whole: bool
+    light: PointLight, axes: Sequence[Nodes], coefficients: Values, *, normalise: bool
 ) -> tuple[float, float]:
-    """Return the largest error of windows half-way between nodes, and the least light that exact ones hold there.
+    """Return the largest error of interpolated windows half-way between nodes, and the least light of exact windows.
 
-    Windows are divided by their light if they stand for the `whole` of it.
+    `normalise`: compare with exact windows of sum 1.
     """
     places = lattice([nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes])
-    # A fixed seed: the same blur twice has the same error.
-    if len(places) > _CHECKED:
-        places = places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
+    # A fixed seed, so that equal arguments give equal errors.
+    if len(places) > _MAX_CHECKED:
+        places = places[np.random.default_rng(0).choice(len(places), _MAX_CHECKED, replace=False)]
     exact = light.windows(places, coefficients.shape[-1] // 2)
-    held = exact.sum(axis=(1, 2))
-    if whole:
-        exact /= held[:, None, None]
-    error = UNEVEN * max(  # excess light of a window is missing in the far light: it counts twice
-        off(made, one) + abs(float((made - one).sum()))
-        for made, one in zip(_mixed(axes, coefficients, places), exact, strict=True)
+    energies = exact.sum(axis=(1, 2))
+    if normalise:
+        exact /= energies[:, None, None]
+    # An error of the sum of a window changes the far light by as much, and therefore counts twice.
+    error = ERROR_RATIO * max(
+        window_difference(window, true) + abs(float((window - true).sum()))
+        for window, true in zip(_interpolated_windows(axes, coefficients, places), exact, strict=True)
     )
-    return error, float(held.min())
+    return error, float(energies.min())
 
 
 def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, ...]:
-    """Return nodes that are dense enough along lines through the spans."""
-    # Degree 5: fewer nodes, of which more count at each place, which pays where there are many.
-    degree = 5 if tol < _FINE or spans[2][0] < spans[2][1] else 3
-    many = max(1, sum(first != last for first, last in spans))
-    share = _SHARES[many - 1] * tol / many
-    found = []
+    """Return nodes along y, x and C_d that are dense enough for windows of this half width.
+
+    Each axis is sampled along lines through the start, middle and end of the other two spans.
+    """
+    # Splines of degree 5 need fewer nodes but weight more of them at each point: faster if there are many nodes.
+    degree = 5 if tol < _QUINTIC_BELOW or spans[2][0] < spans[2][1] else 3
+    varying = max(1, sum(first != last for first, last in spans))
+    axis_tol = _SPLINE_SHARES[varying - 1] * tol / varying
+    axes = []
     for axis, span in enumerate(spans):
         others = [np.unique(np.linspace(*other, 3)) for other in spans]
 
         def sample(along: Array, axis: int = axis, others: list[Array] = others) -> Array:
+            """Return windows (lines, len(along), side, side) at positions along the axis."""
             ticks = [along if k == axis else other for k, other in enumerate(others)]
             windows = light.windows(lattice(ticks), half)
             windows /= windows.sum(axis=(1, 2), keepdims=True)
             shaped = windows.reshape(*(len(tick) for tick in ticks), *windows.shape[1:])
             return np.moveaxis(shaped, axis, 2).reshape(-1, len(along), *windows.shape[1:])
 
-        nodes = enough(sample, *span, share, degree)
+        nodes = sufficient_nodes(sample, *span, axis_tol, degree)
         if nodes is None:
-            what = ("down the image", "across the image", "over the depth")[axis]
+            direction = ("down the image", "across the image", "over the depth")[axis]
             raise ValueError(
-                f"the PSF changes so much {what} that more than {MOST} windows are not enough; ask for a larger tol "
-                f"than {tol:g}, or for parts of the image, by center="
+                f"the PSF changes so much {direction} that more than {MAX_NODES} windows are needed; ask for a "
+                f"larger tol than {tol:g}, or for parts of the image, by center="
             )
-        found.append(nodes)
-    return tuple(found)
+        axes.append(nodes)
+    return tuple(axes)
 
 
-def _mixed(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterator[Array]:
-    """Yield the windows of splines at places, shape (n, 3)."""
+def _interpolated_windows(axes: Sequence[Nodes], coefficients: Values, places: Array) -> Iterator[Array]:
+    """Yield the window (side, side) of the splines at each place; places (n, 3) are y, x and C_d."""
     weights = [nodes.weights(along) for nodes, along in zip(axes, places.T, strict=True)]
-    for parts in zip(*weights, strict=True):
-        used = [np.flatnonzero(share) for share in parts]
-        found: Values = coefficients[np.ix_(*used)]
-        for share, these in zip(parts, used, strict=True):
-            found = np.tensordot(share[these], found, axes=(0, 0))
-        yield found.astype(np.float64, copy=False)
+    for place_weights in zip(*weights, strict=True):
+        used = [np.flatnonzero(along) for along in place_weights]
+        window: Values = coefficients[np.ix_(*used)]
+        for along, nodes in zip(place_weights, used, strict=True):
+            window = np.tensordot(along[nodes], window, axes=(0, 0))
+        yield window.astype(np.float64, copy=False)
 
 
-CORE = 0.9  # share of the light whose changes determine the density of nodes
+CORE = 0.9  # with energy=1: fraction of the light in the windows from which the number of nodes is estimated
 
-_AT_ONCE = 2**24  # values computed at a time
+_MAX_BATCH_VALUES = 2**24  # values of windows computed in one call
 
 Span = tuple[float, float]
 
@@ -755,10 +816,10 @@ class PointLight:
     """The pixel-integrated PSF of a point anywhere in the field of a lens, at any defocus."""
 
     field_map: FieldMap
-    phase: Callable[[Array], Wavefront] | None
-    spectrum: Sequence[tuple[float, float]] | None
+    phase: Callable[[Array], Wavefront] | None  # wavefronts of values of the defocus C_d; None: no defocus
+    spectrum: Sequence[tuple[float, float]] | None  # wavelengths (m) and weights; None: that of the map
     pixel: float  # in the unit of the map
-    tol: float  # of each PSF, over its peak
+    tol: float  # error of each PSF over its peak
     threads: int | None
 
     def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
@@ -770,49 +831,52 @@ class PointLight:
         """Return the share of light in each pixel of windows (n, side, side), for points at y, x and C_d (n, 3)."""
         side = 2 * half + 1
         out = np.zeros((len(places), side, side))
-        step = max(1, _AT_ONCE // side**2)
+        step = max(1, _MAX_BATCH_VALUES // side**2)
         for first in range(0, len(places), step):
-            part = slice(first, first + step)
-            pupil = self.pupil(*places[part].T)
+            batch = slice(first, first + step)
+            pupil = self.pupil(*places[batch].T)
             for wavelength, weight in self.spectrum or ((None, 1.0),):
-                light = pupil if wavelength is None else pupil.in_light(wavelength)
-                given: dict[str, Any] = {"integrate": True, "dtype": np.float64, "threads": self.threads}
-                out[part] += weight * psf(light, side, self.pixel, tol=self.tol, **given).values
+                coloured = pupil if wavelength is None else pupil.in_light(wavelength)
+                options: dict[str, Any] = {"integrate": True, "dtype": np.float64, "threads": self.threads}
+                out[batch] += weight * psf(coloured, side, self.pixel, tol=self.tol, **options).values
         return out
 
-    def enough(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
-        """Return the half widths of windows that hold `energy` of the light, and its core, all over the spans."""
+    def half_widths(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
+        """Return the half widths (pixels) of windows that contain `energy` and at most `CORE` of the light.
+
+        Both hold at all positions of an overview of the spans.
+        """
         places = overview(spans)
         half = math.ceil(float(self.pupil(*places.T).geometric_radius().max()) / self.pixel) + 1
         while True:
             half = min(half, largest)
             windows = self.windows(places, half)
-            held = windows.sum(axis=(1, 2))
-            if held.min() >= energy:
-                return _smallest(windows, energy), _smallest(windows, min(energy, CORE))
+            energies = windows.sum(axis=(1, 2))
+            if energies.min() >= energy:
+                return _smallest_half(windows, energy), _smallest_half(windows, min(energy, CORE))
             if half == largest:
-                raise self.too_large(places, energy, largest, held)
-            # Thirty per cent larger each time: a few windows more are cheaper than one far too large.
+                raise self.too_large(places, energy, largest, energies)
+            # In steps of 30 %: several windows that are too small cost less than one far too large.
             half = math.ceil(1.3 * half) + 1
 
-    def too_large(self, places: Array, energy: float, largest: int, held: Array) -> ValueError:
-        """Return the error of windows at places that would be too large, which hold a share of the light each."""
+    def too_large(self, places: Array, energy: float, largest: int, energies: Array) -> ValueError:
+        """Return the error for windows of the `largest` half width that contain only `energies` of the light."""
         spectrum = self.spectrum or ((None, 1.0),)
-        return too_large(largest, energy, self.pupil(*places.T), spectrum, self.pixel, float(held.min()))
+        return too_large(largest, energy, self.pupil(*places.T), spectrum, self.pixel, float(energies.min()))
 
 
 def lattice(ticks: Sequence[Array]) -> Array:
-    """Return all places of a lattice, shape (n, 3), the last coordinate fastest."""
+    """Return all points of a lattice from its coordinates along three axes, shape (n, 3), the last one fastest."""
     return np.stack([part.ravel() for part in np.meshgrid(*ticks, indexing="ij")], axis=1)
 
 
 def overview(spans: Sequence[Span]) -> Array:
-    """Return places all over the spans, shape (n, 3)."""
+    """Return a coarse lattice over the spans of y, x and C_d, shape (n, 3)."""
     return lattice([np.unique(np.linspace(*span, 5 if axis < 2 else 3)) for axis, span in enumerate(spans)])
 
 
-def _smallest(windows: Array, energy: float) -> int:
-    """Return half of the smallest windows, of the same middles, that hold `energy`."""
+def _smallest_half(windows: Array, energy: float) -> int:
+    """Return the half width of the smallest centred windows that all contain `energy` of the light."""
     half = int(windows.shape[-1]) // 2
     while half > 0:
         inner = windows[:, 1:-1, 1:-1]
@@ -822,17 +886,18 @@ def _smallest(windows: Array, energy: float) -> int:
     return half
 
 
-MOST = 513  # most nodes along one axis
+MAX_NODES = 513  # along one axis
 
-UNEVEN = 1.2  # largest error of a spline over that half-way between nodes, which occurs near the ends
+ERROR_RATIO = 1.2  # largest error of a spline, near its ends, over the largest half-way between nodes
 
-# Distances near the ends over those elsewhere, by degree: splines would err five times as much there otherwise.
-_ENDS = {3: (0.5, 0.8), 5: (0.35, 0.6, 0.8)}
+# Distances of nodes near the ends over those elsewhere, by degree: with equal distances the errors near the ends
+# would be five times as large.
+_END_SPACINGS = {3: (0.5, 0.8), 5: (0.35, 0.6, 0.8)}
 
 
 @dataclass(frozen=True)
 class Nodes:
-    """Nodes along an axis, denser at its ends, and not-a-knot splines through values at them."""
+    """Nodes along an axis from `first` to `last`, denser at its ends, and not-a-knot splines through values there."""
 
     first: float
     last: float
@@ -852,12 +917,12 @@ class Nodes:
     @cached_property
     def _along(self) -> Array:
         """Positions of the nodes on [0, 1]."""
-        cells, closer = np.ones(max(0, self.count - 1)), _ENDS[self.degree]
-        if len(cells) > 2 * len(closer):
-            cells[: len(closer)] = closer
-            cells[-len(closer) :] = closer[::-1]
-        ends = np.concatenate([[0.0], np.cumsum(cells)])
-        return np.asarray(ends / max(1.0, ends[-1]))
+        spacings, closer = np.ones(max(0, self.count - 1)), _END_SPACINGS[self.degree]
+        if len(spacings) > 2 * len(closer):
+            spacings[: len(closer)] = closer
+            spacings[-len(closer) :] = closer[::-1]
+        positions = np.concatenate([[0.0], np.cumsum(spacings)])
+        return np.asarray(positions / max(1.0, positions[-1]))
 
     @cached_property
     def _spline(self) -> BSpline:
@@ -881,21 +946,25 @@ class Nodes:
         """Return the weight of each coefficient at places (n,), shape (n, count), constant beyond the ends."""
         return np.ones((len(places), 1)) if self.count == 1 else np.asarray(self._matrix(places).toarray())
 
-    def shares(self, places: Array) -> list[tuple[int, Array]]:
-        """Return the nodes with weights that are not 0, and these, in the shape of places; 1 for a single node."""
+    def nonzero_weights(self, places: Array) -> list[tuple[int, Array]]:
+        """Return the nodes with a nonzero weight at any place, each with its weights in the shape of places.
+
+        The weight of a single node is the scalar 1.
+        """
         if self.count == 1:
             return [(0, np.ones(()))]
         # By columns of the sparse matrix: few nodes have weight at any place.
-        matrix, found = self._matrix(places.ravel()).tocsc(), []
+        matrix, weights = self._matrix(places.ravel()).tocsc(), []
         for node in range(self.count):
             part = slice(matrix.indptr[node], matrix.indptr[node + 1])
             if part.stop > part.start:
                 column = np.zeros(places.size)
                 column[matrix.indices[part]] = matrix.data[part]
-                found.append((node, column.reshape(places.shape)))
-        return found
+                weights.append((node, column.reshape(places.shape)))
+        return weights
 
     def _matrix(self, places: Array) -> csr_array:
+        """Return the sparse matrix of weights, shape (places, nodes)."""
         from scipy.interpolate import BSpline
 
         along = np.clip((places - self.first) / (self.last - self.first), 0.0, 1.0)
@@ -903,42 +972,48 @@ class Nodes:
 
     def finer(self, times: float) -> Nodes:
         """Return nodes `times` as dense, and at least one more."""
-        cells = max(1, self.count - 1)
-        return replace(self, count=max(self.count, math.ceil(cells * times)) + 1)
+        gaps = max(1, self.count - 1)
+        return replace(self, count=max(self.count, math.ceil(gaps * times)) + 1)
 
 
-def off(one: Values, other: Values) -> float:
-    """Return the largest sum of absolute differences of windows."""
-    return float(np.abs(one - other).sum(axis=(-2, -1)).max(initial=0.0))
+def window_difference(windows: Values, others: Values) -> float:
+    """Return the sum over pixels of absolute differences between windows (..., side, side), at its largest."""
+    return float(np.abs(windows - others).sum(axis=(-2, -1)).max(initial=0.0))
 
 
-def enough(sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int = 3) -> Nodes | None:
-    """Return nodes whose splines err by at most `tol` on ``sample(places)``, None if that takes too many."""
+def sufficient_nodes(
+    sample: Callable[[Array], Array], first: float, last: float, tol: float, degree: int = 3
+) -> Nodes | None:
+    """Return nodes whose splines differ from ``sample(places)`` by at most `tol`, or None above `MAX_NODES`.
+
+    `sample` returns windows at places along the axis, shape (lines, places, side, side); see `window_difference`.
+    """
     if first == last:
         return Nodes(first, first, 1, degree)
     nodes = Nodes(first, last, 3, degree)
-    known = sample(nodes.places)
-    if off(known, known[:, :1]) <= tol:
+    coarse = sample(nodes.places)
+    if window_difference(coarse, coarse[:, :1]) <= tol:
         return replace(nodes, count=1)
 
-    def over(nodes: Nodes) -> float:
-        """Return the factor by which the spacing of nodes exceeds the sufficient one."""
-        made = interpolated(nodes, sample(nodes.places), nodes.between)
-        # The error falls by 2^(degree + 1) where nodes are twice as close.
-        return float((UNEVEN * off(made, sample(nodes.between)) / tol) ** (1.0 / (degree + 1)))
+    def spacing_ratio(nodes: Nodes) -> float:
+        """Return the spacing of nodes over that with an error of `tol`."""
+        windows = interpolated(nodes, sample(nodes.places), nodes.between)
+        # The error of splines is proportional to spacing^(degree + 1).
+        error = ERROR_RATIO * window_difference(windows, sample(nodes.between))
+        return float((error / tol) ** (1.0 / (degree + 1)))
 
-    while (ratio := over(nodes)) > 1.0:
+    while (ratio := spacing_ratio(nodes)) > 1.0:
         nodes = replace(nodes, count=2 * nodes.count - 1)
-        if nodes.count > MOST:
+        if nodes.count > MAX_NODES:
             return None
-    # Doubling overshoots: nodes are thinned out to what suffices.
+    # Doubling overshoots: reduce the number of nodes to one that is just sufficient.
     fewer = replace(nodes, count=math.ceil((nodes.count - 1) * max(0.5, ratio)) + 1)
-    while fewer.count < nodes.count and (ratio := over(fewer)) > 1.0:
+    while fewer.count < nodes.count and (ratio := spacing_ratio(fewer)) > 1.0:
         fewer = replace(fewer, count=max(fewer.count + 1, math.ceil((fewer.count - 1) * ratio) + 1))
     return fewer if fewer.count < nodes.count else nodes
 
 
 def interpolated(nodes: Nodes, values: Values, places: Array) -> Array:
-    """Return splines through values along the second axis, evaluated at places."""
-    made = np.tensordot(nodes.weights(places), nodes.coefficients(values, 1), axes=(1, 1))
-    return np.moveaxis(made, 0, 1)
+    """Return splines through values along the second axis, evaluated at places along it."""
+    result = np.tensordot(nodes.weights(places), nodes.coefficients(values, 1), axes=(1, 1))
+    return np.moveaxis(result, 0, 1)

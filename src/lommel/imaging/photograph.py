@@ -688,10 +688,10 @@ class StraightBlur(FieldBlur):
     """Blur by the PSFs of a field map without their tilts, of an image that is already distorted."""
 
     @property
-    def _points(self) -> type[PointLight]:
+    def _point_light(self) -> type[PointLight]:
         return StraightLight
 
-    def _reached(self, x: Array, y: Array) -> None:
+    def _require_within_map(self, x: Array, y: Array) -> None:
         """Raise ValueError where light comes from outside the map."""
         for spectrum in self.spectra:
             self.field_map.undistorted(x, y, spectrum)

@@ -74,7 +74,7 @@ def test_windows_of_random_sources_err_by_less_than_is_said(tol):
 
 
 def test_nodes_that_lines_did_not_show_to_be_too_few_become_more(monkeypatch):
-    monkeypatch.setattr(field_blur, "_SHARES", (100.0, 100.0, 100.0))
+    monkeypatch.setattr(field_blur, "_SPLINE_SHARES", (100.0, 100.0, 100.0))
     blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, largest=30)
     windows = exact(STEEP, blur, np.array([5, 20]), np.array([3, 33]), blur.banks[0].half)
     made = np.stack([blur.window(5, 3), blur.window(20, 33)])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lommel.imaging import field_blur
-from lommel.imaging.field_blur import MOST, MixedBlur, Nodes, enough, interpolated
+from lommel.imaging.field_blur import MAX_NODES, MixedBlur, Nodes, interpolated, sufficient_nodes
 
 
 @pytest.mark.parametrize("degree", [3, 5])
@@ -42,7 +42,7 @@ def test_shares_are_the_columns_of_weights_that_count(count: int) -> None:
     nodes = Nodes(0.0, 1.0, count)
     places = np.random.default_rng(0).uniform(0.3, 0.45, (3, 5))
     weights = nodes.weights(places.ravel())
-    found = nodes.shares(places)
+    found = nodes.nonzero_weights(places)
     assert [place for place, _ in found] == np.flatnonzero(weights.any(axis=0)).tolist()
     for place, share in found:
         np.testing.assert_array_equal(share, weights[:, place].reshape(3, 5))
@@ -61,7 +61,7 @@ def test_nodes_are_close_enough_and_not_much_closer(frequency: float, tol: float
         places = np.linspace(0.0, 2.0, 3001)
         return float(np.abs(interpolated(nodes, waves(nodes.places), places) - waves(places)).max())
 
-    nodes = enough(waves, 0.0, 2.0, tol, degree)
+    nodes = sufficient_nodes(waves, 0.0, 2.0, tol, degree)
     assert nodes is not None
     assert nodes.degree == degree
     assert worst(nodes) <= 1.05 * tol
@@ -76,11 +76,11 @@ def test_what_does_not_change_takes_one_node_and_what_changes_too_much_has_none(
     def steep(places: np.ndarray) -> np.ndarray:
         return np.cos(1e4 * places)[None, :, None, None]
 
-    assert enough(flat, 0.0, 1.0, 1e-3) == Nodes(0.0, 1.0, 1)
-    assert enough(steep, 0.5, 0.5, 1e-3) == Nodes(0.5, 0.5, 1)
-    assert enough(steep, 0.0, 1.0, 1e-3) is None
+    assert sufficient_nodes(flat, 0.0, 1.0, 1e-3) == Nodes(0.0, 1.0, 1)
+    assert sufficient_nodes(steep, 0.5, 0.5, 1e-3) == Nodes(0.5, 0.5, 1)
+    assert sufficient_nodes(steep, 0.0, 1.0, 1e-3) is None
     assert Nodes(0.0, 1.0, 1).finer(1.1).count == 3
-    assert Nodes(0.0, 1.0, MOST).finer(2.0).count == 2 * MOST - 1
+    assert Nodes(0.0, 1.0, MAX_NODES).finer(2.0).count == 2 * MAX_NODES - 1
 
 
 HEIGHT, WIDTH, SIDE = 23, 31, 5
@@ -114,7 +114,7 @@ def direct(engine: MixedBlur, down: np.ndarray, across: np.ndarray, light: np.nd
 def test_blocks_of_any_size_add_up_to_the_sum_over_points(monkeypatch, deep, kept, longest):
     monkeypatch.setattr(field_blur, "_OVERHEAD", 0 if longest < 100 else 20_000)
     monkeypatch.setattr(field_blur, "_LONGEST", longest)
-    monkeypatch.setattr(field_blur, "_KEPT", field_blur._KEPT if kept else 0)
+    monkeypatch.setattr(field_blur, "_MAX_KEPT_BYTES", field_blur._MAX_KEPT_BYTES if kept else 0)
     engine, down, across = made(deep)
     light, image = np.random.default_rng(1).standard_normal((2, HEIGHT, WIDTH))
     out, exact = engine.forward(light), direct(engine, down, across, light)

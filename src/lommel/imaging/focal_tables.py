@@ -1,27 +1,31 @@
-r"""Filters that tell depth from frames of different focus, as few polynomials of one small filter.
+r"""Depth from defocus: filters whose residuals vanish at the true depth, as polynomials of one small filter.
 
-With the names of :mod:`lommel.estimation.focal_model`, let ``q = sum of h_i^2 / N_i`` and W = S q / (1 + S q), times
-a high pass. At the vergence u the residual of the frames i < j is
+The symbols are those of :mod:`lommel.estimation.focal_model`: h_i, N_i and Y_i are transfer function, noise and
+spectrum of frame i, S is the power of the texture and u the vergence (1 / distance). Let ``q = sum of h_i^2 / N_i``
+and W = S q / (1 + S q), times a high pass. At the vergence u the residual of the frames i < j is
 
-    e_ij = sqrt(W) (h_j Y_i - h_i Y_j) / sqrt(N_i N_j q) :
+    e_ij = sqrt(W) (h_j Y_i - h_i Y_j) / sqrt(N_i N_j q) .
 
-noise at the true u, whatever the texture; by Lagrange's identity the energies of all pairs add up to that of the
-frames orthogonal to h. Common factors of the frames, such as the pixel, drop out of the direction, and so filters are
-functions of \|f\| alone but for the weight. They are made as
+At the true u the scene cancels, whatever its texture, and the residual is noise. Its energy, the mean square over a
+window, is lowest there. By Lagrange's identity the energies of all pairs add up to the energy of the component of the
+frames (Y_i) orthogonal to (h_i). The transfer function of the pixel, a common factor of all h_i, does not change this
+direction: filters therefore depend on \|f\| alone, except for W. They are approximated by
 
     e = sum over i, m of c_im T_m(2 B - 1) Y_i ,    B(f) = b(fx) b(fy) ,
 
-T_m being Chebyshev polynomials, by a recursion of M steps for each frame that serves all vergences, pairs and sharp
-images (compare McClellan, 7th Princeton Conference on Information Sciences, 1973). Coefficients are least squares in
-the metric of the data: what leaks of a scene through a null that is not perfect costs as much as it does in use. Of
-their matrix a few singular vectors are kept, so that energies at all vergences are quadratic forms of few images.
+with Chebyshev polynomials T_m of a small filter b. The recursion of T_m, M steps for each frame, is computed once for
+all vergences, pairs and sharp images (compare McClellan, 7th Princeton Conference on Information Sciences, 1973).
+The coefficients c_im are a least-squares fit weighted by the power of scene and noise, because a filter that does not
+vanish exactly lets the scene through in proportion to its power. The matrix of coefficients is reduced to a few
+singular vectors, so that energies at all vergences are quadratic forms of few images.
 
-The standard error follows from the filters as they are. With S_ee, S_dd and S_ed the spectra of e, of its derivative
-by u, and between them, and N the pixels of a window, half of the energy's derivative has the variance
-``mean of (S_ee S_dd + S_ed^2) / N``, less where the images are correlated over as much as the window; one part of it
-grows as the curvature kappa of the energy and the other is of noise alone:
-``sigma_u^2 = (by_texture kappa + by_noise) / (kappa^2 N)``. Where there is little texture noise bends the least of
-the energy: kappa is then what the depth of the valley tells, for the texture that the filters are made for.
+The standard error is computed for the fitted filters. With S_ee, S_dd and S_ed the spectra of e, of its derivative
+with respect to u, and their cross-spectrum, and N the pixels of a window, half of the energy's derivative has the
+variance ``mean of (S_ee S_dd + S_ed^2) / N``, or less if the images are correlated over the size of a window. One
+part of the variance is proportional to kappa, half of the energy's second derivative; the other is of noise alone:
+``sigma_u^2 = (texture_variance kappa + noise_variance) / (kappa^2 N)``. With little texture, noise dominates the
+measured curvature; kappa is then estimated from the depth of the minimum below the mean energy, by the ratio of both
+for the texture of the model.
 """
 
 from __future__ import annotations
@@ -40,30 +44,31 @@ from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import Band, FocalLight, FocalModel
 from lommel.optics.lens import Lens
 
-_HIGH_PASS = 0.012  # cycles per pixel: slower changes are of exposures, shading and offsets
-_BLIND = 1e4  # power of a scene at frequency 0, over the noise, that filters are to withstand
-_SHARED_ALIASES = 0.4  # of those of textures whose spectrum goes on beyond the Nyquist frequency; many fall off
-_SHARP_LOSS = 0.01  # of the squared error of Wiener's filter, likewise
-_BEYOND = 0.08  # of the range, by which candidates reach beyond either end of it
-_VALLEY = 61  # candidates that the depth of a valley is taken from
-_WORTH = 1.25  # standard errors may grow so much by squares of pixels, which take a quarter of the work
-# Taps, degree, the share of the norm of all filters that the singular vectors left out may have together, and what
-# the filters' standard errors over the bound may be for these to do: their median, and the most. Short filters are
-# tried first, for long ones bring light from afar.
-_TRIED = ((3, 8, 1e-2, 1.08, math.inf), (5, 12, 1e-2, 1.08, 1.45), (5, 12, 5e-3, math.inf, math.inf))
-_MEAN = 1e7  # power at frequency 0 of an image that is to keep its mean
+_HIGH_PASS = 0.012  # cycles per pixel: slower variations are due to exposure, shading and offsets
+_MEAN_REJECTION = 1e4  # power at frequency 0, over the noise, assumed for each frame: residuals then ignore its mean
+_SHARED_ALIASES = 0.4  # share of the aliases of the texture model that is assumed: many spectra fall off faster
+_SHARP_LOSS = 0.01  # relative increase of the squared error of the Wiener filter by discarded singular vectors
+_MARGIN = 0.08  # of the range of vergence, by which the candidates extend beyond either end
+_MAX_VALLEY = 61  # candidates over which the mean energy is taken, above which the depth of a minimum is measured
+_MAX_BINNING_LOSS = 1.25  # factor by which binning, which takes a quarter of the work, may raise standard errors
+# Designs in the order tried: taps, degree, the discarded share of the norm of all filters, and the largest accepted
+# median and maximum of the standard errors over the Cramér-Rao bound. Short filters come first, because the residual
+# at a pixel then depends on fewer pixels around it.
+_DESIGNS = ((3, 8, 1e-2, 1.08, math.inf), (5, 12, 1e-2, 1.08, 1.45), (5, 12, 5e-3, math.inf, math.inf))
+_MEAN_POWER = 1e7  # power at frequency 0, over the noise, assumed for sharp images: these then keep the mean
 
 
 class Taps(NamedTuple):
-    """The filter b along one axis: its value at 0, 1, ... pixels from the middle."""
+    """The symmetric filter b along one axis: its values at 0, 1, ... pixels from the middle."""
 
     values: tuple[float, ...]
 
     @classmethod
     def of(cls, count: int) -> Self:
-        """Return three taps, cos^2(w / 2), or five, whose contours are circles to one more order.
+        """Return the filter of three or five taps, with frequency w in radians per pixel.
 
-        With s = sin(w / 2) these are ``1 - (4 / 3) s^2 + (4 / 9) s^4``, where the fourth order of log b vanishes.
+        Three taps: ``b = cos^2(w / 2)``. Five taps: ``b = 1 - (4 / 3) s^2 + (4 / 9) s^4`` with s = sin(w / 2), for
+        which the fourth order of log b vanishes, so that contours of B are circles to one more order.
         """
         if count == 3:
             return cls((0.5, 0.25))
@@ -76,7 +81,7 @@ class Taps(NamedTuple):
         return np.asarray(self.values[0] + 2.0 * sum(v * np.cos(k * w) for k, v in enumerate(self.values) if k))
 
     def padded(self) -> tuple[float, float, float]:
-        """Return three values, the last 0 where there are two."""
+        """Return three values; the third is 0 for a filter of three taps."""
         first, second, *rest = self.values
         return first, second, rest[0] if rest else 0.0
 
@@ -91,37 +96,40 @@ class Taps(NamedTuple):
 
 @dataclass(frozen=True)
 class FocalTables:
-    """What the stream of frames takes: filters, energies and their statistics at each candidate vergence.
+    """Filters of the frames, energies of residuals and their statistics, at each of c candidate vergences.
 
     Attributes
     ----------
     vergence : ndarray, shape (c,)
-        Candidates, equally spaced, 1 / m; they reach beyond the range.
+        Candidate vergences, 1 / m, equally spaced. They extend beyond the range.
     binning : int
-        Pixels a side of the squares that are summed first.
+        Side in pixels of the squares that are summed before filtering.
     taps : Taps
+        The filter b.
     basis : ndarray, shape (rank, frames, degree + 1)
-        Images e_k as sums of T_m y_i.
+        Basis images e_k: coefficients of T_m Y_i.
     mixes : ndarray, shape (c, pairs, rank)
-        Residuals as sums of these.
+        Residuals: coefficients of e_k.
     noise : ndarray, shape (c,)
         Energy of the residuals of white noise of variance 1.
-    by_texture, by_noise : ndarray, shape (c,)
-        Variance of half of the energy's derivative by candidate: the part that grows as its curvature, and the rest.
-    steepness : ndarray, shape (c,)
-        Half of the energy's second derivative over how far the mean of all energies is above it, of a texture as
-        designed for.
-    of_curvature : ndarray, shape (c,)
-        Variance of half of the second derivative by noise alone.
+    texture_variance, noise_variance : ndarray, shape (c,)
+        Variance of half of the energy's derivative (energy per candidate), times the pixels of a window: the part due
+        to texture over kappa, and the part due to noise alone.
+    curvature_ratio : ndarray, shape (c,)
+        kappa over the difference between the mean energy of the candidates and the energy at the true one, for the
+        texture of the model.
+    curvature_variance : ndarray, shape (c,)
+        Variance of kappa due to noise alone, times the pixels of a window.
     bias, errors, bound : ndarray, shape (c,)
-        Of a texture as designed for, in candidates, by one pixel's information: bias, standard error, Cramér-Rao
-        bound.
+        Bias, standard error and Cramér-Rao bound of the vergence from the texture of a single pixel, in candidates.
     light : FocalLight
-        That the tables were made for.
+        Light of a pixel for which the tables were computed.
     white : ndarray, shape (frames,)
-        Variance of each frame over that of one of exposure 1.
-    left : float
-        Share of the norm of all filters that was left out.
+        Variance of each frame over that of a frame of exposure 1.
+    discarded : float
+        Share of the norm of all filters in the singular vectors that were discarded.
+
+    Derivatives are with respect to the index of the candidate; kappa is half of the energy's second derivative.
     """
 
     vergence: Array
@@ -130,38 +138,49 @@ class FocalTables:
     basis: Array
     mixes: Array
     noise: Array
-    by_texture: Array
-    by_noise: Array
-    steepness: Array
-    of_curvature: Array
+    texture_variance: Array
+    noise_variance: Array
+    curvature_ratio: Array
+    curvature_variance: Array
     bias: Array
     errors: Array
     bound: Array
     light: FocalLight
     white: Array
-    left: float
+    discarded: float
 
     @property
     def degree(self) -> int:
-        """The number of steps of the recursion."""
+        """Degree of the polynomials, the number of steps of the recursion."""
         return int(self.basis.shape[2]) - 1
 
     @property
     def rank(self) -> int:
-        """The number of images whose products make all energies."""
+        """Number of basis images, whose products give all energies."""
         return len(self.basis)
 
     @property
     def step(self) -> float:
-        """The vergence from one candidate to the next."""
+        """Difference of vergence between neighbouring candidates, 1 / m."""
         return float(self.vergence[1] - self.vergence[0])
 
     def statistics(self) -> Array:
-        """Return the rows that the search for the least energy takes."""
-        return np.stack([self.noise, self.by_texture, self.by_noise, self.steepness, self.of_curvature])
+        """Return the statistics in the order that :class:`FocalStream` expects, shape (5, c)."""
+        return np.stack(
+            [
+                self.noise,
+                self.texture_variance,
+                self.noise_variance,
+                self.curvature_ratio,
+                self.curvature_variance,
+            ]
+        )
 
     def forms(self, rank: int) -> Array:
-        """Return the energies as quadratic forms, factors of e_k e_l for k <= l, as if there were `rank` images."""
+        """Return the energies as quadratic forms: factors of e_k e_l for k <= l, shape (c, rank (rank + 1) / 2).
+
+        With a `rank` above that of the tables the further factors are 0.
+        """
         k, l = np.triu_indices(rank)
         mixes = np.zeros((*self.mixes.shape[:2], rank))
         mixes[..., : self.rank] = self.mixes
@@ -170,11 +189,15 @@ class FocalTables:
 
 
 def candidates(between: tuple[float, float], count: int, lenses: Sequence[Lens]) -> Array:
-    """Return equally spaced vergences, which reach beyond a range of distances as far as there is focus."""
+    """Return `count` equally spaced vergences (1 / m) that extend a little beyond a range of distances (m).
+
+    They stay between 0 (infinity) and 0.9 / focal length, unless the range goes beyond: at the focal length images
+    are at infinity.
+    """
     far, near = 1.0 / between[1], 1.0 / between[0]
-    more = _BEYOND * (near - far)
+    margin = _MARGIN * (near - far)
     nearest = 0.9 / max(lens.focal_length for lens in lenses)
-    return np.linspace(max(far - more, 0.0), max(near, min(near + more, nearest)), count)
+    return np.linspace(max(far - margin, 0.0), max(near, min(near + margin, nearest)), count)
 
 
 def focal_tables(
@@ -184,41 +207,44 @@ def focal_tables(
     *,
     like: FocalTables | None = None,
 ) -> FocalTables:
-    """Return the tables for windows of weights of blocks, from the middle on, of some pixels a side.
+    """Return the tables of a channel, with the largest binning and the shortest filters that lose little precision.
 
-    `model_of` returns the model of squares of so many pixels a side. By the largest squares that cost little
-    precision, up to a block, and as few terms as will do; or by the squares and polynomials of others.
+    `model_of` returns the model of frames binned by a number of pixels a side. `blocks` describes the windows over
+    which energies are averaged: weights of blocks along an axis, from the central one outwards, and the side of a
+    block in pixels. With `like` binning, filter b and degree are those of the tables of another channel.
     """
     weights, block = blocks
 
-    def made_of(model: FocalModel, taps: Taps, degree: int, left: float, binning: int) -> FocalTables:
-        return _tables(model, taps, degree, left, binning, light, _overlap(weights, block // binning))
+    def design(model: FocalModel, taps: Taps, degree: int, discarded: float, binning: int) -> FocalTables:
+        return _tables(model, taps, degree, discarded, binning, light, _overlap(weights, block // binning))
 
     if like is not None:
-        return made_of(model_of(like.binning), like.taps, like.degree, like.left, like.binning)
-    squares = [s for s in (1, 2, 4) if s <= block]
-    models = [model_of(s) for s in squares]
+        return design(model_of(like.binning), like.taps, like.degree, like.discarded, like.binning)
+    binnings = [side for side in (1, 2, 4) if side <= block]
+    models = [model_of(side) for side in binnings]
+    # Without the outer tenths, most of which is beyond the range.
     tenth = len(models[0].vergence) // 10
     inner = slice(tenth, -tenth or None)
-    bounds = [_bound(model)[inner] * s for model, s in zip(models, squares, strict=True)]
-    best = max(k for k, each in enumerate(bounds) if (each / bounds[0]).max() <= _WORTH)
-    for taps, degree, left, median, most_over in _TRIED:
-        made = made_of(models[best], Taps.of(taps), degree, left, squares[best])
-        over = (made.errors / made.bound)[inner]
-        if np.median(over) <= median and over.max() <= most_over:
+    # A window has fewer binned pixels by binning^2: errors per window compare as bound * binning.
+    bounds = [_bound(model)[inner] * side for model, side in zip(models, binnings, strict=True)]
+    best = max(k for k, bound in enumerate(bounds) if (bound / bounds[0]).max() <= _MAX_BINNING_LOSS)
+    for taps, degree, discarded, largest_median, largest in _DESIGNS:
+        tables = design(models[best], Taps.of(taps), degree, discarded, binnings[best])
+        ratios = (tables.errors / tables.bound)[inner]
+        if np.median(ratios) <= largest_median and ratios.max() <= largest:
             break
-    return made
+    return tables
 
 
 def _bound(model: FocalModel) -> Array:
-    """Return the Cramér-Rao bound of one pixel, in candidates."""
+    """Return the Cramér-Rao bound of the vergence from a single pixel, in candidates, shape (c,)."""
     step = model.vergence[1] - model.vergence[0]
     slope = np.gradient(model.transfer, float(step), axis=0)
     return np.asarray(1.0 / (step * np.sqrt(np.maximum(model.information(slope), 1e-300))))
 
 
 def residual_filters(model: FocalModel) -> Array:
-    """Return the filters of all pairs of frames, shape (c, pairs, frames, frequencies)."""
+    """Return the factors of Y_i in e_ij for all pairs of frames, shape (c, pairs, frames, frequencies)."""
     h, noise, q = model.transfer, model.noise, model.signal()
     f = np.hypot(model.band.fx, model.band.fy)
     weight = model.texture * q / (1.0 + model.texture * q) * -np.expm1(-0.5 * (f / _HIGH_PASS) ** 2)
@@ -231,165 +257,195 @@ def residual_filters(model: FocalModel) -> Array:
 
 
 def shifts(model: FocalModel, other: FocalModel) -> Array:
-    """Return by how many candidates depth is off, to first order, if data have one model and filters are of another.
+    """Return the error of the vergence, in candidates to first order, if frames of `model` are filtered for `other`.
 
-    `model` is of threes: the candidate before, that itself, and the one after; `other` is of those in the middle. The
-    energy's derivative by the vergence vanishes where ``<e' (e + de)> = 0``: the shift is ``-<e' de> / <e' e'>``, e'
-    being the derivative of the residual and de what the other filters leave of the scene, in the mean over a texture
-    as designed for.
+    `model` has three vergences for each candidate: that of the candidate before, its own, and that of the candidate
+    after; `other` has one. The energy's derivative vanishes where ``<e' (e + de)> = 0``, which is shifted by
+    ``-<e' de> / <e' e'>``. Here e' is the derivative of the residual with respect to the candidate, de the residual
+    of the scene in the filters of `other`, and <> the mean over the texture of the model.
     """
-    h, share, filters = model.transfer[1::3], model.texture * model.band.share, residual_filters(model)
+    h, power, filters = model.transfer[1::3], model.texture * model.band.share, residual_filters(model)
     slopes = 0.5 * np.einsum("cpif,cif->cpf", filters[2::3] - filters[::3], h)
-    left = np.einsum("cpif,cif->cpf", residual_filters(other), h)
-    return np.asarray(-((slopes * left) @ share).sum(axis=1) / ((slopes**2) @ share).sum(axis=1))
+    residual = np.einsum("cpif,cif->cpf", residual_filters(other), h)
+    return np.asarray(-((slopes * residual) @ power).sum(axis=1) / ((slopes**2) @ power).sum(axis=1))
 
 
 class _Fit:
-    """Least squares of filters by Chebyshev polynomials, in the metric of the data."""
+    """Least-squares fit of filters by Chebyshev polynomials, weighted by the cross-spectra of the frames.
 
-    def __init__(self, model: FocalModel, terms: Array, mean: float, ridge: float) -> None:
-        self._model, self._terms, self._mean, self._ridge = model, terms, mean, ridge
+    Parameters
+    ----------
+    model : FocalModel
+    terms : ndarray, shape (degree + 1, frequencies)
+        Polynomials T_m at the frequencies of the model.
+    mean_power : float
+        Power at frequency 0 that all frames have in common, or 0: filters then ignore the mean of each frame.
+    ridge : float
+        Relative ridge of the normal equations.
+    """
+
+    def __init__(self, model: FocalModel, terms: Array, mean_power: float, ridge: float) -> None:
+        self._model, self._terms, self._mean_power, self._ridge = model, terms, mean_power, ridge
         self._share = model.band.share.copy()
         self._share[0] = 1.0
 
     def coefficients(self, filters: Array) -> tuple[Array, Array]:
-        """Return those of filters (c, pairs, frames, frequencies), and the mean metric of all candidates."""
+        """Return the coefficients of filters (c, pairs, frames, frequencies), and the mean normal matrix.
+
+        Coefficients have the shape (c, pairs, frames * (degree + 1)), the matrix, averaged over candidates, has one
+        row for each of them.
+        """
         count, pairs, frames = filters.shape[:3]
         terms, size = self._terms, len(self._terms)
-        made, mean = np.empty((count, pairs, frames * size)), np.zeros((frames * size, frames * size))
+        coefficients = np.empty((count, pairs, frames * size))
+        mean_normal = np.zeros((frames * size, frames * size))
         for c in range(count):
-            metric = self._metric(c) * self._share
-            gram = np.einsum("mf,ijf,nf->imjn", terms, metric, terms, optimize=True).reshape(mean.shape)
-            gram[np.diag_indices(len(gram))] += self._ridge * np.trace(gram) / len(gram)
-            right = np.einsum("mf,ijf,pjf->imp", terms, metric, filters[c], optimize=True).reshape(len(gram), pairs)
-            made[c] = np.linalg.solve(gram, right).T
-            mean += gram / count
-        return made, mean
+            spectra = self._cross_spectra(c) * self._share
+            normal = np.einsum("mf,ijf,nf->imjn", terms, spectra, terms, optimize=True).reshape(mean_normal.shape)
+            normal[np.diag_indices(len(normal))] += self._ridge * np.trace(normal) / len(normal)
+            right = np.einsum("mf,ijf,pjf->imp", terms, spectra, filters[c], optimize=True)
+            coefficients[c] = np.linalg.solve(normal, right.reshape(len(normal), pairs)).T
+            mean_normal += normal / count
+        return coefficients, mean_normal
 
-    def _metric(self, c: int) -> Array:
-        """Return the power of the data of a candidate, (frames, frames, frequencies)."""
+    def _cross_spectra(self, c: int) -> Array:
+        """Return the cross-spectra of the frames of a candidate, scene and noise, (frames, frames, frequencies)."""
         h = self._model.transfer[c]
-        metric = self._model.texture * h[:, None] * h[None]
+        spectra = self._model.texture * h[:, None] * h[None]
         for i, noise in enumerate(self._model.noise[c]):
-            metric[i, i] += noise
-        # A mean that all frames share, or, blind to it, one of each.
-        metric[:, :, 0] = _BLIND * np.eye(len(h)) if not self._mean else self._mean + np.eye(len(h))
-        return np.asarray(metric)
+            spectra[i, i] += noise
+        # Frequency 0: a mean that all frames have in common or, to ignore means, an independent mean of each frame.
+        mean = self._mean_power + np.eye(len(h)) if self._mean_power else _MEAN_REJECTION * np.eye(len(h))
+        spectra[:, :, 0] = mean
+        return np.asarray(spectra)
 
 
 def _overlap(weights: Array, side: int) -> Array:
-    """Return how far a window overlaps with itself at 0, 1, ... squares along an axis, over that at 0."""
+    """Return the autocorrelation of a window along an axis at lags of 0, 1, ... binned pixels, over that at lag 0.
+
+    `weights` are those of blocks from the central one outwards, `side` is the side of a block in binned pixels.
+    """
     along = np.repeat(np.append(weights[:0:-1], weights), side)
-    whole = np.correlate(along, along, "full")[len(along) - 1 :]
-    return np.asarray(whole / whole[0])
+    autocorrelation = np.correlate(along, along, "full")[len(along) - 1 :]
+    return np.asarray(autocorrelation / autocorrelation[0])
 
 
 def _tables(
-    model: FocalModel, taps: Taps, degree: int, left: float, binning: int, light: FocalLight, overlap: Array
+    model: FocalModel, taps: Taps, degree: int, discarded: float, binning: int, light: FocalLight, overlap: Array
 ) -> FocalTables:
-    """Return the tables of a model, by polynomials of a degree."""
+    """Return the tables of a model with polynomials of a degree; `overlap` is the autocorrelation of a window."""
     band = model.band
     terms = taps.chebyshev(band.fx, band.fy, degree)
     filters = residual_filters(model)
-    fitted, metric = _Fit(model, terms, 0.0, 1e-9).coefficients(filters)
+    coefficients, normal = _Fit(model, terms, 0.0, 1e-9).coefficients(filters)
     count, pairs, frames = filters.shape[:3]
-    mixes, basis = _few(fitted.reshape(count * pairs, -1), metric, np.ones(count * pairs), left, 0.0)
+    rows = coefficients.reshape(count * pairs, -1)
+    mixes, basis = _low_rank(rows, normal, np.ones(count * pairs), discarded, 0.0)
     mixes = mixes.reshape(count, pairs, -1)
     basis = basis.reshape(-1, frames, degree + 1)
-    found = _Statistics.of(model, np.einsum("cpr,rim,mf->cpif", mixes, basis, terms, optimize=True), overlap)
+    fitted = np.einsum("cpr,rim,mf->cpif", mixes, basis, terms, optimize=True)
+    statistics = _Statistics.of(model, fitted, overlap)
     return FocalTables(
         model.vergence,
         binning,
         taps,
         basis,
         mixes,
-        found.noise,
-        found.by_texture,
-        found.by_noise,
-        found.steepness,
-        found.of_curvature,
-        found.bias,
-        found.errors,
+        statistics.noise,
+        statistics.texture_variance,
+        statistics.noise_variance,
+        statistics.curvature_ratio,
+        statistics.curvature_variance,
+        statistics.bias,
+        statistics.errors,
         _bound(model),
         light,
         model.white,
-        left,
+        discarded,
     )
 
 
-def _few(rows: Array, metric: Array, weights: Array, share: float, each: float) -> tuple[Array, Array]:
-    """Return rows as products of few vectors.
+def _low_rank(rows: Array, metric: Array, weights: Array, share: float, per_row: float) -> tuple[Array, Array]:
+    """Return factors (rows, rank) and (rank, columns) whose product approximates rows of coefficients.
 
-    In a metric weighted rows lose less than a `share` of their norm, or less than `each` a row.
+    The norm of the error, with the `metric` over columns and `weights` of rows, is below a `share` of the norm of the
+    rows, or below `per_row` in the root mean square over rows, whichever allows the lower rank.
     """
     root = np.linalg.cholesky(metric)
     left, values, right = np.linalg.svd((rows @ root) * weights[:, None], full_matrices=False)
-    lost = np.sqrt(np.append(np.cumsum((values**2)[::-1])[::-1], 0.0))
-    rank = int(np.argmax(lost < max(share * lost[0], each * math.sqrt(len(rows)), 1e-300)))
+    errors = np.sqrt(np.append(np.cumsum((values**2)[::-1])[::-1], 0.0))  # by rank
+    rank = int(np.argmax(errors < max(share * errors[0], per_row * math.sqrt(len(rows)), 1e-300)))
     return left[:, :rank] * values[:rank] / weights[:, None], np.linalg.solve(root.T, right[:rank].T).T
 
 
 class _Statistics(NamedTuple):
-    """What filters do with noise and with textures: arrays of candidates."""
+    """Statistics of fitted filters at each candidate, shape (c,): see the attributes of :class:`FocalTables`."""
 
     noise: Array
-    by_texture: Array
-    by_noise: Array
-    steepness: Array
-    of_curvature: Array
+    texture_variance: Array
+    noise_variance: Array
+    curvature_ratio: Array
+    curvature_variance: Array
     bias: Array
     errors: Array
 
     @classmethod
     def of(cls, model: FocalModel, filters: Array, overlap: Array) -> Self:
-        """Return that of filters as they are, (c, pairs, frames, frequencies), in windows of an overlap."""
-        correlated = _Correlation(model.band, overlap)
+        """Return the statistics of filters (c, pairs, frames, frequencies) in windows of an autocorrelation."""
+        correlated = _WindowVariance(model.band, overlap)
         share, texture, count = model.band.share, model.texture, len(filters)
         slopes = np.gradient(filters, axis=0)
-        noise = np.einsum("cpif,i,f->c", filters**2, model.white, share)
-        found = np.zeros((6, count))
-        some = np.unique(np.linspace(0, count - 1, _VALLEY).astype(int))
-        second = np.array([0.5, -1.0, 0.5])
+        noise_energy = np.einsum("cpif,i,f->c", filters**2, model.white, share)
+        bias, errors, texture_variance, noise_variance, curvature_ratio, curvature_variance = np.zeros((6, count))
+        valley = np.unique(np.linspace(0, count - 1, _MAX_VALLEY).astype(int))
+        half_second = np.array([0.5, -1.0, 0.5])  # half of a second difference
 
-        def energy_of(which: slice | Array, c: int) -> Array:
-            # The mean energy at some candidates, of a texture at the candidate c.
+        def mean_energies(which: slice | Array, c: int) -> Array:
+            """Return the mean energies by the filters of some candidates, less noise, of a texture at candidate c."""
             h, g = model.transfer[c], filters[which]
-            leak = (np.einsum("cpif,if->cpf", g, h, optimize=True) ** 2).sum(axis=1) @ (share * texture)
-            rest = np.einsum("cpif,if->c", g**2, model.noise[c] * share, optimize=True)
-            return np.asarray(leak + rest - noise[which])
+            scene = (np.einsum("cpif,if->cpf", g, h, optimize=True) ** 2).sum(axis=1) @ (share * texture)
+            noise = np.einsum("cpif,if->c", g**2, model.noise[c] * share, optimize=True)
+            return np.asarray(scene + noise - noise_energy[which])
 
         for c in range(count):
             h, n = model.transfer[c], model.noise[c]
             g, d = filters[c], slopes[c]
+            # Bias: position of the minimum of a parabola through the three lowest energies.
             start = max(0, c - 6)
-            energy = energy_of(slice(start, c + 7), c)
+            energy = mean_energies(slice(start, c + 7), c)
             k = min(max(int(np.argmin(energy)), 1), len(energy) - 2)
-            before, here, after = energy[k - 1 : k + 2]
-            found[0, c] = start + k + 0.5 * (before - after) / (before - 2.0 * here + after) - c
-            own = min(max(c, 1), count - 2) - start
-            curvature = float(second @ energy[own - 1 : own + 2])
+            before, lowest, after = energy[k - 1 : k + 2]
+            bias[c] = start + k + 0.5 * (before - after) / (before - 2.0 * lowest + after) - c
+            own = min(max(c, 1), count - 2) - start  # with a neighbour on either side
+            curvature = float(half_second @ energy[own - 1 : own + 2])
+            # Spectra S_ee, S_dd and S_ed between the residuals p and q, by scene and noise.
             e, slope = np.einsum("pif,if->pf", g, h), np.einsum("pif,if->pf", d, h)
             ee = texture * e[:, None] * e[None] + np.einsum("pif,qif,if->pqf", g, g, n)
             dd = texture * slope[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", d, d, n)
             ed = texture * e[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", g, d, n)
-            flat = float((ee * dd + ed * ed.swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
+            pixel_variance = float((ee * dd + ed * ed.swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
             variance = correlated(ee, dd) + correlated(ed, ed.swapaxes(0, 1))
-            plain = [np.einsum("pif,qif,i->pqf", a, b, model.white) for a, b in ((g, g), (d, d), (g, d))]
-            alone = correlated(plain[0], plain[1]) + correlated(plain[2], plain[2].swapaxes(0, 1))
-            found[1, c] = (variance - alone) / max(float((slope**2).sum(axis=0) @ (share * texture)), 1e-300)
-            found[2, c] = alone
-            found[3, c] = math.sqrt(flat) / max(curvature, 1e-300)
-            found[4, c] = curvature / max(float(energy_of(some, c).mean() - energy[c - start]), 1e-300)
+            # The same spectra by white noise alone.
+            white = [np.einsum("pif,qif,i->pqf", a, b, model.white) for a, b in ((g, g), (d, d), (g, d))]
+            noise_alone = correlated(white[0], white[1]) + correlated(white[2], white[2].swapaxes(0, 1))
+            kappa = float((slope**2).sum(axis=0) @ (share * texture))
+            texture_variance[c] = (variance - noise_alone) / max(kappa, 1e-300)
+            noise_variance[c] = noise_alone
+            errors[c] = math.sqrt(pixel_variance) / max(curvature, 1e-300)
+            depth_of_minimum = float(mean_energies(valley, c).mean() - energy[c - start])
+            curvature_ratio[c] = curvature / max(depth_of_minimum, 1e-300)
             three = filters[start + own - 1 : start + own + 2]
             spectra = np.einsum("apif,bqif,i->abpqf", three, three, model.white, optimize=True)
-            found[5, c] = 2.0 * correlated(np.einsum("abpqf,a,b->abpqf", spectra, second, second), spectra)
-        return cls(noise, found[1], found[2], found[4], found[5], found[0], found[3])
+            weighted = np.einsum("abpqf,a,b->abpqf", spectra, half_second, half_second)
+            curvature_variance[c] = 2.0 * correlated(weighted, spectra)
+        return cls(noise_energy, texture_variance, noise_variance, curvature_ratio, curvature_variance, bias, errors)
 
 
-class _Correlation:
-    """Variances of windowed products of two images, from their spectra, times the pixels of a window.
+class _WindowVariance:
+    """Variance of the windowed mean of a product of two images, from their spectra, times the pixels of a window.
 
-    The sum over lags of the covariances' product, each lag as much as the window overlaps with itself there.
+    By Isserlis's theorem this is a sum over lags of products of covariances, weighted by the autocorrelation
+    `overlap` of the window.
     """
 
     def __init__(self, band: Band, overlap: Array) -> None:
@@ -397,90 +453,97 @@ class _Correlation:
         count = len(self._places)
         lags = np.arange(min(count, len(overlap)))
         self._cosines = np.cos(2.0 * math.pi * lags[:, None] * band.fx[self._places[:, -1]]) / count
-        both = np.where(lags == 0, 1.0, 2.0) * overlap[: len(lags)]
-        self._weights = both[:, None] * both
+        both_signs = np.where(lags == 0, 1.0, 2.0) * overlap[: len(lags)]  # lags of either sign
+        self._weights = both_signs[:, None] * both_signs
 
     def __call__(self, a: Array, b: Array) -> float:
-        """Return the variance that two spectra (..., frequencies) have, summed over the rest of their axes."""
-        first, second = (self._cosines @ one[..., self._places] @ self._cosines.T for one in (a, b))
+        """Return the variance of two spectra (..., frequencies), summed over all other axes."""
+        first, second = (self._cosines @ spectra[..., self._places] @ self._cosines.T for spectra in (a, b))
         return float((first * second * self._weights).sum())
 
 
 class SharpTables:
-    """Wiener's filters at each candidate, by polynomials of one small filter, for a sharp image and other foci.
+    """Wiener filters at each candidate vergence, as polynomials of one small filter: a sharp image and other foci.
 
     Parameters
     ----------
     model : FocalModel
-        Of pixels that are not binned.
-    taps, degree
-        Of the polynomials.
+        Model of pixels that are not binned.
+    taps : Taps
+        The filter b.
+    degree : int
+        Degree of its Chebyshev polynomials.
     foci : sequence of ndarray, shape (c, frequencies)
-        What other images are to transfer, which share the basis.
+        Transfer functions of further images, for example focused at another distance. All share one basis.
 
     Attributes
     ----------
     basis : ndarray, shape (rank, frames, degree + 1)
-        Images as sums of T_m y_i.
+        Basis images: coefficients of T_m Y_i.
+    pixel : ndarray, shape (c, frequencies)
+        Transfer function of the sharp image, that of a square pixel.
     """
 
     def __init__(self, model: FocalModel, taps: Taps, degree: int, foci: Sequence[Array] = ()) -> None:
         self.model, self.taps = replace(model, folded=_SHARED_ALIASES * model.folded), taps
         band = model.band
         self._terms = taps.chebyshev(band.fx, band.fy, degree)
-        self._fit = _Fit(model, self._terms, _MEAN, 1e-12)
+        self._fit = _Fit(model, self._terms, _MEAN_POWER, 1e-12)
         self.pixel = np.broadcast_to(np.sinc(band.fx) * np.sinc(band.fy), model.transfer[:, 0].shape)
         filters = [self._filters(target) for target in (self.pixel, *foci)]
-        fitted, self._metric = self._fit.coefficients(np.stack(filters, axis=1))
+        coefficients, self._normal = self._fit.coefficients(np.stack(filters, axis=1))
         targets = zip((self.pixel, *foci), filters, strict=True)
+        # Rows weighted by 1 over their rms error: each image then loses the same share by the lower rank.
         weights = np.stack(
-            [1.0 / np.sqrt(np.maximum(self._errors(target, each), 1e-12)) for target, each in targets], axis=1
+            [1.0 / np.sqrt(np.maximum(self._errors(target, exact), 1e-12)) for target, exact in targets], axis=1
         )
-        rows = fitted.reshape(-1, fitted.shape[2])
-        _, basis = _few(rows, self._metric, weights.ravel(), 0.0, math.sqrt(_SHARP_LOSS))
+        rows = coefficients.reshape(-1, coefficients.shape[2])
+        _, basis = _low_rank(rows, self._normal, weights.ravel(), 0.0, math.sqrt(_SHARP_LOSS))
         self.basis = basis.reshape(-1, model.transfer.shape[1], degree + 1)
 
     @property
     def degree(self) -> int:
-        """The number of steps of the recursion."""
+        """Degree of the polynomials, the number of steps of the recursion."""
         return int(self.basis.shape[2]) - 1
 
     def _filters(self, target: Array) -> Array:
-        """Return Wiener's filters, (c, frames, frequencies)."""
+        """Return the Wiener filters for a target transfer function (c, frequencies), (c, frames, frequencies)."""
         model, h = self.model, self.model.transfer
-        # What the image and the frames share, aliases of the sharp scene included, which are seen in frames in focus.
-        shared = (target * model.texture)[:, None] * h
+        # Cross-spectra of the target image with the frames. The sharp image contains the aliases of the scene, which
+        # frames in focus contain, too.
+        cross = (target * model.texture)[:, None] * h
         if target is self.pixel:
-            shared = shared + model.folded[:, :-1]
-        over = shared / model.noise
-        gain = model.texture * (h * over).sum(axis=1) / (1.0 + model.texture * model.signal())
-        filters = over - gain[:, None] * h / model.noise
-        # The mean is kept: shares of the frames by their noise.
+            cross = cross + model.folded[:, :-1]
+        # Inverse of the covariance S h h^T + N by the Sherman-Morrison formula.
+        weighted = cross / model.noise
+        gain = model.texture * (h * weighted).sum(axis=1) / (1.0 + model.texture * model.signal())
+        filters = weighted - gain[:, None] * h / model.noise
+        # Frequency 0: the mean of the frames, weighted by 1 over their noise.
         filters[:, :, 0] = (1.0 / model.white) / (1.0 / model.white).sum()
         return np.asarray(filters)
 
     def _errors(self, target: Array, filters: Array) -> Array:
-        """Return the mean squared error of images, over the variance of a pixel."""
+        """Return the mean squared error of filtered images, over the variance of a pixel, (c,)."""
         model = self.model
-        left = target - np.einsum("cif,cif->cf", filters, model.transfer)
-        power = model.texture * left**2 + (filters**2 * model.noise).sum(axis=1)
+        missing = target - np.einsum("cif,cif->cf", filters, model.transfer)
+        power = model.texture * missing**2 + (filters**2 * model.noise).sum(axis=1)
         if target is self.pixel:
             power += model.folded[:, -1] - 2.0 * (filters * model.folded[:, :-1]).sum(axis=1)
         return np.asarray(power @ model.band.share)
 
     def mixes(self, target: Array) -> Array:
-        """Return an image as sums of those of the basis, (c, rank)."""
+        """Return the image of a target transfer function as coefficients of the basis images, (c, rank)."""
         rows = self._fit.coefficients(self._filters(target)[:, None])[0][:, 0]
         flat = self.basis.reshape(len(self.basis), -1)
-        return np.asarray(np.linalg.solve(flat @ self._metric @ flat.T, flat @ self._metric @ rows.T).T)
+        return np.asarray(np.linalg.solve(flat @ self._normal @ flat.T, flat @ self._normal @ rows.T).T)
 
     def errors(self, target: Array) -> Array:
-        """Return the mean squared errors of Wiener's filters and of those made, (2, c)."""
-        made = np.einsum("cr,rim,mf->cif", self.mixes(target), self.basis, self._terms, optimize=True)
-        return np.stack([self._errors(target, self._filters(target)), self._errors(target, made)])
+        """Return the mean squared errors of the Wiener filters and of their fits by polynomials, (2, c)."""
+        fitted = np.einsum("cr,rim,mf->cif", self.mixes(target), self.basis, self._terms, optimize=True)
+        return np.stack([self._errors(target, self._filters(target)), self._errors(target, fitted)])
 
     def stream(self, size: tuple[int, int], threads: int) -> FocalStream:
-        """Return what makes images of one frame of a height and width."""
+        """Return the engine that computes the basis images of single frames of this height and width."""
 
         def single(values: ArrayLike) -> NDArray[np.float32]:
             return np.ascontiguousarray(values, dtype=np.float32)

@@ -36,7 +36,7 @@ def _gathered(operator, values, shape):
     ("shape", "margin"), [((5, 30, 20), (3, 5)), ((5, 21, 27), (1, 2)), ((3, 22, 20), (0, 0)), ((1, 25, 20), (9, 9))]
 )
 def test_tiles_are_the_plain_sum_over_a_specimen_that_goes_on_along_z(monkeypatch, psf, small, shape, margin):
-    monkeypatch.setattr(stack_blur, "_SMALL", small)
+    monkeypatch.setattr(stack_blur, "_MIN_VALUES", small)
     blur = TiledBlur(psf, shape, margin)
     rng = np.random.default_rng(0)
     specimen, recording = (rng.random(size).astype(np.float32) for size in (blur.whole, shape))
@@ -62,10 +62,10 @@ def test_what_is_seen_of_a_point_is_the_transpose_of_ones(margin):
 
 
 def test_a_small_recording_is_one_tile_and_a_large_one_many(monkeypatch):
-    monkeypatch.setattr(stack_blur, "_SMALL", 2**21)
+    monkeypatch.setattr(stack_blur, "_MIN_VALUES", 2**21)
     small, large = TiledBlur(PSF, (5, 40, 40), (2, 4)), TiledBlur(PSF, (1, 1000, 2000), (3, 4))
-    assert len(list(small._jobs((5, 40, 40), small.whole, small._upper, 4))) == 1
-    assert len(list(large._jobs(large.shape, large.whole, large._upper, 4))) > 1
+    assert len(list(small._tile_jobs((5, 40, 40), small.whole, small._upper, 4))) == 1
+    assert len(list(large._tile_jobs(large.shape, large.whole, large._upper, 4))) > 1
     assert large.whole[0] * np.prod(large._tile) <= 3.2 * 1000 * 2000
 
 

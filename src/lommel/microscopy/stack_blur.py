@@ -26,9 +26,9 @@ class StackBlur(LinearBlur):
     Parameters
     ----------
     psf : PSF
-        A stack over z in equal steps, with one plane at z = 0, of the step and pixels of the recording; used at all
-        depths. Values are divided by their sum, so that light is conserved except for what leaves the recording,
-        outside of which it is dark.
+        Stack over z in equal steps, with one plane at z = 0, and with the step and pixels of the recording. The same
+        PSF is used at all depths. Values are divided by their sum, so that light is conserved, except for light that
+        leaves the recording. Outside the recording the specimen is taken as dark.
     shape : (int, int, int)
         Number of planes, height and width of the recording.
     dtype : float32 or float64, default float32
@@ -65,17 +65,17 @@ class StackBlur(LinearBlur):
     def _filtered(self, image: Values, transfer: Values) -> Values:
         from scipy.fft import irfftn, rfftn
 
-        made = irfftn(rfftn(self.planes(image), self._size) * transfer, self._size)
-        made = made[: self.channels, : self.shape[0], : self.shape[1]]
-        return np.ascontiguousarray(np.moveaxis(made, 0, 2), self.dtype).reshape(image.shape)
+        stack = irfftn(rfftn(self.planes(image), self._size) * transfer, self._size)
+        stack = stack[: self.channels, : self.shape[0], : self.shape[1]]
+        return np.ascontiguousarray(np.moveaxis(stack, 0, 2), self.dtype).reshape(image.shape)
 
 
 Kernel = tuple[Array, tuple[int, int, int]]
-"""Shares of the light of a point in voxels, and the voxel of the point."""
+"""Fractions of the light of a point in voxels (z, y, x), and the index of the voxel in which the point lies."""
 
 
 def kernel_of(psf: PSF) -> Kernel:
-    """Return the share of the light of a point in each voxel, which sums to 1, and the voxel of the point."""
+    """Return the fraction of the light of a point in each voxel, of sum 1, and the index of the point's voxel."""
     validation.instance("psf", psf, PSF)
     z = stage(psf)
     steps = np.diff(z)
@@ -91,30 +91,46 @@ def kernel_of(psf: PSF) -> Kernel:
     return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)
 
 
-_Places = tuple[NDArray[np.intp], int, int]
+# Table index of each row (or column) of a plane, and the start and stop of the longest run of rows with equal index.
+_TableIndices = tuple[NDArray[np.intp], int, int]
 
 
-class _Job(NamedTuple):
-    """A tile: part of a plane that comes out, part that goes in, and where both are in the tile."""
+class _TileJob(NamedTuple):
+    """A tile of one plane, transformed at once: rows and columns of its input and of its output.
 
-    core: Plane
-    taken: Plane
-    placed: Plane
-    inside: Plane
+    `output` and `source` are parts of planes; `output_in_tile` and `source_in_tile` are their positions in the tile.
+    """
+
+    output: Plane
+    source: Plane
+    source_in_tile: Plane
+    output_in_tile: Plane
 
 
-_SHARE = 3.0  # largest memory of the transform of a tile, over that of the recording
-_SMALL = 2**23  # values that it may have in any case
-_COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # columns of a transform that the core filters together, in its order
-_ALIKE = 1e-6  # of the largest value: largest difference of a kernel from its mirror image
+_MAX_MEMORY_RATIO = 3.0  # largest memory of the transforms of one tile of all planes, over that of the recording
+_MIN_VALUES = 2**23  # number of values that these transforms may have in any case
+_COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # order of the eight columns of a transform that the core filters together
+_MIRROR_TOLERANCE = 1e-6  # largest difference between a kernel and its mirror image, over its largest value
 
 
 class TiledBlur(PlaneOperator):
-    """Convolution of a specimen larger than its recording by a margin, by FFTs of tiles, and its transpose.
+    """Convolution of a specimen with PSFs by FFTs of tiles, and its transpose.
 
-    With several PSFs the image is ``sum_s h_s * (w_s x)``, with a weight of each PSF at each plane of the specimen.
-    Arrays instead of PSFs are taken as they are, their middle voxel as that of the point.
-    Results depend neither on the number of threads nor on where the arrays are.
+    The specimen exceeds its recording by a margin on all sides. With several PSFs h_s the image is
+    ``sum_s h_s * (w_s x)``. Results depend neither on the number of threads nor on the alignment of arrays in memory.
+
+    Parameters
+    ----------
+    psf : PSF, or iterable of PSF, ndarray or Kernel
+        PSFs h_s, all of one shape. Arrays are used without normalisation, and the point lies in their middle voxel.
+    shape : (int, int, int)
+        Planes, height and width of the recording.
+    margin : (int, int)
+        Planes and pixels by which the specimen exceeds the recording on either side.
+    weights : ndarray, shape (PSFs, planes of the specimen), optional
+        Weights w_s of each PSF at each plane of the specimen; ones by default.
+    threads : int
+        Number of threads, 0 for all processors.
     """
 
     def __init__(
@@ -133,206 +149,216 @@ class TiledBlur(PlaneOperator):
         self.shape, self._margin, self._threads = shape, (margin[0], margin[1], margin[1]), threads
         self.whole = shape[0] + 2 * margin[0], shape[1] + 2 * margin[1], shape[2] + 2 * margin[1]
         sides = self._sides = first.shape
-        # Light reaches so many voxels towards lower and higher numbers.
+        # Voxels by which the PSF extends from its point towards lower and higher indices, along z, y and x.
         self._lower = middle
         self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
+        # The outermost planes also stand for planes beyond the margin whose PSFs reach the recording: so many of
+        # them.
         self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
-        # Planes beyond the margin that the outermost ones stand for: their PSFs reach the recording.
         self._depth: int = engine.fft_length(self.whole[0] + self._before + self._after)
         self._weights = np.ones((1, self.whole[0]), np.float32) if weights is None else weights.astype(np.float32)
-        most = max(_SHARE * math.prod(shape), _SMALL) / self.whole[0]
-        # One tile has what it lacks at its other end, where it is dark.
-        full = [
+        max_values = max(_MAX_MEMORY_RATIO * math.prod(shape), _MIN_VALUES) / self.whole[0]  # of a tile
+        # A single tile may be shorter than plane + PSF - 1: light that wraps around falls beyond the recording.
+        sufficient = [
             max(whole, side + more + max(low, high))
             for whole, side, more, low, high in zip(
                 self.whole[1:], shape[1:], self._margin[1:], self._lower[1:], self._upper[1:], strict=True
             )
         ]
-        one = [int(next_fast_len(side, real=True)) for side in full]
-        self._single = math.prod(one) <= most
-        self._tile = (one[0], one[1])
+        single = [int(next_fast_len(side, real=True)) for side in sufficient]
+        self._single = math.prod(single) <= max_values
+        self._tile = (single[0], single[1])
         if not self._single:
             down, across = (
-                _tile(side, more, int(math.sqrt(most))) for side, more in zip(self.whole[1:], sides[1:], strict=True)
+                _tile_side(side, kernel_side, int(math.sqrt(max_values)))
+                for side, kernel_side in zip(self.whole[1:], sides[1:], strict=True)
             )
             self._tile = down, across
-        self._limits, self._places = self._edges()
-        self._seen = np.zeros((self.whole[0], *(side.shape[1] for side in self._limits)), np.float32)
+        self._limits, self._indices = self._recorded_ranges()
+        # Recorded share of a point's light, (planes, ranges along y, ranges along x): see `_recorded_ranges`.
+        self._seen = np.zeros((self.whole[0], *(limits.shape[1] for limits in self._limits)), np.float32)
         self._transfers: list[object] = []
-        # One after the other, as there may be many.
+        # One kernel at a time is in memory, as there may be many.
         for number, values in enumerate(chain([first], (_kernel(each)[0] for each in kernels))):
-            self._learn(number, values)
-            self._share(number, values)
+            self._add_transfer(number, values)
+            self._add_recorded_share(number, values)
         self.weigh(1.0)
-        self._room: Values | None = None
+        self._spectra: Values | None = None  # lateral transforms of the planes of a tile
 
-    def _learn(self, number: int, kernel: Array) -> None:
-        """Keep the transform of a kernel."""
-        self._transfers.append(self._transfer(kernel, _mirrored(kernel)))
+    def _add_transfer(self, number: int, kernel: Array) -> None:
+        """Store the transform of the kernel with this number."""
+        self._transfers.append(self._transfer(kernel, _mirror_symmetric(kernel)))
 
     def _transfer(self, kernel: Array, even: bool) -> Values:
-        """Return the transform of a kernel, with the point in the first voxel.
+        """Return the transform of a kernel with the point in the first voxel, ordered for `engine.filter_planes`.
 
-        That of an even one is real until planes are transformed, and the same in rows of opposite frequencies: an
-        eighth of the values says it all. The shape is (rows, groups of columns, frequencies, real and imaginary
-        parts).
+        The lateral transform of an `even` kernel (mirror-symmetric along x and y) is real and even: half of the rows
+        and half of the frequencies along z suffice. The shape is (rows, groups of eight columns, frequencies along z,
+        values): the real parts of a group, then the imaginary ones.
         """
         from scipy.fft import fft, rfft, rfft2
 
         middle = self._lower
         rows = self._tile[0] // 2 + 1 if even else self._tile[0]
         planes = self._depth // 2 + 1 if even else self._depth
-        made = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if even else np.complex64)
+        lateral = np.zeros((len(kernel), rows, self._tile[1] // 2 + 1), np.float32 if even else np.complex64)
         tile = np.zeros(self._tile, dtype=np.float32)
         for plane, values in enumerate(kernel):
             tile[: values.shape[0], : values.shape[1]] = values
-            found = rfft2(np.roll(tile, [-at for at in middle[1:]], axis=(0, 1)))[:rows]
-            made[plane] = found.real if even else found
-        groups = -(-made.shape[2] // len(_COLUMNS))
+            spectrum = rfft2(np.roll(tile, [-at for at in middle[1:]], axis=(0, 1)))[:rows]
+            lateral[plane] = spectrum.real if even else spectrum
+        groups = -(-lateral.shape[2] // len(_COLUMNS))
         out = np.empty((rows, groups, planes, 2, len(_COLUMNS)), np.float32)
-        column = np.zeros((self._depth, groups * len(_COLUMNS)), made.dtype)
+        along_z = np.zeros((self._depth, groups * len(_COLUMNS)), lateral.dtype)
         order = np.arange(len(kernel)) - middle[0]
         for row in range(rows):
-            column[order, : made.shape[2]] = made[:, row]
-            # The inverse transform is not scaled: the factor is in the transfer function.
-            found = (rfft(column, axis=0) if even else fft(column, axis=0)) / np.float32(self._depth)
-            parts = found.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
+            along_z[order, : lateral.shape[2]] = lateral[:, row]
+            # Divided by the length here, because the core does not scale its inverse transform along z.
+            spectrum = (rfft(along_z, axis=0) if even else fft(along_z, axis=0)) / np.float32(self._depth)
+            parts = spectrum.reshape(planes, groups, -1)[:, :, _COLUMNS].transpose(1, 0, 2)
             out[row, :, :, 0], out[row, :, :, 1] = parts.real, parts.imag
         return out.reshape(rows, groups, planes, -1)
 
-    def _edges(self) -> tuple[list[NDArray[np.intp]], list[_Places]]:
-        """Return what part of a kernel falls on the recording, of few rows and columns that are all there are.
+    def _recorded_ranges(self) -> tuple[list[NDArray[np.intp]], list[_TableIndices]]:
+        """Return the distinct ranges of a kernel that are recorded, along y and x, and the range of each row.
 
-        With it, of both axes: which of them each row or column is, and from where to where all are the same.
+        Ranges of kernel pixels, shape (first and stop, ranges), depend on the position of the point: they differ near
+        the edges and are equal in the middle. For either axis the range number of each row or column of the specimen
+        is returned, with the run of rows that all have the most frequent range.
         """
-        limits, places = [], []
+        limits, indices = [], []
         for axis in (1, 2):
             first = self._margin[axis] + self._lower[axis] - np.arange(self.whole[axis])
-            both = np.clip(np.stack([first, first + self.shape[axis]]), 0, self._sides[axis])
-            each, place = np.unique(both, axis=1, return_inverse=True)
-            place = place.ravel()
-            counts = np.bincount(place)
-            start = int(np.argmax(place == counts.argmax()))
-            stop = start + int(np.argmin(np.append(place[start:], -1) == place[start]))
-            limits.append(each)
-            places.append((place, start, stop))
-        return limits, places
+            ranges = np.clip(np.stack([first, first + self.shape[axis]]), 0, self._sides[axis])
+            distinct, index = np.unique(ranges, axis=1, return_inverse=True)
+            index = index.ravel()
+            counts = np.bincount(index)
+            start = int(np.argmax(index == counts.argmax()))
+            stop = start + int(np.argmin(np.append(index[start:], -1) == index[start]))
+            limits.append(distinct)
+            indices.append((index, start, stop))
+        return limits, indices
 
-    def _share(self, number: int, kernel: Array) -> None:
-        """Add the share of a kernel's light that falls on the recording."""
+    def _add_recorded_share(self, number: int, kernel: Array) -> None:
+        """Add the fraction of a kernel's light that falls on the recording to the table for each plane."""
         (top, bottom), (left, right) = self._limits
         # Cumulative sums of the kernel over the recorded planes, for each plane of the specimen.
-        along = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0)
+        cumulative = np.pad(kernel, ((1, 0), (1, 0), (1, 0))).cumsum(axis=0)
         for at in range(-self._before, self.whole[0] + self._after):
             plane = min(max(at, 0), self.whole[0] - 1)
-            share = self._weights[number, plane]
-            if share == 0.0:
+            weight = self._weights[number, plane]
+            if weight == 0.0:
                 continue
             begin = self._margin[0] + self._lower[0] - at
             low, high = np.clip((begin, begin + self.shape[0]), 0, len(kernel))
             # Sums over rectangles from cumulative sums, at four corners.
-            sums = (along[high] - along[low]).cumsum(axis=0).cumsum(axis=1)
-            between = sums[bottom] - sums[top]
-            self._seen[plane] += share * (between[:, right] - between[:, left])
+            sums = (cumulative[high] - cumulative[low]).cumsum(axis=0).cumsum(axis=1)
+            bands = sums[bottom] - sums[top]
+            self._seen[plane] += weight * (bands[:, right] - bands[:, left])
 
-    def forward(self, specimen: Part, take: PartConsumer[Result]) -> list[Result]:
-        """Hand the recording of a specimen to `take`, each part of it once; return what it makes of the parts."""
-        made: list[Result] = []
-        for job in self._jobs(self.shape, self.whole, self._upper, self._margin[1]):
-            self._transformed(specimen, self.whole[0], job)
-            self._along(transposed=False)
-            made += self._planes(self.shape[0], job, take)
-        return made
+    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Compute the recording of a specimen, call `consume` once with each part of it, and return its results."""
+        results: list[Result] = []
+        for job in self._tile_jobs(self.shape, self.whole, self._upper, self._margin[1]):
+            self._transform_planes(specimen, self.whole[0], job)
+            self._filter_along_z(transposed=False)
+            results += self._consume_planes(self.shape[0], job, consume)
+        return results
 
-    def adjoint(self, recording: Part, take: PartConsumer[Result]) -> list[Result]:
-        """Hand the transpose of :meth:`forward` applied to a recording to `take`, each part of the specimen once."""
-        made: list[Result] = []
-        for job in self._jobs(self.whole, self.shape, self._lower, -self._margin[1]):
-            self._transformed(recording, self.shape[0], job)
-            self._along(transposed=True)
-            made += self._planes(self.whole[0], job, take)
-        return made
+    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Apply the transpose of :meth:`forward`, and call `consume` once with each part of the specimen."""
+        results: list[Result] = []
+        for job in self._tile_jobs(self.whole, self.shape, self._lower, -self._margin[1]):
+            self._transform_planes(recording, self.shape[0], job)
+            self._filter_along_z(transposed=True)
+            results += self._consume_planes(self.whole[0], job, consume)
+        return results
 
     def release(self) -> None:
-        """Release the memory of transforms; it is taken again when needed."""
-        self._room = None
+        """Free the memory of transforms until the next :meth:`forward` or :meth:`adjoint`."""
+        self._spectra = None
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
-        """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
-        first, second = (
-            _places_of_part(part, *places) for part, places in zip((rows, columns), self._places, strict=True)
-        )
-        return _spread(self._seen[plane], first, second)
+        """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
+        return self._looked_up(self._seen[plane], rows, columns)
 
     def weigh(self, weight: float) -> None:
-        """Set the weight that :meth:`per_seen` divides by as well."""
+        """Set the weight by which :meth:`per_seen` divides."""
         with np.errstate(divide="ignore"):
             self._per = np.where(self._seen * weight > UNSEEN, 1.0 / (self._seen * weight), 0.0).astype(np.float32)
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
-        first, second = (
-            _places_of_part(part, *places) for part, places in zip((rows, columns), self._places, strict=True)
-        )
-        return _spread(self._per[plane], first, second)
+        """Return ``1 / (seen * weight)``, or 0 where hardly any light is recorded (`UNSEEN`)."""
+        return self._looked_up(self._per[plane], rows, columns)
 
-    def _jobs(
-        self, shape: tuple[int, ...], other: tuple[int, ...], reach: tuple[int, ...], shift: int
-    ) -> Iterator[_Job]:
-        """Yield tiles of planes of a shape, which need those of the other shape within a reach."""
+    def _looked_up(self, table: Values, rows: slice, columns: slice) -> Values:
+        """Return the values of a table (ranges along y, ranges along x) at the pixels of a part of a plane."""
+        down, across = (
+            _indices_of_part(part, *indices) for part, indices in zip((rows, columns), self._indices, strict=True)
+        )
+        return _expanded(table, down, across)
+
+    def _tile_jobs(
+        self, shape: tuple[int, ...], source_shape: tuple[int, ...], reach: tuple[int, ...], shift: int
+    ) -> Iterator[_TileJob]:
+        """Yield the tiles of output planes of this shape.
+
+        An output pixel depends on pixels of the source from `reach` below to a kernel's side - 1 - `reach` above it.
+        The first pixel of the output lies at pixel `shift` of the source.
+        """
         if self._single:
-            core, taken = (_window((0, 0), sides[1:]) for sides in (shape, other))
+            output, source = (_window((0, 0), sides[1:]) for sides in (shape, source_shape))
             put, out = (shift, 0) if shift < 0 else (0, shift)
-            yield _Job(core, taken, _window((-put, -put), other[1:]), _window((out, out), shape[1:]))
+            yield _TileJob(output, source, _window((-put, -put), source_shape[1:]), _window((out, out), shape[1:]))
             return
         kernel = self._sides[1:]
         down, across = (tile - more + 1 for tile, more in zip(self._tile, kernel, strict=True))
         for row in range(0, shape[1], down):
             for column in range(0, shape[2], across):
-                core = slice(row, min(row + down, shape[1])), slice(column, min(column + across, shape[2]))
-                (rows, above), (columns, beside) = (
+                output = slice(row, min(row + down, shape[1])), slice(column, min(column + across, shape[2]))
+                (rows, rows_in_tile), (columns, columns_in_tile) = (
                     overlap(part.start + shift - low, part.stop + shift - low + more - 1, side)
-                    for part, side, low, more in zip(core, other[1:], reach[1:], kernel, strict=True)
+                    for part, side, low, more in zip(output, source_shape[1:], reach[1:], kernel, strict=True)
                 )
-                inside = _window(reach[1:], tuple(part.stop - part.start for part in core))
-                yield _Job(core, (rows, columns), (above, beside), inside)
+                output_in_tile = _window(reach[1:], tuple(part.stop - part.start for part in output))
+                yield _TileJob(output, (rows, columns), (rows_in_tile, columns_in_tile), output_in_tile)
 
-    def _transformed(self, values: Part, planes: int, job: _Job) -> None:
-        """Transform planes into the first ones of the room, each laterally."""
+    def _transform_planes(self, values: Part, planes: int, job: _TileJob) -> None:
+        """Transform the tile laterally in each of the first `planes` planes, into `_spectra`."""
         from scipy.fft import rfft2
 
-        if self._room is None:
-            self._room = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
-        room, spare = self._room, _Spare(self._tile)
+        if self._spectra is None:
+            self._spectra = np.empty((self.whole[0], self._tile[0], self._tile[1] // 2 + 1), np.complex64)
+        spectra, spare = self._spectra, _SpareTiles(self._tile)
 
         def transform(plane: int) -> None:
-            with spare.taken() as tile:
-                # The rest of the tile stays dark: each is written at the same place.
-                tile[job.placed] = values(plane, *job.taken)
-                room[plane] = rfft2(tile)
+            with spare.borrowed() as tile:
+                # The rest of the tile stays 0: planes of a job are written to the same part of a tile.
+                tile[job.source_in_tile] = values(plane, *job.source)
+                spectra[plane] = rfft2(tile)
 
         side_by_side(transform, range(planes), self._threads)
 
-    def _planes(self, planes: int, job: _Job, take: PartConsumer[Result]) -> list[Result]:
-        """Hand on the first planes of the room, transformed back."""
+    def _consume_planes(self, planes: int, job: _TileJob, consume: PartConsumer[Result]) -> list[Result]:
+        """Transform the first `planes` spectra back, and call `consume` with the output of the tile in each plane."""
         from scipy.fft import irfft2
 
-        room = self._room
-        assert room is not None
+        spectra = self._spectra
+        assert spectra is not None
 
-        def back(plane: int) -> Result:
-            # What follows is faster in contiguous memory.
-            light = np.ascontiguousarray(irfft2(room[plane], self._tile, overwrite_x=True)[job.inside])
-            return take(plane, *job.core, light)
+        def transform_back(plane: int) -> Result:
+            # Consumers are faster in contiguous memory.
+            light = np.ascontiguousarray(irfft2(spectra[plane], self._tile, overwrite_x=True)[job.output_in_tile])
+            return consume(plane, *job.output, light)
 
-        return side_by_side(back, range(planes), self._threads)
+        return side_by_side(transform_back, range(planes), self._threads)
 
-    def _along(self, *, transposed: bool) -> None:
-        """Convolve the room along the planes, in place, or apply the transpose."""
-        assert self._room is not None
-        # Beyond the outermost planes the specimen is taken to go on like these.
+    def _filter_along_z(self, *, transposed: bool) -> None:
+        """Convolve the spectra of the planes along z, in place, or apply the transpose."""
+        assert self._spectra is not None
+        # Beyond its outermost planes the specimen is taken to continue like these.
         engine.filter_planes(
-            self._room,
+            self._spectra,
             self._transfers,
             self._weights,
             self.shape[0],
@@ -345,23 +371,24 @@ class TiledBlur(PlaneOperator):
         )
 
 
-def _kernel(given: PSF | Array | Kernel) -> Kernel:
-    """Return a kernel and the voxel of the point: the middle one of an array, which is taken as it is."""
-    if isinstance(given, PSF):
-        return kernel_of(given)
-    if isinstance(given, tuple):
-        return given
-    return given, (given.shape[0] // 2, given.shape[1] // 2, given.shape[2] // 2)
+def _kernel(psf: PSF | Array | Kernel) -> Kernel:
+    """Return the kernel of a PSF and the voxel of its point; that of an array, used as it is, is the middle one."""
+    if isinstance(psf, PSF):
+        return kernel_of(psf)
+    if isinstance(psf, tuple):
+        return psf
+    return psf, (psf.shape[0] // 2, psf.shape[1] // 2, psf.shape[2] // 2)
 
 
-class _Spare:
-    """Tiles of zeros, each used by one thread at a time."""
+class _SpareTiles:
+    """Tiles, initially 0, each used by one thread at a time."""
 
     def __init__(self, shape: tuple[int, int]) -> None:
         self._shape, self._tiles = shape, list[Values]()
 
     @contextmanager
-    def taken(self) -> Iterator[Values]:
+    def borrowed(self) -> Iterator[Values]:
+        """Yield a tile, and keep it for the next thread afterwards."""
         try:
             tile = self._tiles.pop()
         except IndexError:
@@ -370,34 +397,34 @@ class _Spare:
         self._tiles.append(tile)
 
 
-def _mirrored(kernel: Array) -> bool:
-    """Return whether a kernel is the same from left to right and from top to bottom, about its middle pixel."""
+def _mirror_symmetric(kernel: Array) -> bool:
+    """Check that a kernel equals its mirror images along x and along y, about its middle pixel."""
     if kernel.shape[1] % 2 == 0 or kernel.shape[2] % 2 == 0:
         return False
-    limit = _ALIKE * float(np.abs(kernel).max())
+    limit = _MIRROR_TOLERANCE * float(np.abs(kernel).max())
     return all(np.allclose(kernel, np.flip(kernel, axis), rtol=0.0, atol=limit) for axis in (1, 2))
 
 
-def _places_of_part(part: slice, place: NDArray[np.intp], start: int, stop: int) -> _Places:
-    """Return what `TiledBlur._edges` says of an axis, of a part of it."""
+def _indices_of_part(part: slice, index: NDArray[np.intp], start: int, stop: int) -> _TableIndices:
+    """Return the table indices of part of an axis."""
     low, high = (min(max(at, part.start), part.stop) - part.start for at in (start, stop))
-    return place[part], low, max(low, high)
+    return index[part], low, max(low, high)
 
 
-def _spread(values: Values, first: _Places, second: _Places) -> Values:
-    """Return a plane from values of few rows and columns."""
-    rows = values[first[0]]
-    place, start, stop = second
-    out = np.empty((len(rows), len(place)), np.float32)
-    out[:, :start] = rows[:, place[:start]]
+def _expanded(table: Values, down: _TableIndices, across: _TableIndices) -> Values:
+    """Return the plane ``table[down, across]``; the run of columns with equal index is copied from one of them."""
+    rows = table[down[0]]
+    index, start, stop = across
+    out = np.empty((len(rows), len(index)), np.float32)
+    out[:, :start] = rows[:, index[:start]]
     if stop > start:
-        out[:, start:stop] = rows[:, place[start], np.newaxis]
-    out[:, stop:] = rows[:, place[stop:]]
+        out[:, start:stop] = rows[:, index[start], np.newaxis]
+    out[:, stop:] = rows[:, index[stop:]]
     return out
 
 
-def _tile(side: int, kernel: int, most: int) -> int:
-    """Return the side of tiles such that few cover `side` pixels."""
+def _tile_side(side: int, kernel: int, most: int) -> int:
+    """Return the side of tiles, about `most` pixels, of which as few as possible cover `side` pixels."""
     from scipy.fft import next_fast_len
 
     # Tiles of less than twice the kernel would consist of overlap for the most part.
@@ -407,86 +434,95 @@ def _tile(side: int, kernel: int, most: int) -> int:
 
 
 def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
-    """Return rows and columns from a start."""
+    """Return the slices of rows and columns with this start and these sides."""
     rows, columns = (slice(at, at + side) for at, side in zip(start, sides, strict=True))
     return rows, columns
 
 
-_APART = 0.2  # radians between two neighbouring frequencies, at the edge of the PSF
-_FREQUENCIES_TOGETHER = 16  # magnitudes of frequencies in a task of a thread
-_ON_AXIS = 0.4  # cycles a pixel: beyond, frequencies on the diagonal are farther from those that alias
+_PHASE_STEP = 0.2  # radians at the edge of the PSF by which the phases of neighbouring tabulated frequencies differ
+_FREQUENCIES_TOGETHER = 16  # tabulated frequencies in a task of a thread
+_MAX_ON_AXIS = 0.4  # cycles per pixel: above, the table is taken along the diagonal, where aliases are farther away
 
 
-_BESIDE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # B-splines of a degree at the voxels beside their middle
+_NEIGHBOUR_VALUE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # value of a B-spline one voxel from its middle, by degree
 
 
 class RadialTransfer:
-    """The lateral transfer function of PSFs, of each plane, over the spatial frequency alone.
+    """Lateral transfer functions of rotationally symmetric PSFs, tabulated over the magnitude of the frequency.
 
-    `pixels` says whether values are averages over square pixels, whose own transfer is left out, and `spline` is the
-    degree of the B-splines, along rows and columns, by whose transfer functions that of the PSF was divided.
+    `side` is the side of the PSFs in pixels. `pixels`: PSF values are averages over square pixels, whose transfer
+    function, which is not rotationally symmetric, is divided out of the table. `spline` is the degree of the
+    B-splines along rows and columns whose transfer functions the PSFs were divided by; these are multiplied back in
+    the table.
     """
 
     def __init__(self, side: int, *, pixels: bool, spline: int = 0) -> None:
         half = side // 2
-        self.apart = _APART / (2.0 * math.pi * half)
-        self.frequencies = self.apart * np.arange(math.ceil(math.sqrt(0.5) / self.apart) + 2)
+        self.spacing = _PHASE_STEP / (2.0 * math.pi * half)  # cycles per pixel
+        self.frequencies = self.spacing * np.arange(math.ceil(math.sqrt(0.5) / self.spacing) + 2)
         at = np.arange(side) - half
-        self._near = int(np.searchsorted(self.frequencies, _ON_AXIS))
-        axis, slanted = self.frequencies[: self._near], self.frequencies[self._near :] * math.sqrt(0.5)
+        on_axis = int(np.searchsorted(self.frequencies, _MAX_ON_AXIS))
+        axis, diagonal = self.frequencies[:on_axis], self.frequencies[on_axis:] * math.sqrt(0.5)
         self._axis = np.cos(2.0 * math.pi * np.outer(at, axis)).astype(np.float32)
-        self._slanted = np.cos(2.0 * math.pi * np.outer(at, slanted)).astype(np.float32)
-        self._parts = pixels, spline
-        self._pixels = np.concatenate([self._own(axis), self._own(slanted) ** 2])
+        self._diagonal = np.cos(2.0 * math.pi * np.outer(at, diagonal)).astype(np.float32)
+        self._sampling = pixels, spline
+        self._sampling_transfers = np.concatenate(
+            [self._sampling_transfer(axis), self._sampling_transfer(diagonal) ** 2]
+        )
 
-    def _own(self, frequency: Values) -> Array:
+    def _sampling_transfer(self, frequency: Values) -> Array:
         """Return the transfer function of pixels along one axis, over that of the B-spline."""
-        pixels, spline = self._parts
-        found = np.sinc(frequency) if pixels else np.ones(frequency.shape)
-        beside = _BESIDE[spline]
-        # A B-spline of values b beside 1 - 2 b has the transfer function 1 - 2 b (1 - cos 2 pi f).
-        return np.asarray(found / (1.0 - 2.0 * beside * (1.0 - np.cos(2.0 * math.pi * frequency))))
+        pixels, spline = self._sampling
+        transfer = np.sinc(frequency) if pixels else np.ones(frequency.shape)
+        b = _NEIGHBOUR_VALUE[spline]
+        # The B-spline has the values b, 1 - 2 b, b at voxels.
+        return np.asarray(transfer / (1.0 - 2.0 * b * (1.0 - np.cos(2.0 * math.pi * frequency))))
 
     def __call__(self, kernel: Array) -> Values:
         """Return the transfer function of the planes of an even kernel, shape (frequencies, planes)."""
         values = kernel.astype(np.float32)
-        # On an axis: the transform of sums over the other one. On the diagonal: cosines along both.
-        near = product(values.sum(axis=1), self._axis)
-        half = product(values.reshape(-1, values.shape[2]), self._slanted).reshape(*values.shape[:2], -1)
-        far = np.einsum("yf,pyf->pf", self._slanted, half)
-        made = np.concatenate([near, far], axis=1) / self._pixels
-        return np.ascontiguousarray(made.T, np.float32)
+        # On an axis: the transform of sums over the other axis. On the diagonal: cosines along both.
+        on_axis = product(values.sum(axis=1), self._axis)
+        along_x = product(values.reshape(-1, values.shape[2]), self._diagonal).reshape(*values.shape[:2], -1)
+        on_diagonal = np.einsum("yf,pyf->pf", self._diagonal, along_x)
+        transfer = np.concatenate([on_axis, on_diagonal], axis=1) / self._sampling_transfers
+        return np.ascontiguousarray(transfer.T, np.float32)
 
     def misfit(self, kernel: Array) -> float:
-        """Return the rms difference of a kernel's transfer function from this, over its own rms."""
+        """Return the rms difference of a kernel's transfer function from that of its table, over its rms."""
         from scipy.fft import rfft2
 
         sides = 2 * kernel.shape[1], 2 * kernel.shape[2]
         half = kernel.shape[1] // 2
-        # A shift of the middle to the first pixel, as a phase.
-        known = rfft2(kernel, sides) * np.exp(
+        # The phase shifts the middle pixel to the first.
+        exact = rfft2(kernel, sides) * np.exp(
             2j * math.pi * half * (np.fft.fftfreq(sides[0])[:, np.newaxis] + np.fft.rfftfreq(sides[1]))
         )
-        place, share, pixel = self.places(sides)
-        made = self(kernel).T
-        found = (made[:, place] * (1.0 - share) + made[:, place + 1] * share) * pixel
-        off = known.reshape(len(kernel), -1) - found
-        return float(np.sqrt((np.abs(off) ** 2).sum() / (np.abs(known) ** 2).sum()))
+        index, weight, sampling = self.interpolation(sides)
+        table = self(kernel).T
+        interpolated = (table[:, index] * (1.0 - weight) + table[:, index + 1] * weight) * sampling
+        difference = exact.reshape(len(kernel), -1) - interpolated
+        return float(np.sqrt((np.abs(difference) ** 2).sum() / (np.abs(exact) ** 2).sum()))
 
-    def places(self, tile: tuple[int, int]) -> tuple[Array, Array, Array]:
-        """Return for each frequency of a tile the index below, the share of that above, and the pixel's transfer."""
+    def interpolation(self, tile: tuple[int, int]) -> tuple[Array, Array, Array]:
+        """Return, for each frequency of the transform of a tile, how to compute its transfer function from the table.
+
+        These are the index of the tabulated frequency below, the weight of the one above, and the transfer function
+        of pixel and spline, by which the interpolated value is multiplied.
+        """
         down, across = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
-        place = np.hypot(down, across).ravel() / self.apart
-        pixel = (self._own(down) * self._own(across)).ravel()
-        return place.astype(np.intp), (place % 1.0).astype(np.float32), pixel.astype(np.float32)
+        position = np.hypot(down, across).ravel() / self.spacing
+        sampling = (self._sampling_transfer(down) * self._sampling_transfer(across)).ravel()
+        return position.astype(np.intp), (position % 1.0).astype(np.float32), sampling.astype(np.float32)
 
 
 class PlaneBlur(TiledBlur):
     """Convolution of each plane of the specimen with a PSF of its own, and its transpose.
 
-    For each lateral spatial frequency the planes of the recording are a matrix times those of the specimen. With
-    rotationally symmetric PSFs it depends on the magnitude of the frequency alone: matrices of some magnitudes are
-    kept, and interpolated between.
+    For each lateral spatial frequency, the planes of the recording are a matrix times the planes of the specimen.
+    With rotationally symmetric PSFs the matrix depends on the magnitude of the frequency alone: matrices are computed
+    at the tabulated frequencies of `transfer`, and interpolated linearly between them. There is one kernel, shape
+    (planes, side, side), for each plane of the specimen with its margin.
     """
 
     def __init__(
@@ -502,15 +538,16 @@ class PlaneBlur(TiledBlur):
         self._radial = transfer
         self._matrices = np.zeros((len(transfer.frequencies), shape[0], planes), np.float32)
         super().__init__(kernels, shape, margin, weights=np.eye(planes), threads=threads)
-        place, share, pixel = transfer.places(self._tile)
-        order = np.argsort(place, kind="stable")
-        cuts = np.flatnonzero(np.diff(place[order])) + 1
-        self._groups = [each.astype(np.int32) for each in np.split(order, cuts)]
-        self._levels = [int(place[each[0]]) for each in self._groups]
-        self._above, self._below = share * pixel, (1.0 - share) * pixel
+        index, weight, sampling = transfer.interpolation(self._tile)
+        # Frequencies of a tile are grouped by the two tabulated frequencies between which they lie.
+        order = np.argsort(index, kind="stable")
+        cuts = np.flatnonzero(np.diff(index[order])) + 1
+        self._groups = [group.astype(np.int32) for group in np.split(order, cuts)]
+        self._tabulated_below = [int(index[group[0]]) for group in self._groups]
+        self._weight_above, self._weight_below = weight * sampling, (1.0 - weight) * sampling
 
-    def _learn(self, number: int, kernel: Array) -> None:
-        """Put a kernel into the matrices: that of a plane, and the outermost ones also of those beyond."""
+    def _add_transfer(self, number: int, kernel: Array) -> None:
+        """Add the kernel of a plane to the matrices; an outermost plane also stands for the planes beyond it."""
         transfer = self._radial(kernel)
         first, last = (number == 0) * self._before, (number == self.whole[0] - 1) * self._after
         for at in range(number - first, number + last + 1):
@@ -520,37 +557,51 @@ class PlaneBlur(TiledBlur):
             if low < high:
                 self._matrices[:, low:high, number] += transfer[:, low - start : high - start]
 
-    def _along(self, *, transposed: bool) -> None:
-        """Multiply each frequency of the room by its matrix or the transpose, in place."""
-        assert self._room is not None
-        flat = self._room.reshape(self.whole[0], -1)
-        given, made = (self.shape[0], self.whole[0]) if transposed else (self.whole[0], self.shape[0])
+    def _filter_along_z(self, *, transposed: bool) -> None:
+        """Multiply the planes at each lateral frequency by its matrix or the transpose, in place."""
+        assert self._spectra is not None
+        flat = self._spectra.reshape(self.whole[0], -1)
+        planes_in, planes_out = self.whole[0], self.shape[0]
+        if transposed:
+            planes_in, planes_out = planes_out, planes_in
 
-        def several(begin: int) -> None:
+        def multiply_groups(begin: int) -> None:
             for number in range(begin, min(begin + _FREQUENCIES_TOGETHER, len(self._groups))):
-                one(number)
+                multiply_group(number)
 
-        def one(number: int) -> None:
-            here, level = self._groups[number], self._levels[number]
-            values = np.take(flat[:given], here, axis=1)
-            first, second = self._matrices[level], self._matrices[level + 1]
+        def multiply_group(number: int) -> None:
+            group, below = self._groups[number], self._tabulated_below[number]
+            values = np.take(flat[:planes_in], group, axis=1)
+            first, second = self._matrices[below], self._matrices[below + 1]
             if transposed:
                 first, second = first.T, second.T
-            # Complex values as pairs of real ones: the matrices are real.
-            found = product(first, (values * self._below[here]).view(np.float32))
-            values *= self._above[here]
-            found += product(second, values.view(np.float32))
-            flat[:made, here] = found.view(np.complex64)
+            # The matrices are real: complex values are multiplied as pairs of real ones.
+            result = product(first, (values * self._weight_below[group]).view(np.float32))
+            values *= self._weight_above[group]
+            result += product(second, values.view(np.float32))
+            flat[:planes_out, group] = result.view(np.complex64)
 
-        side_by_side(several, range(0, len(self._groups), _FREQUENCIES_TOGETHER), self._threads)
+        side_by_side(multiply_groups, range(0, len(self._groups), _FREQUENCIES_TOGETHER), self._threads)
 
 
 class WideBlur(PlaneOperator):
-    """The blur by PSFs in their windows, `near`, and by what of these lies beyond, `far`, of every `pitch` th pixel.
+    """Blur by wide PSFs: their windows, `near`, at every pixel, and their tails, `far`, at every `pitch` th pixel.
 
-    Light is shared linearly between the nodes of the coarse grid, and values between these are interpolated, so that
-    the transpose is exact. Beyond the margin the specimen is as bright everywhere in each plane as `outside` says: an
-    unknown like all others. A flat specimen so has a flat recording.
+    The tails are smooth: light is binned to the nodes of a coarse grid with linear weights, and the result is
+    interpolated linearly between the nodes, so that the transpose is exact. Beyond the margin each plane of the
+    specimen has the uniform brightness `outside`, which a deconvolution estimates as well. With it, the recording of
+    a uniform specimen is uniform.
+
+    Parameters
+    ----------
+    near : TiledBlur
+        Blur by the windows of the PSFs.
+    far : iterable of ndarray
+        Tails of the PSFs at the nodes, shape (planes, side, side).
+    pitch : int
+        Pixels between nodes of the coarse grid.
+    weights : ndarray, optional
+        Weights of the tails in each plane of the specimen, as in :class:`TiledBlur`.
     """
 
     outside: Values
@@ -575,152 +626,164 @@ class WideBlur(PlaneOperator):
         self._far = TiledBlur(
             kernels, (near.shape[0], nodes[0], nodes[1]), (margin[0], reach), weights=weights, threads=threads
         )
-        self._recorded = [_Hats(side, 0, pitch, 0, count) for side, count in zip(near.shape[1:], nodes, strict=True)]
-        self._given = [
-            _Hats(side, margin[1], pitch, reach, count + 2 * reach)
+        self._recording_weights = [
+            _LinearWeights(side, 0, pitch, 0, count) for side, count in zip(near.shape[1:], nodes, strict=True)
+        ]
+        self._specimen_weights = [
+            _LinearWeights(side, margin[1], pitch, reach, count + 2 * reach)
             for side, count in zip(near.whole[1:], nodes, strict=True)
         ]
-        down, across = (each.shares.sum(axis=0) for each in self._given)
-        # A node stands for pitch^2 pixels: what those of the specimen do not fill is outside.
-        self._beyond = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
+        down, across = (axis.weights.sum(axis=0) for axis in self._specimen_weights)
+        # A node represents pitch^2 pixels. Those that are not pixels of the specimen have the brightness `outside`.
+        self._pixels_outside = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
         self.outside = np.ones(near.whole[0], np.float32)
-        ones = np.outer(*(each.shares.sum(axis=0) for each in self._recorded)).astype(np.float32)
-        self._seen = self._returned(np.broadcast_to(ones, (near.shape[0], *ones.shape)))
-        self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._beyond)
+        ones = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)
+        # Recorded share of the light of tails, by node.
+        self._seen = self._coarse_adjoint(np.broadcast_to(ones, (near.shape[0], *ones.shape)))
+        self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._pixels_outside)
         self.outside_back = np.zeros(near.whole[0], np.float32)
         self.weigh(1.0)
 
-    def forward(self, specimen: Part, take: PartConsumer[Result]) -> list[Result]:
-        """Hand the recording of a specimen to `take`, as :meth:`TiledBlur.forward` does."""
-        coarse = self._binned(specimen, self.whole, self._given)
-        coarse += self.outside[:, np.newaxis, np.newaxis] * self._beyond
-        light = np.empty((self.shape[0], *(each.nodes for each in self._recorded)), np.float32)
+    def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Call `consume` with the recording of a specimen, as :meth:`TiledBlur.forward` does."""
+        coarse = self._binned(specimen, self.whole, self._specimen_weights)
+        coarse += self.outside[:, np.newaxis, np.newaxis] * self._pixels_outside
+        light = np.empty((self.shape[0], *(axis.nodes for axis in self._recording_weights)), np.float32)
 
-        def put(plane: int, rows: slice, columns: slice, values: Values) -> None:
+        def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
             light[plane, rows, columns] = values
 
-        self._far.forward(lambda plane, *at: coarse[(plane, *at)], put)
-        return self._near.forward(specimen, self._added(light, self._recorded, take))
+        self._far.forward(lambda plane, *part: coarse[(plane, *part)], store)
+        return self._near.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
 
-    def adjoint(self, recording: Part, take: PartConsumer[Result]) -> list[Result]:
-        """Hand the transpose of :meth:`forward` to `take`; that of the light outside is `outside_back`."""
-        light = self._returned(self._binned(recording, self.shape, self._recorded))
-        self.outside_back = np.einsum("pyx,yx->p", light, self._beyond)
-        return self._near.adjoint(recording, self._added(light, self._given, take))
+    def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
+        """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, that for `outside`."""
+        light = self._coarse_adjoint(self._binned(recording, self.shape, self._recording_weights))
+        self.outside_back = np.einsum("pyx,yx->p", light, self._pixels_outside)
+        return self._near.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
 
     def release(self) -> None:
-        """Release the memory of transforms; it is taken again when needed."""
+        """Free the memory of transforms until the next :meth:`forward` or :meth:`adjoint`."""
         self._near.release()
         self._far.release()
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
-        """Return the share of the light of points of the specimen that falls on the recording, as `Part` does."""
-        found = _between(self._seen[plane], self._given, rows, columns)
-        found += self._near.seen(plane, rows, columns)
-        return found
+        """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
+        share = _interpolated(self._seen[plane], self._specimen_weights, rows, columns)
+        share += self._near.seen(plane, rows, columns)
+        return share
 
     def weigh(self, weight: float) -> None:
-        """Set the weight that :meth:`per_seen` divides by as well."""
+        """Set the weight by which :meth:`per_seen` divides."""
         self._weight = weight
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return 1 over :meth:`seen` and the weight, 0 where next to nothing is seen."""
-        return per(self.seen(plane, rows, columns) * np.float32(self._weight))
+        """Return ``1 / (seen * weight)``, or 0 where hardly any light is recorded (`UNSEEN`)."""
+        return reciprocal(self.seen(plane, rows, columns) * np.float32(self._weight))
 
     @property
     def per_outside(self) -> Values:  # type: ignore[override]
-        """1 over the weight and the light from outside that falls on the recording."""
-        return per(self.outside_seen * np.float32(self._weight))
+        """1 over the weight times the recorded light of an `outside` of 1, for each plane."""
+        return reciprocal(self.outside_seen * np.float32(self._weight))
 
-    def _returned(self, light: Values) -> Values:
-        """Return the transpose of the coarse blur."""
-        back = np.empty((self.whole[0], *(each.nodes for each in self._given)), np.float32)
+    def _coarse_adjoint(self, light: Values) -> Values:
+        """Return the transpose of the coarse blur by the tails, applied to light at the nodes of the recording."""
+        back = np.empty((self.whole[0], *(axis.nodes for axis in self._specimen_weights)), np.float32)
 
-        def put(plane: int, rows: slice, columns: slice, values: Values) -> None:
+        def store(plane: int, rows: slice, columns: slice, values: Values) -> None:
             back[plane, rows, columns] = values
 
-        self._far.adjoint(lambda plane, *at: light[(plane, *at)], put)
+        self._far.adjoint(lambda plane, *part: light[(plane, *part)], store)
         return back
 
-    def _binned(self, values: Part, shape: tuple[int, ...], hats: list[_Hats]) -> Values:
-        """Return planes shared between the nodes of the coarse grid."""
+    def _binned(self, values: Part, shape: tuple[int, ...], axes: list[_LinearWeights]) -> Values:
+        """Return planes (of `shape`) binned to the nodes of the coarse grid with linear weights."""
         rows, columns = slice(0, shape[1]), slice(0, shape[2])
-        down, across = hats
-        made = np.empty((shape[0], down.nodes, across.nodes), np.float32)
+        down, across = axes
+        binned = np.empty((shape[0], down.nodes, across.nodes), np.float32)
 
-        def share(plane: int) -> None:
-            given = values(plane, rows, columns)
-            tall = np.zeros((down.nodes, shape[2]), np.float32)
+        def bin_plane(plane: int) -> None:
+            pixels = values(plane, rows, columns)
+            binned_rows = np.zeros((down.nodes, shape[2]), np.float32)
             for part, nodes in down.parts(rows):
-                tall[nodes] += product(down.shares[part, nodes].T, given[part])
-            made[plane] = 0.0
+                binned_rows[nodes] += product(down.weights[part, nodes].T, pixels[part])
+            binned[plane] = 0.0
             for part, nodes in across.parts(columns):
-                made[plane, :, nodes] += product(tall[:, part], across.shares[part, nodes])
+                binned[plane, :, nodes] += product(binned_rows[:, part], across.weights[part, nodes])
 
-        side_by_side(share, range(shape[0]), self._threads)
-        return made
+        side_by_side(bin_plane, range(shape[0]), self._threads)
+        return binned
 
-    def _added(self, light: Values, hats: list[_Hats], take: PartConsumer[Result]) -> PartConsumer[Result]:
-        """Return `take` with interpolated light added to its values."""
+    def _with_coarse(
+        self, light: Values, axes: list[_LinearWeights], consume: PartConsumer[Result]
+    ) -> PartConsumer[Result]:
+        """Return a consumer that adds interpolated coarse light to its values before it calls `consume`."""
 
-        def added(plane: int, rows: slice, columns: slice, values: Values) -> Result:
-            values += _between(light[plane], hats, rows, columns)
-            return take(plane, rows, columns, values)
+        def add(plane: int, rows: slice, columns: slice, values: Values) -> Result:
+            values += _interpolated(light[plane], axes, rows, columns)
+            return consume(plane, rows, columns, values)
 
-        return added
+        return add
 
 
-class _Hats:
-    """The share of each pixel in each node of a coarse grid; node `lower` is at pixel `before`."""
+class _LinearWeights:
+    """Weights of linear interpolation between the nodes of a coarse grid, for each pixel along an axis.
+
+    `weights` has the shape (pixels, nodes). Nodes are `pitch` pixels apart, and node `lower` is at pixel `before`.
+    """
 
     def __init__(self, side: int, before: int, pitch: int, lower: int, nodes: int) -> None:
-        place = (np.arange(side) - before) / pitch + lower
-        self._first = np.floor(place).astype(int)
-        self.nodes, self.shares = nodes, np.zeros((side, nodes), np.float32)
-        self.shares[np.arange(side), self._first] = 1.0 - (place - self._first)
+        position = (np.arange(side) - before) / pitch + lower
+        self._first = np.floor(position).astype(int)
+        self.nodes, self.weights = nodes, np.zeros((side, nodes), np.float32)
+        self.weights[np.arange(side), self._first] = 1.0 - (position - self._first)
         inside = self._first + 1 < nodes
-        self.shares[np.arange(side)[inside], self._first[inside] + 1] = (place - self._first)[inside]
+        self.weights[np.arange(side)[inside], self._first[inside] + 1] = (position - self._first)[inside]
 
     def parts(self, pixels: slice) -> Iterator[tuple[slice, slice]]:
-        """Yield parts of the pixels, with the few nodes in which these have a share."""
-        for start in range(pixels.start, pixels.stop, _TOGETHER):
-            stop = min(start + _TOGETHER, pixels.stop)
+        """Yield parts of the pixels, each with the nodes that have nonzero weights there."""
+        for start in range(pixels.start, pixels.stop, _PIXELS_TOGETHER):
+            stop = min(start + _PIXELS_TOGETHER, pixels.stop)
             yield slice(start, stop), slice(self._first[start], min(self._first[stop - 1] + 2, self.nodes))
 
 
-def _between(light: Values, hats: list[_Hats], rows: slice, columns: slice) -> Values:
-    """Return a part of a plane, interpolated between nodes."""
-    down, across = hats
-    tall = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
+def _interpolated(light: Values, axes: list[_LinearWeights], rows: slice, columns: slice) -> Values:
+    """Return a part of a plane, interpolated linearly from light at nodes (rows, columns)."""
+    down, across = axes
+    fine_rows = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
     for part, nodes in down.parts(rows):
-        tall[part.start - rows.start : part.stop - rows.start] = product(down.shares[part, nodes], light[nodes])
-    made = np.empty((len(tall), columns.stop - columns.start), np.float32)
+        fine_rows[part.start - rows.start : part.stop - rows.start] = product(down.weights[part, nodes], light[nodes])
+    fine = np.empty((len(fine_rows), columns.stop - columns.start), np.float32)
     for part, nodes in across.parts(columns):
-        here = slice(part.start - columns.start, part.stop - columns.start)
-        made[:, here] = product(tall[:, nodes], across.shares[part, nodes].T)
-    return made
+        target = slice(part.start - columns.start, part.stop - columns.start)
+        fine[:, target] = product(fine_rows[:, nodes], across.weights[part, nodes].T)
+    return fine
 
 
-def per(seen: Values) -> Values:
-    """Return 1 over `seen`, 0 where next to nothing is seen."""
+def reciprocal(seen: Values) -> Values:
+    """Return 1 over shares of light, or 0 where hardly any light is recorded (`UNSEEN`)."""
     with np.errstate(divide="ignore"):
         return np.where(seen > UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
 
 
-_TOGETHER = 64  # pixels that are interpolated together, between few of all nodes
+_PIXELS_TOGETHER = 64  # pixels interpolated by one matrix product, with the few nodes between which they lie
 
 
 def pitch_of(side: int) -> int:
-    """Return the pitch of the coarse grid beside a window of `side` pixels."""
+    """Return the pixels between nodes of the coarse grid for PSFs with windows of `side` pixels."""
     return 5 if side > 33 else 3
 
 
 def taper(side: int, pitch: int, at: Array | None = None) -> Array:
-    """Return the share of light that counts as near, over a window or at distances from its middle on both axes."""
+    """Return the share of a PSF that belongs to its window (`near`), 1 in the middle and 0 at the edge.
+
+    Over the pixels of a window of `side` pixels, or at the coordinates `at` along both axes, in pixels from the
+    middle.
+    """
     along = np.arange(side) - side // 2 if at is None else at
     half = side // 2 + 0.5
-    wide = min(2.0 * pitch, 0.7 * half)
+    width = min(2.0 * pitch, 0.7 * half)
     radius = np.hypot(along[:, np.newaxis], along)
-    inside = np.clip((half - radius) / wide, 0.0, 1.0)
+    inside = np.clip((half - radius) / width, 0.0, 1.0)
     # A raised cosine: its slope is 0 at either end.
     return np.asarray(0.5 - 0.5 * np.cos(math.pi * inside))

@@ -9,7 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.show import plot
-from lommel.show.pupils import across
+from lommel.show.pupils import pupil_maps
 from objectives import OIL
 
 WAVEFRONT = lm.Wavefront(2.0, nonradial={(3, 1): 1.5})
@@ -59,7 +59,9 @@ def test_a_wavefront_is_drawn_over_the_full_disc_and_its_stack_on_one_scale():
     assert [each.get_title() for each in axes.flat] == [f"defocus {k} rad" for k in range(4)]
     tops = {each.get_images()[0].norm.vmax for each in axes.flat}
     assert tops == {max(np.nanmax(np.abs(drawn(each))) for each in axes.flat)}
-    np.testing.assert_allclose(drawn(axes[1, 1]), across(lm.Pupil(stack[1, 1])).phase[0] / (2 * math.pi), atol=1e-12)
+    np.testing.assert_allclose(
+        drawn(axes[1, 1]), pupil_maps(lm.Pupil(stack[1, 1])).phase[0] / (2 * math.pi), atol=1e-12
+    )
 
 
 def test_the_amplitude_is_that_of_apodization_and_mask_and_nothing_where_light_is_blocked():
@@ -107,7 +109,7 @@ def test_the_measured_wavefront_of_an_objective_is_added():
     plain = OIL.pupil(depth=0.0, z=0.0, wavelength=520e-9)
     coma = lm.Wavefront.zernike({(3, 1): 0.3})
     with_it = OIL.pupil(depth=0.0, z=0.0, wavelength=520e-9, aberrations=coma)
-    added = across(with_it).phase[0] - across(plain).phase[0]
+    added = pupil_maps(with_it).phase[0] - pupil_maps(plain).phase[0]
     x, y = raster(added)
     clear = np.isfinite(added)
     truth = coma.phase(np.hypot(x, y)[clear], np.arctan2(y, x)[clear])

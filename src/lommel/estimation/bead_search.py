@@ -252,7 +252,7 @@ def _holding(scores: Scores, at: int, step: float) -> Scores:
     return scores._replace(slope=slope, information=information)
 
 
-_POLICY = Policy(most=1e7, patience=math.inf)
+_POLICY = Policy(max_damping=1e7, patience=math.inf)
 
 
 def _of_camera(name: str, mean: Array) -> Array:

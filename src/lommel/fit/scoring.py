@@ -1,7 +1,9 @@
 """Fisher scoring: damped steps (Levenberg and Marquardt) to the parameters of maximum likelihood.
 
-Steps are by Fisher's information, whose inverse at the end is the covariance. A model states its images and their
-derivatives (:class:`RowModel`); one whose parameters are no rows of numbers states its steps (:class:`Problem`).
+Steps use the Fisher information in place of the Hessian; its inverse at the maximum is the covariance. Several sets
+of parameters (starts) are improved at once. A model with parameters in a matrix, one row for each set, provides
+images and their derivatives (:class:`RowModel`). A model with other parameters computes its steps itself
+(:class:`Problem`).
 """
 
 from __future__ import annotations
@@ -18,24 +20,31 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
 from lommel.fit import goodness_of_fit
 
-_SETTLED = 1e-2  # squared length of a step, in standard errors, below which it is not taken
-_NEARLY = 1.0  # the same for a fast search, whose last step is taken
-_SWINGS = 0.5  # damping of steps that swing
-_LONGEST = 2.0  # radians rms: largest change of the wavefront in a step
-_FIRST, _LEAST, _MOST = 1e-2, 1e-6, 1e8  # damping: first, least, and where a search gives up
-_STRETCH = 16.0  # largest factor of a step's length
-_STALLED = 1e-4  # of the excess deviance: steps that gain less lead to a local minimum that does not fit
-_PATIENCE = 3  # number of such steps in a row that ends a search
+# Predicted gain below which a search has converged, equal to the squared length of the step in standard errors: of an
+# exact search, which does not take this step, and of a fast search, which does.
+_CONVERGED, _CONVERGED_FAST = 1e-2, 1.0
+_OSCILLATION_DAMPING = 0.5  # least damping after a step that overshoots
+_MAX_PHASE_STEP = 2.0  # radians rms: largest change of the wavefront in a step
+_FIRST_DAMPING, _MIN_DAMPING, _MAX_DAMPING = (
+    1e-2,
+    1e-6,
+    1e8,
+)  # relative to the diagonal; above the last a search fails
+_MAX_STRETCH = 16.0  # largest factor by which a step is lengthened
+# A search stalls in a local minimum if its fit is bad and so many steps in a row gain less than this share of the
+# excess deviance.
+_STALLED, _PATIENCE = 1e-4, 3
 
 Report = Callable[[int, float], object]
-"""Called with the number of a step and the best chi2 before it."""
+"""Function of the number of a step and of the best chi2 before this step."""
 
 
 class Scores(NamedTuple):
-    """Quality of the fit for several sets of parameters.
+    """Quality of the fit for s sets of p parameters.
 
-    `deviance` (s,) is minus the log-likelihood, `slope` (s, p) minus its gradient, `information` (s, p, p) Fisher's;
-    `chi2` (s,) is Pearson's over its expectation, and `spread` (s,) its standard deviation where the model is right.
+    `deviance` (s,) is minus the log-likelihood L, `slope` (s, p) the gradient of L, and `information` (s, p, p) the
+    Fisher information. `chi2` (s,) is Pearson's chi2 over its expectation, and `spread` (s,) the standard deviation
+    of `chi2` for a correct model.
     """
 
     deviance: Array
@@ -46,35 +55,38 @@ class Scores(NamedTuple):
 
 
 class RowModel(Protocol):
-    """A model of images whose parameters are rows of numbers."""
+    """A model of images with parameters `x`, shape (s, p): one row for each set of parameters."""
 
-    size: int
-    tested: int  # pixels less parameters, of a row
-    alternatives: bool  # whether rows are starts for the same images, of which the first that fits ends the search
+    size: int  # number p of parameters
+    tested: int  # degrees of freedom of a row: pixels less parameters
+    alternatives: bool  # rows are starts for the same images: the search ends when one of them fits
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
-        """Return the PSFs of images, and their derivatives."""
+        """Return the PSFs of all images for parameters `x`, and their derivatives.
+
+        If `fast`, they are computed only as exactly as a search needs.
+        """
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit for parameters `x`, which stand in these rows of the search."""
+        """Return the quality of the fit for parameters `x`; `rows` are the indices of these sets in the search."""
         return self.scores_of(x, *self.images(x, fast=fast))
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the same from images and derivatives."""
+        """Return the quality of the fit from the results of :meth:`images`."""
 
     def with_flux_background(self, x: Array, values: Any) -> Array:
-        """Return the parameters with flux and background from least squares; as they are where these are given."""
+        """Return parameters with the least-squares flux and background, unless the model prescribes these."""
         return x
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters in place."""
+        """Limit parameters `x` in place, given those before the step, and return them."""
 
     def rms(self, steps: Array) -> Array:
-        """Return the rms phase of steps; 0 where none changes a wavefront."""
+        """Return the rms change of the phase by each step (radians), 0 without wavefront parameters."""
         return np.zeros(len(steps))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps and the gain in deviance that their slopes promise."""
+        """Return damped steps (s, p), and the gain in deviance that each predicts."""
         return damped_steps(scores, damping)
 
 
@@ -82,43 +94,44 @@ Rows = NDArray[np.intp]
 
 
 class Problem(Protocol):
-    """What a search asks: `x` are several sets of parameters, `now` their scores, `at` those that move.
+    """A maximisation of the likelihood from s sets of parameters `x`, with their `scores`.
 
-    Sets are the rows of an array, or `x` is a single one of any type.
+    Sets are the rows of an array or, for s = 1, an object of any type. `rows` are the indices of the sets whose
+    search has not ended.
     """
 
-    tested: int
-    alternatives: bool  # whether the first set that fits ends the search
+    tested: int  # degrees of freedom: pixels less parameters
+    alternatives: bool  # the first set that fits ends the search
 
-    def step(self, x: Any, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps and the gain in deviance that they promise."""
+    def step(self, x: Any, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
+        """Return damped steps of these rows, and the gain in deviance that each predicts."""
 
     @property
     def rms(self) -> Callable[[Array], Array] | None:
-        """The rms phase of steps, radians; None where steps do not stretch."""
+        """Function of steps that returns their rms phase (radians), or None if steps are not to be lengthened."""
 
-    def attempt(self, x: Any, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Any, Scores | None]:
-        """Return parameters after steps times `factor` and their scores; None if these cannot be computed."""
+    def attempt(self, x: Any, scores: Scores, rows: Rows, step: Array, factor: Array) -> tuple[Any, Scores | None]:
+        """Return parameters after steps times `factor`, and their scores; None if these cannot be computed."""
 
 
 @dataclass(frozen=True)
 class Policy:
-    """Rules for the course of a search.
+    """Criteria that end a search.
 
-    `settled` is the squared length of a step, in standard errors, that is not worth taking; a search gives up at a
-    damping above `most`. A search of infinite `patience` goes on in a minimum that does not fit.
+    A search has converged where the predicted gain is below `settled`. It fails where the damping exceeds
+    `max_damping`, or after `patience` slow steps in a row in a local minimum that does not fit (infinite: never).
     """
 
-    settled: float = _SETTLED
-    most: float = _MOST
+    settled: float = _CONVERGED
+    max_damping: float = _MAX_DAMPING
     patience: float = _PATIENCE
 
 
 class Ascent(NamedTuple):
-    """The end of a search: parameters, their scores, which have settled, how many steps were tried."""
+    """End of a search: parameters, their scores, which sets have converged, and the number of steps tried."""
 
     x: Any
-    now: Scores
+    scores: Scores
     settled: NDArray[np.bool_]
     steps: int
 
@@ -126,173 +139,182 @@ class Ascent(NamedTuple):
 def fisher_scoring(
     problem: Problem,
     x: Any,
-    now: Scores,
-    most: int,
+    scores: Scores,
+    max_steps: int,
     report: Report,
     policy: Policy,
     last: Callable[[Any, Array, Rows, NDArray[np.bool_]], object] | None = None,
 ) -> Ascent:
-    """Take at most so many damped steps from parameters `x`, worth `now`, until they settle or one is enough.
+    """Take at most `max_steps` damped steps from parameters `x` until all sets have converged or one of them fits.
 
-    `last` gets the steps of those that have settled, which are not taken.
+    At the end, ``last(x, step, rows, converged)`` is called with the next steps of the sets `rows`, which are not
+    taken here.
     """
-    count = len(now.chi2)
-    damping, stretch = np.full(count, _FIRST), np.ones(count)
+    count = len(scores.chi2)
+    damping, stretch = np.full(count, _FIRST_DAMPING), np.ones(count)
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    taken, stalled = 0, np.zeros(count, dtype=int)
-    for turn in range(most + 1):
-        report(turn, float(now.chi2.min()))
-        at = np.flatnonzero(moving)
-        step, promised = problem.step(x, now, at, damping[at])
-        done = (promised < policy.settled) & (damping[at] <= 1.0)
-        settled[at] = done
-        moving[at] = ~done & (damping[at] <= policy.most) & (stalled[at] < policy.patience)
-        fits = done & (now.chi2[at] < goodness_of_fit.most(now.spread[at], goodness_of_fit.SURE))
-        if turn == most or not moving.any() or (problem.alternatives and fits.any()):
-            if last is not None and done.any():
-                last(x, step, at, done)
+    tried_steps, slow_steps = 0, np.zeros(count, dtype=int)
+    for turn in range(max_steps + 1):
+        report(turn, float(scores.chi2.min()))
+        rows = np.flatnonzero(moving)
+        step, predicted = problem.step(x, scores, rows, damping[rows])
+        # A strongly damped step is short wherever it starts: it does not show convergence.
+        converged = (predicted < policy.settled) & (damping[rows] <= 1.0)
+        settled[rows] = converged
+        moving[rows] = ~converged & (damping[rows] <= policy.max_damping) & (slow_steps[rows] < policy.patience)
+        fits = converged & (scores.chi2[rows] < goodness_of_fit.most(scores.spread[rows], goodness_of_fit.SURE))
+        if turn == max_steps or not moving.any() or (problem.alternatives and fits.any()):
+            if last is not None and converged.any():
+                last(x, step, rows, converged)
             break
-        go = moving[at]
-        at, promised, step = at[go], promised[go], step[go]
-        factor = np.ones(at.size)
+        still_moving = moving[rows]
+        rows, predicted, step = rows[still_moving], predicted[still_moving], step[still_moving]
+        factor = np.ones(rows.size)
         if problem.rms is not None:
-            factor = np.minimum(stretch[at], _LONGEST / np.maximum(problem.rms(step), 1e-300))
-        tried, new = problem.attempt(x, now, at, step, factor)
-        taken += at.size
-        gain = np.full(at.size, -np.inf) if new is None else now.deviance[at] - new.deviance
-        promised = promised * factor
-        better, stretched = gain > 0.0, stretch[at] > 1.0
-        damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+            factor = np.minimum(stretch[rows], _MAX_PHASE_STEP / np.maximum(problem.rms(step), 1e-300))
+        new_x, new = problem.attempt(x, scores, rows, step, factor)
+        tried_steps += rows.size
+        gain = np.full(rows.size, -np.inf) if new is None else scores.deviance[rows] - new.deviance
+        predicted = predicted * factor
+        better, stretched = gain > 0.0, stretch[rows] > 1.0
+        # After a lengthened step that failed, the factor is reset first, and the damping stays.
+        damping[rows] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
         if problem.rms is not None:
-            # Steps grow where the last one gained nearly all that its slope promised: far from the answer the
-            # information overstates the curvature of the likelihood.
-            straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
-            longer = np.minimum(2.0 * np.maximum(factor, 1.0), _STRETCH)
-            stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
-            # Near the end, steps that gain little of what they promise go to and fro beside the answer.
-            swings = better & (promised < 1.0) & (gain < 0.25 * promised)
-            damping[at[swings]] = np.maximum(damping[at[swings]], _SWINGS)
-        np.maximum(damping, _LEAST, out=damping)
-        excess = now.chi2[at] - goodness_of_fit.most(now.spread[at])
+            # Steps are lengthened where the last one gained nearly all that its slope predicted: far from the maximum
+            # the information overstates the curvature of the likelihood.
+            straight, bent = gain > 0.65 * predicted, gain < 0.3 * predicted
+            longer = np.minimum(2.0 * np.maximum(factor, 1.0), _MAX_STRETCH)
+            stretch[rows] = np.where(straight, longer, np.where(bent, 1.0, stretch[rows]))
+            # Near the maximum, a step that gains much less than predicted overshoots: successive ones would
+            # oscillate.
+            overshoots = better & (predicted < 1.0) & (gain < 0.25 * predicted)
+            damping[rows[overshoots]] = np.maximum(damping[rows[overshoots]], _OSCILLATION_DAMPING)
+        np.maximum(damping, _MIN_DAMPING, out=damping)
+        excess = scores.chi2[rows] - goodness_of_fit.most(scores.spread[rows])
         slow = better & (gain < _STALLED * problem.tested * excess)
-        stalled[at] = np.where(slow, stalled[at] + 1, np.where(better, 0, stalled[at]))
+        slow_steps[rows] = np.where(slow, slow_steps[rows] + 1, np.where(better, 0, slow_steps[rows]))
         if new is None or not better.any():
             continue
-        if better.all() and at.size == count:
-            x, now = tried, new
+        if better.all() and rows.size == count:
+            x, scores = new_x, new
             continue
-        x[at[better]] = tried[better]
-        for mine, theirs in zip(now, new, strict=True):
-            mine[at[better]] = theirs[better]
-    return Ascent(x, now, settled, taken)
+        x[rows[better]] = new_x[better]
+        for values, new_values in zip(scores, new, strict=True):
+            values[rows[better]] = new_values[better]
+    return Ascent(x, scores, settled, tried_steps)
 
 
 class _RowProblem:
-    """The problem of a model of rows; a `fast` one computes images only as exactly as a search needs."""
+    """Problem of a model with parameters in rows; if `fast`, images are only as exact as a search needs."""
 
     def __init__(self, model: RowModel, fast: bool) -> None:
         self.model, self.fast, self.rms = model, fast, model.rms
         self.tested, self.alternatives = model.tested, model.alternatives
 
-    def step(self, x: Array, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
-        there = now if at.size == len(x) else Scores(*(part[at] for part in now))
-        step, promised = self.model.steps(there, damping)
-        # What is at a limit, such as the place of a star that its window does not show, is at its best there.
-        allowed = self.model.within(x[at] + step, x[at]) - x[at]
-        # Not below 0: a promise is an increase.
-        return step, np.minimum(promised, np.maximum((allowed * there.slope).sum(axis=1), 0.0))
+    def step(self, x: Array, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
+        own = scores if rows.size == len(x) else Scores(*(values[rows] for values in scores))
+        step, predicted = self.model.steps(own, damping)
+        # A parameter at its limit has converged although its slope is not 0: only the allowed part of a step counts.
+        allowed = self.model.within(x[rows] + step, x[rows]) - x[rows]
+        return step, np.minimum(predicted, np.maximum((allowed * own.slope).sum(axis=1), 0.0))
 
-    def attempt(self, x: Array, now: Scores, at: Rows, step: Array, factor: Array) -> tuple[Array, Scores | None]:
-        tried = self.model.within(x[at] + factor[:, None] * step, x[at])
-        with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed are no better
-            return tried, self.model.scores(tried, fast=self.fast, rows=at)
-        return tried, None
+    def attempt(
+        self, x: Array, scores: Scores, rows: Rows, step: Array, factor: Array
+    ) -> tuple[Array, Scores | None]:
+        new_x = self.model.within(x[rows] + factor[:, None] * step, x[rows])
+        with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed count as no gain
+            return new_x, self.model.scores(new_x, fast=self.fast, rows=rows)
+        return new_x, None
 
-    def take(self, x: Array, step: Array, at: Rows, done: NDArray[np.bool_]) -> None:
-        """Take steps of rows that are done, in place; their scores stay."""
-        x[at[done]] = self.model.within(x[at[done]] + step[done], x[at[done]])
+    def take(self, x: Array, step: Array, rows: Rows, converged: NDArray[np.bool_]) -> None:
+        """Take the last steps of sets that have converged, in place, without computing scores anew."""
+        x[rows[converged]] = self.model.within(x[rows[converged]] + step[converged], x[rows[converged]])
 
 
 def search_rows(
-    model: RowModel, x: Array, most: int, report: Report, *, fast: bool
+    model: RowModel, x: Array, max_steps: int, report: Report, *, fast: bool
 ) -> tuple[Array, Scores, NDArray[np.bool_], int]:
-    """Take damped steps from starts `x` (s, p) until they settle or one fits.
+    """Take damped steps from starts `x` (s, p) until all have converged or one of them fits.
 
-    Return the ends, their scores, whether they settled, and the number of all steps. A `fast` search begins with the
-    flux and background of least squares, and takes its last step, which it does not score.
+    Return parameters, their scores, which starts have converged, and the number of steps of all starts. A `fast`
+    search starts with the least-squares flux and background, and takes its last step without scoring the result.
     """
     problem = _RowProblem(model, fast)
     values, slopes = model.images(x, fast=fast)
     if fast:
         x = model.with_flux_background(x, values)
-    policy = Policy(settled=_NEARLY if fast else _SETTLED)
-    now = model.scores_of(x, values, slopes)
-    return fisher_scoring(problem, x, now, most, report, policy, problem.take if fast else None)
+    policy = Policy(settled=_CONVERGED_FAST if fast else _CONVERGED)
+    scores = model.scores_of(x, values, slopes)
+    return fisher_scoring(problem, x, scores, max_steps, report, policy, problem.take if fast else None)
 
 
 def reduced_chi2(square: Any, total: Any, spread: Any, share: Any) -> tuple[Any, Any]:
-    """Return chi2 per degree of freedom and its standard deviation, of sums of squares, expectations and variances.
+    """Return chi2 per degree of freedom and its standard deviation for a correct model.
 
-    Beside parameters a `share` of the pixels is left. Where less than 1 is expected (images below 0), any square is a
-    misfit.
+    `square` is the sum of squared residuals, `total` the sum of their expectations, `spread` the variance of
+    `square`, and `share` the degrees of freedom over the number of pixels. Expectations below 1 (of images below 0)
+    are raised to 1, so that any residual there is a misfit.
     """
     expected = np.maximum(total * share, 1.0)
     return square / expected, np.sqrt(spread * share) / expected
 
 
 def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tuple[Array, Array]:
-    """Return flux (at least 1) and background (...,) of weighted least squares, of PSFs and pixels (..., pixels).
+    """Return the weighted least-squares flux (at least 1) and background, electrons, shape (...,).
 
-    Weights are those of the counts themselves: 1 / (counted + read + 1) of valid pixels.
+    `psf`, the counts `counted` (electrons), the read variance `read` and `valid` have the shape (..., pixels). The
+    weight of a valid pixel is the inverse of its estimated variance, 1 / (counted + read + 1).
     """
-    # 1 electron more keeps dark pixels from an infinite weight.
-    flux, level, middle = weighted_light(psf, counted, valid / (np.maximum(counted, 0.0) + read + 1.0))
+    # The 1 keeps dark pixels from an infinite weight.
+    flux, mean_counted, mean_psf = weighted_light(psf, counted, valid / (np.maximum(counted, 0.0) + read + 1.0))
     flux = np.maximum(flux, 1.0)
-    return flux, level - flux * middle
+    return flux, mean_counted - flux * mean_psf
 
 
 def weighted_light(psf: Array, counted: Array, weight: Array) -> tuple[Array, Array, Array]:
-    """Return the flux of least squares, and the weighted means of counts and PSF, (...,) each.
+    """Return the weighted least-squares flux, and the weighted means of counts and of the PSF, shape (...,) each.
 
-    The background of a flux is the mean of the counts less flux times that of the PSF.
+    The background is the mean of the counts less the flux times the mean of the PSF. Arguments have the shape
+    (..., pixels).
     """
     total, data = weight.sum(axis=-1), weight * counted
-    middle, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
-    # Sums about the weighted mean: flux and background are uncorrelated.
-    square = (weight * psf * psf).sum(axis=-1) - total * middle * middle
-    return ((data * psf).sum(axis=-1) - total * middle * level) / np.maximum(square, 1e-300), level, middle
+    mean_psf, mean_counted = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+    # Sums about the weighted means separate the flux from the background.
+    square = (weight * psf * psf).sum(axis=-1) - total * mean_psf * mean_psf
+    flux = ((data * psf).sum(axis=-1) - total * mean_psf * mean_counted) / np.maximum(square, 1e-300)
+    return flux, mean_counted, mean_psf
 
 
 def damped_steps(scores: Scores, damping: Array) -> tuple[Array, Array]:
-    """Return steps of Levenberg and Marquardt (s, p), and the gain in deviance that their slopes promise."""
+    """Return Levenberg-Marquardt steps (s, p), and the gain in deviance that each predicts to first order (s,)."""
     scale = information_roots(scores.information)
     matrix = scores.information / (scale[:, :, None] * scale[:, None, :])
     diagonal = np.arange(scale.shape[1])
     # Relative to the diagonal: damping does not depend on the units of parameters.
     matrix[:, diagonal, diagonal] += damping[:, None]
     step = np.linalg.solve(matrix, (scores.slope / scale)[..., None])[..., 0] / scale
-    # Slope times step: to first order, and twice the gain of a full step in a quadratic function.
+    # Slope times step is the gain to first order: twice the gain of an undamped step in a quadratic function.
     return step, np.einsum("si,si->s", step, scores.slope)
 
 
 def covariance(information: Array) -> Array:
     """Return the inverse (p, p) of an information matrix, with infinite variances for undetermined parameters."""
     scale = information_roots(information[None])[0]
-    alike = information / np.outer(scale, scale)
+    scaled = information / np.outer(scale, scale)
     # Eigenvectors of more than 25 parameters take ten times as long as the inverse, and all threads of BLAS.
     with suppress(np.linalg.LinAlgError):
-        found = np.linalg.inv(alike)
-        if np.linalg.norm(found) < 1e8:  # so that no eigenvalue is below 1e-8
-            return np.asarray(0.5 * (found + found.T) / np.outer(scale, scale))
-    values, vectors = np.linalg.eigh(alike)
-    # Derivatives in error by 1e-6 of the peak make of an eigenvalue 0 one as small as this.
-    blind = values < 1e-10
-    unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
-    values = np.where(blind, np.inf, values)
-    found = (vectors / values) @ vectors.T / np.outer(scale, scale)
-    found[unknown] = found[:, unknown] = 0.0
-    found[unknown, unknown] = np.inf
-    return np.asarray(found)
+        inverse = np.linalg.inv(scaled)
+        if np.linalg.norm(inverse) < 1e8:  # so that no eigenvalue is below 1e-8
+            return np.asarray(0.5 * (inverse + inverse.T) / np.outer(scale, scale))
+    values, vectors = np.linalg.eigh(scaled)
+    # Derivatives have errors of 1e-6 of the peak, which make an eigenvalue of 0 as large as this.
+    undetermined = values < 1e-10
+    affected = (np.abs(vectors[:, undetermined]) > 1e-3).any(axis=1)
+    values = np.where(undetermined, np.inf, values)
+    inverse = (vectors / values) @ vectors.T / np.outer(scale, scale)
+    inverse[affected] = inverse[:, affected] = 0.0
+    inverse[affected, affected] = np.inf
+    return np.asarray(inverse)
 
 
 def information_roots(information: Array) -> Array:

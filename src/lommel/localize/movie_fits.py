@@ -1,4 +1,4 @@
-"""Localisation of the molecules of a movie: frames in blocks, spots, fits, positions in the sample."""
+"""Localisation of the molecules of a movie, block by block: find spots, fit boxes, convert to sample positions."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from lommel.localize.table import Table
 from lommel.recorded.frames import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
 
-_HEIGHTS, _TURNS = 65, 100  # heights at which Gaussians are fitted, and iterations
+_HEIGHTS, _ITERATIONS = 65, 100  # number of heights z at which Gaussians are fitted, and of iterations
 
 
 def localize_movie(
@@ -42,40 +42,40 @@ def localize_movie(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Localizations:
-    """Find the molecules of a movie and estimate where they are.
+    """Find the molecules of a movie and estimate their positions.
 
-    By :func:`lommel.localize.find` and :func:`lommel.localize.fit`, frames in blocks. Drift of the sample is not
-    corrected, and molecules that shine in several frames are a row in each.
+    Blocks of frames are searched by :func:`lommel.localize.find` and fitted by :func:`lommel.localize.fit`. Drift of
+    the sample is not corrected. A molecule that emits in several frames has one row for each of them.
 
     Parameters
     ----------
     movie : Movie, path or array_like of shape (frames, rows, columns)
         Frames as the camera recorded them, in the unit of `noise`.
     table : Table
-        Images of a molecule, with the pixels of the camera; its shape is that of the boxes.
+        Images of a molecule, with the pixels of the camera. Their shape is that of the boxes that are fitted.
     noise : Noise, optional
         Gain, offset and read noise of the camera, each a number or a map of the frame; by default frames are in
         electrons without read noise.
     threshold : float, default 6.0
-        Least height of a spot in standard deviations of the background noise, at least 3.
+        Minimum height of a spot in standard deviations of the background noise, at least 3.
     width : float, optional
-        Standard deviation in pixels by which frames are smoothed to find spots; by default the median over z of that
-        of the images in the table.
+        Standard deviation in pixels of the Gaussian by which frames are smoothed to find spots. By default the median
+        over z of the standard deviation of the images in the table.
     saturation : float, optional
-        As of :func:`lommel.localize.find`; pixels that are full do not count in fits.
+        Value of a saturated pixel, as in :func:`lommel.localize.find`; saturated pixels are ignored in fits.
     starts : int, default 4
-        Number of starts of a fit where the first estimate is in doubt.
+        Number of starts of a fit whose first estimate is in doubt.
     flat : bool, default False
-        For images that do not tell z, as without astigmatism: x and y alone are estimated for. A fit that ends at an
-        end of the range of z has converged, and z is NaN.
+        Estimate x and y only, for PSFs from which z cannot be determined, for example without astigmatism. A fit that
+        reaches an end of the range of z then counts as converged, and z is NaN.
     background : {"auto", "flat", "tilted"}, default "auto"
-        Background of each box, as of :func:`lommel.localize.fit`. By default it is tilted from the block of frames on
-        in which the slopes that flat ones leave, of up to a thousand molecules of a block, all together or in parts
-        of the frame, are beyond five standard deviations.
+        Background of each box, as in :func:`lommel.localize.fit`. "auto" starts with a flat background, and changes
+        to a tilted one from the block on in which the mean slope of the residuals of flat fits, of up to a thousand
+        molecules in the whole frame or in a part of it, exceeds five standard deviations.
     mask : array_like of bool, shape (rows, columns), optional
-        True where a pixel is left out, as where the camera is hot.
+        True for pixels to be ignored, for example hot pixels of the camera.
     block : int, optional
-        Frames in memory at once; by default as many as have four million pixels.
+        Number of frames in memory at once; by default as many as have four million pixels.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
@@ -88,7 +88,7 @@ def localize_movie(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or frames are smaller than the boxes; MovieError if a file is no movie.
+        If an argument is out of range, or frames are smaller than the boxes; MovieError if a file is not a movie.
     OSError
         If a file cannot be read.
 
@@ -121,22 +121,22 @@ def localize_blocks(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Iterator[Localizations]:
-    """Yield the localisations of a movie block by block, for movies whose molecules are more than memory holds.
+    """Yield the localisations of a movie block by block, for movies with more molecules than fit in memory.
 
     Parameters
     ----------
     movie, table, noise, threshold, width, saturation, starts, flat, background, mask, block, threads, progress
-        As of :func:`lommel.localize.localize_movie`.
+        As in :func:`lommel.localize.localize_movie`.
 
     Yields
     ------
     Localizations
-        Of each block of frames, at least one, also without molecules; :func:`lommel.localize.writer` writes them.
+        Those of one block of frames; also of a block without molecules. :func:`lommel.localize.writer` writes them.
 
     Raises
     ------
     TypeError, ValueError, OSError
-        As of :func:`lommel.localize.localize_movie`.
+        As in :func:`lommel.localize.localize_movie`.
     """
     validation.instance("table", table, Table)
     validation.function("progress", progress, required=False)
@@ -145,71 +145,76 @@ def localize_blocks(
     kind = validation.choice("background", background, ("auto", *BACKGROUNDS))
     widths = gaussian_widths(table)
     if width is None:
-        # The geometric mean of both widths, at the median height.
+        # Median over z of the geometric mean of both widths.
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
     search = partial(find, box=table.shape, noise=camera, threshold=threshold, width=width, threads=threads)
     with _opened(movie, block) as (shape, blocks, name):
-        # From the sensor to the sample.
-        pixel = table.pixel / table.pupil.magnification
+        pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if validation.truth("flat", flat) else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
-        again = partial(fit, noise=camera, saturation=math.inf, starts=starts, threads=threads)
-        checks, done = Checks(recording, table, again, kind), 0
+        # Saturated pixels are already NaN in the values that are fitted: see `marked`.
+        fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=starts, threads=threads)
+        checks, done = Checks(recording, table, fit_boxes, kind), 0
         for frames in blocks:
             counts = frame_counts(frames, table.shape, saturation=saturation, mask=mask)
             if not done:
                 checks.first(counts)
             if counts.assumed:
-                saturation = counts.saturation  # of the frames that follow, too
+                saturation = counts.saturation  # for all following blocks
             spots = search(counts, first=done)
             values = counts.marked()
-            begun = "flat" if kind == "auto" else kind
-            found = _recentred(values, spots, done, table, partial(again, table, background=begun))
-            if checks.tilt(spots, found, fitted=begun == "tilted") > TILTED and kind == "auto":
+            first_kind = "flat" if kind == "auto" else kind
+            molecules = _recentred(values, spots, done, table, partial(fit_boxes, table, background=first_kind))
+            if checks.tilt(spots, molecules, fitted=first_kind == "tilted") > TILTED and kind == "auto":
                 kind = "tilted"
-                found = _recentred(values, spots, done, table, partial(again, table, background=kind))
+                molecules = _recentred(values, spots, done, table, partial(fit_boxes, table, background=kind))
             checks.compare(spots, "tilted" if kind == "tilted" else "flat")
-            part = _localizations(spots, found, recording, widths, table)
-            checks.count(part)
-            yield replace(part, findings=checks.findings, summary=checks.summary)
+            localizations = _localizations(spots, molecules, recording, widths, table)
+            checks.count(localizations)
+            yield replace(localizations, findings=checks.findings, summary=checks.summary)
             done += len(frames)
             if progress is not None:
                 progress(done, shape[0])
 
 
-_ROUNDS = 3  # largest number of times a box is moved
+_MAX_MOVES = 3  # largest number of times a box is moved
 
 
-def _recentred(frames: Values, spots: Spots, first: int, table: Table, again: Callable[..., Molecules]) -> Molecules:
-    """Return fits of boxes; off-centre molecules, as with coma, are fitted again in boxes around their estimates."""
+def _recentred(
+    frames: Values, spots: Spots, first: int, table: Table, fit_boxes: Callable[..., Molecules]
+) -> Molecules:
+    """Fit the boxes of spots, and fit off-centre molecules (as by coma) again in boxes around their estimates.
 
-    def boxes(of: NDArray[np.int64], at: NDArray[np.int64]) -> Values:
-        return np.asarray(frames[of[:, None, None], *box_pixels(at, table.shape)])
+    `frames` (frames, rows, columns) begin at frame `first` of the movie.
+    """
 
-    which, corners = spots.frame - first, spots.corners
-    found = again(boxes(which, corners), corners=corners)
-    most, middle = np.array(frames.shape[1:]) - table.shape, np.array(table.shape) // 2
-    moved = np.arange(len(which))
-    for _ in range(_ROUNDS):
-        places = np.round(np.stack([found.row[moved], found.column[moved]], axis=1)).astype(np.int64) - middle
-        places = np.clip(places, 0, most)
-        other_place = (places != corners[moved]).any(axis=1)
-        moved, places = moved[other_place], places[other_place]
+    def boxes(frame: NDArray[np.int64], corner: NDArray[np.int64]) -> Values:
+        return np.asarray(frames[frame[:, None, None], *box_pixels(corner, table.shape)])
+
+    frame, corners = spots.frame - first, spots.corners
+    molecules = fit_boxes(boxes(frame, corners), corners=corners)
+    last_corner, middle = np.array(frames.shape[1:]) - table.shape, np.array(table.shape) // 2
+    moved = np.arange(len(frame))  # indices of molecules whose boxes were moved in the last round
+    for _ in range(_MAX_MOVES):
+        positions = np.stack([molecules.row[moved], molecules.column[moved]], axis=1)
+        new_corners = np.clip(np.round(positions).astype(np.int64) - middle, 0, last_corner)
+        off_centre = (new_corners != corners[moved]).any(axis=1)
+        moved, new_corners = moved[off_centre], new_corners[off_centre]
         if not moved.size:
             break
-        other = again(boxes(which[moved], places), corners=places)
-        # A move that loses convergence is not kept.
-        better = other.converged | ~found.converged[moved]
-        moved, places = moved[better], places[better]
-        found, corners[moved] = found.replaced(moved, other[better]), places
-    return found
+        refitted = fit_boxes(boxes(frame[moved], new_corners), corners=new_corners)
+        # A fit that no longer converges in the new box is not kept.
+        better = refitted.converged | ~molecules.converged[moved]
+        moved, new_corners = moved[better], new_corners[better]
+        molecules, corners[moved] = molecules.replaced(moved, refitted[better]), new_corners
+    return molecules
 
 
 @contextmanager
 def _opened(
     movie: Movie | str | PathLike[str] | ArrayLike, block: int | None
 ) -> Iterator[tuple[tuple[int, int, int], Iterator[Values], str]]:
-    """Yield the shape of a movie, its blocks, and its name."""
+    """Yield the shape of a movie, an iterator over its blocks of frames, and its file name ("" for an array)."""
     if isinstance(movie, str | PathLike):
         with open_movie(movie) as opened:
             yield opened.shape, opened.blocks(block), opened.path.name
@@ -227,44 +232,48 @@ def _opened(
 
 
 def _localizations(
-    spots: Spots, found: Molecules, recording: Recording, widths: tuple[Array, Array, Array], table: Table
+    spots: Spots, molecules: Molecules, recording: Recording, widths: tuple[Array, Array, Array], table: Table
 ) -> Localizations:
+    """Return the table of localisations, in metres in the sample; `widths` are those of `gaussian_widths`."""
     rows, pixel = np.zeros(len(spots), columns()), recording.pixel
     rows["frame"], rows["score"] = spots.frame, spots.score
     for name in ("discrepancy", "log_likelihood", "state"):
-        rows[name] = getattr(found, name)
+        rows[name] = getattr(molecules, name)
     sides = {"row": "y", "column": "x"}
-    for name in (each.name for each in fields(MoleculeErrors)):
-        # Positions from the outer corner of the first pixel, whose middle is half a pixel from it.
+    for name in (field.name for field in fields(MoleculeErrors)):
+        # Positions count from the outer corner of the first pixel, half a pixel from its middle.
         to, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
-        rows[to] = (getattr(found, name) + shift) * scale
-        rows[f"{to}_error"] = getattr(found.errors, name) * scale
-    heights, along_y, along_x = widths
-    rows["sigma_y"], rows["sigma_x"] = (pixel * np.interp(found.z, heights, one) for one in (along_y, along_x))
+        rows[to] = (getattr(molecules, name) + shift) * scale
+        rows[f"{to}_error"] = getattr(molecules.errors, name) * scale
+    heights, width_y, width_x = widths
+    rows["sigma_y"], rows["sigma_x"] = (
+        pixel * np.interp(molecules.z, heights, width) for width in (width_y, width_x)
+    )
     if recording.along == "none":
-        # A flat fit at an end of z may be right in x and y; z is not reported.
-        rows["state"][(found.state == STATES.index("border")) & np.isin(found.z, table.z)] = 0
+        # A fit that reaches an end of z may be right in x and y: it counts as converged, but z is not reported.
+        rows["state"][(molecules.state == STATES.index("border")) & np.isin(molecules.z, table.z)] = 0
         rows["z"] = rows["z_error"] = np.nan
-    ends = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
-    left = spots.borders, spots.overlapping, spots.saturated, spots.left_out, ends
-    return Localizations(rows, recording, len(spots), *left)
+    at_ends_of_z = int(np.isin(rows["z"][rows["state"] == STATES.index("border")], table.z).sum())
+    not_fitted = spots.borders, spots.overlapping, spots.saturated, spots.left_out
+    return Localizations(rows, recording, len(spots), *not_fitted, at_ends_of_z)
 
 
 def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
-    """Return heights z, and deviations along rows and columns of Gaussians fitted to the images there, pixels.
+    """Return heights z (m), and standard deviations (pixels) along y and x of Gaussians fitted to the images.
 
-    Adaptive moments (G. M. Bernstein, M. Jarvis, doi:10.1086/338085): weighed by the Gaussian itself, the second
-    moments of a Gaussian are half its own.
+    Adaptive moments (G. M. Bernstein, M. Jarvis, doi:10.1086/338085): the second moments of the image, weighted by
+    the Gaussian itself, are half of its variances.
     """
     heights = np.linspace(*table.z, _HEIGHTS)
     row, column = (side // 2 for side in table.shape)
     images = np.asarray(table(row, column, heights), np.float64)
-    sides = np.arange(table.shape[0]) - row, np.arange(table.shape[1]) - column
+    y, x = np.arange(table.shape[0]) - row, np.arange(table.shape[1]) - column
     variances = np.full((2, _HEIGHTS), 2.0)
-    for _ in range(_TURNS):
-        tall, wide = (np.exp(-0.5 * at**2 / one[:, None]) for at, one in zip(sides, variances, strict=True))
-        pairs = (tall, wide), (tall * sides[0] ** 2, wide), (tall, wide * sides[1] ** 2)
-        sums, *moments = (np.einsum("zyx,zy,zx->z", images, *pair) for pair in pairs)
-        # Variances of Gaussians are twice the weighed second moments.
+    for _ in range(_ITERATIONS):
+        weight_y, weight_x = (
+            np.exp(-0.5 * at**2 / variance[:, None]) for at, variance in zip((y, x), variances, strict=True)
+        )
+        factors = (weight_y, weight_x), (weight_y * y**2, weight_x), (weight_y, weight_x * x**2)
+        sums, *moments = (np.einsum("zyx,zy,zx->z", images, *pair) for pair in factors)
         variances = np.clip(2.0 * np.stack(moments) / sums, 0.1, max(table.shape) ** 2)
     return heights, *np.sqrt(variances)

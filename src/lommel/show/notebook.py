@@ -27,7 +27,7 @@ from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show import drawing
-from lommel.show.pupils import across
+from lommel.show.pupils import pupil_maps
 from lommel.special import zernike
 
 _TILES = 4  # largest number of images of a stack that are shown
@@ -181,7 +181,7 @@ def _phase(pupil: BasePupil) -> str:
     # A wavefront of very many terms takes as long for each point as one of few for all.
     terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
-    seen = [across(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
+    seen = [pupil_maps(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
     top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
     return _joined_pictures([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
 

@@ -21,12 +21,15 @@ if TYPE_CHECKING:
     from matplotlib.image import AxesImage
 
 UNITS = ("waves", "radians", "nm")
-_SIDE = 256
-_BLOCKED = "0.55"  # colour of where no light passes
+_SIDE = 256  # pixels along a side of an image
+_BLOCKED = "0.55"  # grey of blocked regions
 
 
-class Across(NamedTuple):
-    """Phase (radians, NaN where no light passes) and amplitude on a raster from -1 to 1, shape (n, side, side)."""
+class PupilMaps(NamedTuple):
+    """Phase (radians, NaN in blocked regions) and amplitude of n pupils, shape (n, side, side).
+
+    Pixels cover the square from -1 to 1 pupil radii.
+    """
 
     phase: Array
     amplitude: Array
@@ -34,14 +37,14 @@ class Across(NamedTuple):
 
 @display.plot.register(Wavefront)
 def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> drawing.Drawn:
-    """Draw the phase of a wavefront over the full disc, without its mean; a stack side by side on one scale.
+    """Draw the phase of a wavefront over the full disc, less its mean; a stack side by side on one scale.
 
     Parameters
     ----------
     thing : Wavefront
-        A stack of at most 64 is drawn.
+        One wavefront, or a stack of at most 64.
     ax : matplotlib Axes, optional
-        For a single one. By default those of a new figure, which has a title and a colour bar.
+        Axes to draw a single wavefront in. By default those of a new figure, with a title and a colour bar.
     unit : {"waves", "radians"}
         Unit of the phase.
 
@@ -63,19 +66,20 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
 
 @display.plot.register(BasePupil)
 def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> drawing.Drawn:
-    """Draw the phase across a pupil, without its mean, or its amplitude; a stack side by side on one scale.
+    """Draw the phase across a pupil, less its mean, or the amplitude; a stack side by side on one scale.
 
     Parameters
     ----------
     thing : Pupil or ObjectivePupil
-        A stack of at most 64 is drawn. For an objective the phase is that of its layers in this plane, with its
-        aberrations; the dashed circle is the critical angle of the sample, beyond which light decays with depth.
+        One pupil, or a stack of at most 64. The phase of an objective is that of its layers for the plane in focus
+        and the depth of the emitter, with the aberrations; a dashed circle marks the critical angle of the sample,
+        beyond which light decays with depth.
     ax : matplotlib Axes, optional
-        For a single one. By default those of a new figure, which has a title and a colour bar.
+        Axes to draw a single pupil in. By default those of a new figure, with a title and a colour bar.
     what : {"phase", "amplitude"}
-        The amplitude is 1 where the aperture is clear, unless it is apodized; for an objective it is the rms over
-        both polarisations of the amplitude transmitted by the layers, relative to its maximum. Blocked regions are
-        grey.
+        Quantity to draw. The amplitude is 1 where the aperture is clear, unless it is apodized; for an objective it
+        is the rms over both polarisations of the amplitude transmitted by the layers, relative to its maximum.
+        Blocked regions are grey.
     unit : {"waves", "radians", "nm"}
         Unit of the phase; nm of optical path for a pupil with a wavelength.
 
@@ -94,90 +98,98 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
     validation.choice("unit", unit, UNITS)
     if what == "phase":
         return _phase(imaged(thing), ax, unit, drawing.of_pupils(thing))
-    found = _few(imaged(thing), ax).amplitude
+    amplitude = _drawable_maps(imaged(thing), ax).amplitude
     if thing.layered:
-        found, passing = found / found.max(), "of both polarisations, over the largest"
+        amplitude, note = amplitude / amplitude.max(), "of both polarisations, over the largest"
     else:
-        passing = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
-    values, most = np.where(found > 0.0, found, np.nan), max(1.0, float(found.max()))
-    words = f"amplitude {passing}", "amplitude"
-    return _draw(thing, values, ax, words, drawing.of_pupils(thing), cmap="viridis", vmin=0.0, vmax=most)
+        note = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
+    values, largest = np.where(amplitude > 0.0, amplitude, np.nan), max(1.0, float(amplitude.max()))
+    labels = f"amplitude {note}", "amplitude"
+    return _draw(thing, values, ax, labels, drawing.of_pupils(thing), cmap="viridis", vmin=0.0, vmax=largest)
 
 
-def across(pupil: BasePupil, side: int = _SIDE) -> Across:
-    """Return phase and amplitude on a raster, for the flattened stack."""
-    at = (np.arange(side) + 0.5) * (2.0 / side) - 1.0
-    x, y = np.meshgrid(at, at)
+def pupil_maps(pupil: BasePupil, side: int = _SIDE) -> PupilMaps:
+    """Return phase and amplitude of each pupil of the flattened stack, in images of `side` by `side` pixels."""
+    centres = (np.arange(side) + 0.5) * (2.0 / side) - 1.0
+    x, y = np.meshgrid(centres, centres)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     count = math.prod(pupil.shape)
     phase = np.full((count, side, side), np.nan)
     amplitude = np.zeros(phase.shape)
     if isinstance(pupil, Pupil):
-        strength = pupil.illumination.at(rho**2) * (pupil.opening.margin(x, y) >= 0.0)
+        common = pupil.illumination.at(rho**2) * (pupil.opening.margin(x, y) >= 0.0)
         if pupil.mask is not None:
-            strength = strength * np.abs(pupil.mask.at(x, y))
-        clear = strength > 0.0
-        amplitude[:] = strength
-        added = pupil.opening.phase(x[clear], y[clear])
+            common = common * np.abs(pupil.mask.at(x, y))
+        clear = common > 0.0
+        amplitude[:] = common
+        # Phases of segments and masks, beside that of the wavefront.
+        aperture_phase = pupil.opening.phase(x[clear], y[clear])
         if pupil.mask is not None:
-            added = added + np.angle(pupil.mask.at(x[clear], y[clear]))
-        phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1) + added
+            aperture_phase = aperture_phase + np.angle(pupil.mask.at(x[clear], y[clear]))
+        phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1) + aperture_phase
     elif isinstance(pupil, ObjectivePupil):
         clear = rho <= 1.0
-        phase[:, clear], amplitude[:, clear] = _through_layers(pupil, rho[clear], theta[clear])
+        phase[:, clear], amplitude[:, clear] = _objective_maps(pupil, rho[clear], theta[clear])
     if clear.any():
         phase -= phase[:, clear].mean(axis=1)[:, None, None]
-    return Across(phase, amplitude)
+    return PupilMaps(phase, amplitude)
 
 
-def _through_layers(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Array, Array]:
-    """Return the phase of each plane at points of an objective's pupil, and the amplitude, shape (n, points)."""
+def _objective_maps(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Array, Array]:
+    """Return phase and amplitude at points of an objective's pupil, shape (n, points) for n planes of the stack."""
     layers = pupil.layers
-    fixed, by_depth, by_focus = layers.rates(layers.cosine(rho))
-    psi = fixed + np.multiply.outer(pupil.depth.ravel(), by_depth) + np.multiply.outer(pupil.focus.ravel(), by_focus)
-    made = layers.amplitudes(layers.cosine(rho), (layers.NA * rho) ** 2)
-    passed = np.sqrt(0.5 * (np.abs(made.s) ** 2 + np.abs(made.p) ** 2))
-    passed = passed * np.exp(-layers.apodization((layers.NA * rho) ** 2))
+    # Complex phase psi, linear in depth and focus; its imaginary part is the decay of evanescent light.
+    fixed, per_depth, per_focus = layers.rates(layers.cosine(rho))
+    psi = (
+        fixed + np.multiply.outer(pupil.depth.ravel(), per_depth) + np.multiply.outer(pupil.focus.ravel(), per_focus)
+    )
+    transmitted = layers.amplitudes(layers.cosine(rho), (layers.NA * rho) ** 2)
+    amplitude = np.sqrt(0.5 * (np.abs(transmitted.s) ** 2 + np.abs(transmitted.p) ** 2))
+    amplitude = amplitude * np.exp(-layers.apodization((layers.NA * rho) ** 2))
     phase = psi.real
     if pupil.aberrations is not None:
         phase = phase + pupil.aberrations.phase(rho, theta).reshape(-1, rho.size)
-    return phase, passed * np.exp(-psi.imag)
+    return phase, amplitude * np.exp(-psi.imag)
 
 
-def _few(pupil: BasePupil, ax: Axes | None) -> Across:
-    """Return :func:`across` of a stack that can be drawn; ValueError for too many, or for axes and a stack."""
+def _drawable_maps(pupil: BasePupil, ax: Axes | None) -> PupilMaps:
+    """Return the maps of a pupil or stack to be drawn; ValueError for more than 64, or for `ax` with a stack."""
     validation.axes("ax", ax)
     drawing.only_single(ax, pupil.shape)
     count = math.prod(pupil.shape)
     drawing.at_most(pupil.shape)
-    # Vanes and gaps are narrow.
+    # Larger images show narrow vanes and gaps.
     side = _SIDE if pupil.circular else 2 * _SIDE
-    return across(pupil, side if count < 9 else side // 2)
+    return pupil_maps(pupil, side if count < 9 else side // 2)
 
 
 def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> drawing.Drawn:
-    """Draw the phase of a pupil, or of a stack of them."""
+    """Draw the phase of a pupil, or of a stack of pupils with one title each."""
     if unit == "nm" and pupil.wavelength is None:
         raise ValueError('unit="nm" needs a pupil with a wavelength, got one without; take "waves" or "radians"')
-    per = 1.0 if unit == "radians" else 2.0 * math.pi
+    radians_per_unit = 1.0 if unit == "radians" else 2.0 * math.pi
     if unit == "nm":
-        per /= 1e9 * (pupil.wavelength or math.nan)
-    values = _few(pupil, ax).phase / per
+        radians_per_unit /= 1e9 * (pupil.wavelength or math.nan)
+    values = _drawable_maps(pupil, ax).phase / radians_per_unit
     title = "phase, less its mean"
     if not pupil.shape and isinstance(pupil, Pupil) and not pupil.phase_mask:
-        spread = float(np.nanmax(values) - np.nanmin(values))
-        title = f"rms {float(rms(pupil)) / per:.3g} {unit}, peak to valley {spread:.3g} {unit}"
-    words, norm = (title, f"phase, less its mean ({unit})"), drawing.even_norm(float(np.nanmax(np.abs(values))))
-    return _draw(pupil, values, ax, words, titles, cmap="RdBu_r", norm=norm)
+        peak_to_valley = float(np.nanmax(values) - np.nanmin(values))
+        rms_phase = float(rms(pupil)) / radians_per_unit
+        title = f"rms {rms_phase:.3g} {unit}, peak to valley {peak_to_valley:.3g} {unit}"
+    labels, norm = (title, f"phase, less its mean ({unit})"), drawing.even_norm(float(np.nanmax(np.abs(values))))
+    return _draw(pupil, values, ax, labels, titles, cmap="RdBu_r", norm=norm)
 
 
 def _draw(
-    pupil: BasePupil, values: Array, ax: Axes | None, words: tuple[str, str], titles: list[str], **how: Any
+    pupil: BasePupil, values: Array, ax: Axes | None, labels: tuple[str, str], titles: list[str], **imshow: Any
 ) -> drawing.Drawn:
-    """Draw what is known across a pupil, with a title and what the bar says."""
+    """Draw values across a pupil, shape (n, side, side); `labels` are the title of the figure and of the colour bar.
 
-    def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
-        image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **how)
+    `titles` are those of the pupils of a stack; other options are for `Axes.imshow`.
+    """
+
+    def draw_one(index: tuple[int, ...], axes: Axes) -> AxesImage:
+        image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **imshow)
         ticks = [-1, 0, 1]
         axes.set(facecolor=_BLOCKED, xticks=ticks, yticks=ticks, xlabel="x (pupil radii)", ylabel="y (pupil radii)")
         if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:
@@ -185,9 +197,9 @@ def _draw(
         return image
 
     if pupil.shape:
-        return drawing.tiles(pupil.shape, one, titles, *words)
+        return drawing.tiles(pupil.shape, draw_one, titles, *labels)
     axes = drawing.new_axes(ax)
-    one((), axes)
+    draw_one((), axes)
     if ax is None:
-        drawing.caption(axes, *words)
+        drawing.caption(axes, *labels)
     return axes

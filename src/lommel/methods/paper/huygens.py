@@ -1,4 +1,4 @@
-"""Huygens' superposition, the paper's "ray tracing": every point of the aperture a wave."""
+"""Huygens' superposition, the paper's "ray tracing": a sum of waves from all points of the aperture."""
 
 from __future__ import annotations
 
@@ -22,28 +22,29 @@ from lommel.optics.wavefront.wavefront import expansion, path
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_MAX_WAVELETS = 10**11
+_MAX_WAVELETS = 10**11  # sources times points of the image
 _MAX_RADIAL = 20_000
 _MAX_SOURCES = 5 * 10**7
-_BLOCK = 2**22  # wavelets between two looks at the keyboard: well below a second
+_BLOCK = 2**22  # wavelets of one call of the core, well below a second, so that Ctrl+C is not delayed
 
 
 @dataclass(frozen=True)
 class HuygensFresnel(FieldMethod[Pupil]):
     r"""Huygens-Fresnel sum of wavelets with exact path differences (no Fresnel approximation).
 
-    Needs physical distances, hence a pupil from :meth:`lommel.Lens.pupil`, and depends on the model of the lens.
+    The method needs physical distances, hence a pupil from :meth:`lommel.Lens.pupil`, and depends on the model of the
+    lens.
 
     A *paraxial* lens is modelled as flat and thin, emitting spherical wavelets. It is stigmatic for the plane in
-    focus, where it agrees with the Fresnel approximation at small angles; at large ones it includes the obliquity
-    ``(d / rho)^2``, the curvature of the image field and the higher orders of the defocus. The difference from the
-    other methods is their Fresnel error. In this model the *tangents* of the angles are proportional to rho, which is
-    rare in real lenses.
+    focus, where it agrees with the Fresnel approximation at small angles. At large angles it includes the obliquity
+    factor, the curvature of the image field and the higher orders of the defocus. The difference from the other
+    methods is their Fresnel error. In this model the *tangents* of the angles of rays are proportional to the pupil
+    coordinate, which is rare in real lenses.
 
-    An *aplanatic* lens emits plane waves from its reference sphere, in directions whose sines are proportional to
-    rho: the Debye integral with exact path differences. The other methods compute the same from an expansion in
-    powers of rho^2, and agree. The Debye integral neglects the finite distance of the pupil: phases of up to ``k r^2
-    (R_max / d)^2 / 2 d`` at the distance r from the axis.
+    An *aplanatic* lens emits plane waves from its reference sphere, in directions whose *sines* are proportional to
+    the pupil coordinate: the Debye integral with exact path differences. The other methods expand the same phase in
+    powers of the squared pupil coordinate, and agree. The Debye integral neglects the finite distance of the pupil:
+    phases of up to ``k r^2 (R_max / d)^2 / (2 d)`` at the distance r from the axis.
 
     Parameters
     ----------
@@ -51,8 +52,8 @@ class HuygensFresnel(FieldMethod[Pupil]):
         True: one sum for each distinct radius, over one half of the aperture. False: one sum for every pixel,
         over the whole aperture, O(n^4) for an n x n image.
     nodes : (int, int), optional
-        Radial Gauss-Legendre nodes in rho^2 and azimuthal points over the full circle; by default for an error of
-        about 1e-10 of the unaberrated field.
+        Number of radial Gauss-Legendre nodes in the squared pupil coordinate, and of azimuthal points over the full
+        circle. By default chosen for an error of about 1e-10 of the unaberrated field.
 
     Raises
     ------
@@ -61,13 +62,14 @@ class HuygensFresnel(FieldMethod[Pupil]):
 
     Notes
     -----
-    Flat: ``U(r) = 1/(pi R_max^2) int exp(i Phi_lens) (d/rho)^2 exp(i k (rho - rho_0)) dA`` with
-    ``rho = |(x, y, 0) - (r, 0, d)|``: Rayleigh-Sommerfeld diffraction of the first kind. The phase in the
-    aperture is ``k (sqrt(s^2 + R^2) - s)`` of the object at s less that of the object in focus, plus the
+    Paraxial: ``U(r) = 1/(pi R_max^2) int exp(i Phi) (d/l)^2 exp(i k (l - l_0)) dA``, Rayleigh-Sommerfeld diffraction
+    of the first kind. Here ``l = |(x, y, 0) - (r, 0, d)|`` is the distance from a point of the aperture to a point of
+    the sensor, and l_0 the distance to the sensor on the axis (r = 0). The phase Phi at the distance R from the axis
+    is ``k (sqrt(s^2 + R^2) - s)`` for the object at the distance s, less the same for the object in focus, plus the
     aberrations. J. W. Goodman, *Introduction to Fourier Optics*, 3rd ed., Eq. (3-41).
 
     Aplanatic: ``U(x, y) = 1/pi int exp(i Phi) exp(-i k (R_max / d) (x p + y q)) dp dq`` over the points (p, q) of the
-    pupil. M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 8.8.
+    unit disk. M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 8.8.
     """
 
     apodized = True
@@ -83,18 +85,18 @@ class HuygensFresnel(FieldMethod[Pupil]):
             object.__setattr__(self, "nodes", pair)
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason where the physical distances are unknown."""
+        """Return the reason if the physical distances are unknown, else None."""
         if pupil.geometry is None:
             return "needs the physical distances of a lens; make the pupil with Lens.pupil(object_distance)"
         return None
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at rising v, each radius summed over one half of the aperture; no bound is claimed."""
+        """Return U at ascending v by sums over one half of the aperture (by symmetry); no error bound is claimed."""
         radii = v * pupil.scale / math.pi
         return FieldValues(self._sums(pupil, radii, np.zeros_like(radii), half=True), None)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii, or at every pixel if not `symmetry`."""
+        """Return I at the distinct radii of the pixels, or at every pixel if not `symmetry`."""
         if self.symmetry:
             return super().intensity(pupil, grid, threads)
         if grid.integrate:
@@ -105,18 +107,23 @@ class HuygensFresnel(FieldMethod[Pupil]):
         return Intensities(self._samples(pupil, grid), None)
 
     def _samples(self, pupil: Pupil, grid: Grid) -> Array:
+        """Return the point-sampled intensity at every pixel, shape (n, height, width)."""
         grid.require_one_axis()
         y, x = (part.ravel() for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
         field = self._sums(pupil, x, y, half=False)
         return np.asarray(field.real**2 + field.imag**2).reshape(-1, *grid.shape)
 
     def _sums(self, pupil: Pupil, x: Array, y: Array, *, half: bool) -> NDArray[np.complex128]:
+        """Return U at positions x, y (m) on the sensor, shape (n, positions).
+
+        `half`: sum over the azimuths from 0 to pi only, which suffices for y = 0.
+        """
         geometry = pupil.geometry
         assert geometry is not None
         assert pupil.wavelength is not None
         wavenumber = 2.0 * math.pi / pupil.wavelength
-        reach = float(pupil.v(np.hypot(x, y).max())) if x.size else 0.0
-        radial, azimuthal = self.nodes or _nodes(pupil, geometry, reach)
+        largest_v = float(pupil.v(np.hypot(x, y).max())) if x.size else 0.0
+        radial, azimuthal = self.nodes or _nodes(pupil, geometry, largest_v)
         if radial > _MAX_RADIAL or radial * azimuthal > _MAX_SOURCES:
             raise ValueError(
                 f"HuygensFresnel would take {radial:.3g} x {azimuthal:.3g} sources in the aperture, more than the "
@@ -134,36 +141,39 @@ class HuygensFresnel(FieldMethod[Pupil]):
         points = (azimuthal + 1) // 2 if half else azimuthal
         angle = (np.arange(points) + 0.5) * ((math.pi if half else 2.0 * math.pi) / points)
         ring = geometry.aperture_radius * np.sqrt(t)[:, None]
-        from_x = np.ascontiguousarray((ring * np.cos(angle)).ravel())
-        from_y = np.ascontiguousarray((ring * np.sin(angle)).ravel())
+        source_x = np.ascontiguousarray((ring * np.cos(angle)).ravel())
+        source_y = np.ascontiguousarray((ring * np.sin(angle)).ravel())
         out = np.empty((phase.shape[0], x.size), dtype=np.complex128)
-        rows = max(1, _BLOCK // from_x.size)
-        for start in range(0, x.size, rows):
-            block = slice(start, start + rows)
+        positions = max(1, _BLOCK // source_x.size)
+        for start in range(0, x.size, positions):
+            block = slice(start, start + positions)
             if geometry.model == "aplanatic":
-                lean = wavenumber / geometry.sensor_distance
-                waves = np.exp(-1j * lean * (np.outer(x[block], from_x) + np.outer(y[block], from_y)))
+                k_over_d = wavenumber / geometry.sensor_distance
+                waves = np.exp(-1j * k_over_d * (np.outer(x[block], source_x) + np.outer(y[block], source_y)))
                 rings = waves.reshape(-1, radial, points).mean(axis=2)
                 out[:, block] = (weights * np.exp(1j * phase)) @ rings.T
                 continue
             for field, row in zip(out, phase, strict=True):
                 amplitude = np.repeat(weights / points * np.exp(1j * row), points)
                 field[block] = huygens_sum(
-                    from_x, from_y, amplitude, x[block], y[block], geometry.sensor_distance, wavenumber
+                    source_x, source_y, amplitude, x[block], y[block], geometry.sensor_distance, wavenumber
                 )
         return out
 
 
 def exact_phase(pupil: Pupil, geometry: Geometry, t: Array) -> Array:
-    """Return the phase in the aperture at ``rho^2 = t``, without the Fresnel approximation, shape ``(n, t)``."""
+    """Return the exact phase in the aperture at ``rho^2 = t``, shape ``(n, t)``, for pupil coordinates rho.
+
+    The phase of the pupil, which contains the approximate defocus, is corrected by exact less approximate defocus.
+    """
     assert pupil.wavelength is not None
     wavenumber = 2.0 * math.pi / pupil.wavelength
     square = geometry.aperture_radius**2 * t
     if geometry.model == "aplanatic":
-        known = geometry.aperture_radius, geometry.sphere, geometry.vergence
-        approximate = expansion(*known, pupil.wavelength)[0]
-        left = wavenumber * path(t, geometry.aperture_radius, geometry.sphere, geometry.vergence)
-        return np.asarray(pupil.radial_phase(t) + (left - zernike.legendre_sum(approximate, 2.0 * t - 1.0)))
+        sphere = geometry.aperture_radius, geometry.sphere, geometry.vergence
+        approximate = zernike.legendre_sum(expansion(*sphere, pupil.wavelength)[0], 2.0 * t - 1.0)
+        exact = wavenumber * path(t, *sphere)
+        return np.asarray(pupil.radial_phase(t) + (exact - approximate))
     vergence = 1.0 / np.asarray(geometry.object_distance)[:, None]
     parabolic = 0.5 * wavenumber * (vergence - geometry.in_focus) * square
     exact = wavenumber * (_sag(vergence, square) - _sag(np.asarray(geometry.in_focus), square))
@@ -175,16 +185,18 @@ def _sag(vergence: Array, square: Array) -> Array:
     return np.asarray(vergence * square / (1.0 + np.sqrt(1.0 + vergence**2 * square)))
 
 
-def _nodes(pupil: Pupil, geometry: Geometry, reach: float) -> tuple[int, int]:
-    """Return radial and azimuthal counts: half the bandwidth in t, and all Bessel orders that v reaches."""
+def _nodes(pupil: Pupil, geometry: Geometry, largest_v: float) -> tuple[int, int]:
+    """Return the numbers of radial and azimuthal nodes for an error of about 1e-10 at radii up to `largest_v`."""
     low = pupil.obscuration**2
     t = np.linspace(low, 1.0, 1025)
     slope = np.abs(np.diff(exact_phase(pupil, geometry, t), axis=1)) / (t[1] - t[0])
     middle = 0.5 * (t[1:] + t[:-1])
-    # A tenth more for the orders beyond Fresnel's.
-    bandwidth = 1.1 * float((np.sqrt((middle - low) * (1.0 - middle)) * slope).max() + 0.5 * reach)
+    # Bandwidth of the phase in Chebyshev polynomials of t, plus 10 % for orders beyond the Fresnel approximation.
+    bandwidth = 1.1 * float((np.sqrt((middle - low) * (1.0 - middle)) * slope).max() + 0.5 * largest_v)
     digits = 27.6  # log(1e12)
+    # Half of the bandwidth, as Gauss-Legendre rules are exact to twice their number of nodes, and the transition.
     radial = 0.5 * bandwidth + 0.587 * digits ** (2 / 3) * bandwidth ** (1 / 3) + 0.2 * digits + 4.0
     radial += 0.5 * pupil.illumination.slope
-    azimuthal = 1.1 * reach + 12.0 * (reach + 1.0) ** (1 / 3) + 24.0
+    # Orders of Bessel functions J_n(v) above v vanish after a transition of width v^(1/3).
+    azimuthal = 1.1 * largest_v + 12.0 * (largest_v + 1.0) ** (1 / 3) + 24.0
     return math.ceil(radial), 2 * math.ceil(0.5 * azimuthal)

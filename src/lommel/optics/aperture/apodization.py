@@ -1,12 +1,12 @@
 r"""The amplitude across the pupil: ``exp(-(g_0 + g_1 t + ... + g_K t^K))``, t = rho^2, at most 1.
 
-A power of the cosine, ``sin(theta) = s rho``, is ``(1 - s^2 t)^(p/2)``. With ``q = (1 - cos) / (1 + cos)`` of the
-angle at the rim, and x = 2t - 1,
+The amplitude ``cos(theta)^p`` with ``sin(theta) = s rho`` is ``(1 - s^2 t)^(p/2)``. Its logarithm is a Chebyshev
+series in x = 2t - 1 whose terms fall like q^k. With ``q = (1 - cos) / (1 + cos)``, where cos is the cosine of theta
+at the rim of the pupil (rho = 1),
 
-``(1 - s^2 t) (1 + q)^2 = 1 - 2 q x + q^2,  log(1 - 2 q x + q^2) = -2 sum_(k>=1) q^k T_k(x) / k ,``
+``(1 - s^2 t) (1 + q)^2 = 1 - 2 q x + q^2,  log(1 - 2 q x + q^2) = -2 sum_(k>=1) q^k T_k(x) / k .``
 
-the logarithm of the amplitude as a Chebyshev series that falls like q^k. The remainder after the term K is at most
-``|p| q^(K+1) / ((K+1) (1 - q))``.
+The remainder of the logarithm of the amplitude after the term K is at most ``|p| q^(K+1) / ((K+1) (1 - q))``.
 
 References
 ----------
@@ -27,9 +27,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json
 from lommel.special.legendre import gauss_legendre
 
-_MOST = 10  # powers of t: as many as the compiled core and a wavefront hold
-_LARGEST = 100.0
-_ROUNDING = 2.0**-47
+_MAX_POWERS = 10  # of t: the limit of the compiled core and of radial terms of a wavefront
+_MAX_EXPONENT = 100.0  # sum of absolute Chebyshev coefficients of the exponent
+_ROUNDING = 2.0**-47  # relative rounding error of sums of the coefficients, with a margin
 
 
 @dataclass(frozen=True)
@@ -39,9 +39,9 @@ class Apodization:
     Parameters
     ----------
     powers : sequence of float
-        g_1, g_2, ...: at most ten. g_0 is such that the largest amplitude on the disk is 1.
+        Coefficients g_1, g_2, ...: at most ten. g_0 is computed so that the largest amplitude on the disk is 1.
     error : float, default 0
-        Bound on the relative error of the amplitude, up to a constant factor. It adds to `PSF.error_bound`.
+        Bound on the relative error of the amplitude, up to a constant factor. It contributes to `PSF.error_bound`.
 
     Attributes
     ----------
@@ -69,30 +69,31 @@ class Apodization:
         powers = [float(g) + 0.0 for g in validation.real_array("powers", self.powers).ravel()]
         while powers and powers[-1] == 0.0:
             powers.pop()
-        if len(powers) > _MOST:
-            raise ValueError(f"powers must be at most {_MOST}, got {len(powers)}")
+        if len(powers) > _MAX_POWERS:
+            raise ValueError(f"powers must be at most {_MAX_POWERS}, got {len(powers)}")
         largest = max(map(abs, powers), default=0.0)
-        # Sums of Chebyshev polynomials within the limit have smaller powers; larger ones may overflow.
+        # Powers above 1e11 would need Chebyshev coefficients above the limit. They are refused without computing
+        # these, which might overflow.
         exponent = np.array([0.0 if largest > 1e11 else _constant(powers), *powers])
         size = largest if largest > 1e11 else float(np.abs(_chebyshev(exponent, 0.0)).sum())
-        if not size <= _LARGEST * (1.0 + 1e-12):
-            raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
+        if not size <= _MAX_EXPONENT * (1.0 + 1e-12):
+            raise ValueError(f"powers must lead to an exponent of at most {_MAX_EXPONENT:g}, got {size:.4g}")
         error = validation.real("error", self.error, least=0.0)
         exponent.setflags(write=False)
-        # NumPy arrays are not hashable: the exponent is kept beside the tuple that the dataclass compares.
+        # NumPy arrays are not hashable: the dataclass compares the tuple `powers`, and not `exponent`.
         vars(self).update(powers=tuple(powers), error=error, exponent=exponent)
 
     @classmethod
     def gaussian(cls, g: float) -> Apodization:
         """Return ``exp(-g rho^2)``, `g` from 0 to 100; TypeError or ValueError otherwise."""
-        return _gaussian(validation.real("g", g, least=0.0, most=_LARGEST + 1e-9))
+        return _gaussian(validation.real("g", g, least=0.0, most=_MAX_EXPONENT + 1e-9))
 
     @classmethod
     def cosine(cls, sine: float, power: float) -> Apodization:
         """Return ``cos(theta)^power`` over its largest value, ``sin(theta) = sine * rho``, `sine` from 0 to below 1.
 
-        A series in rho^2 of at most ten terms; `error` bounds truncation and rounding. TypeError or ValueError if the
-        sine or the `power` is out of range.
+        The exponent is a series in rho^2 of at most ten terms; `error` bounds its truncation and rounding. TypeError
+        or ValueError if the sine or the `power` is out of range.
         """
         s = validation.real("sine", sine, least=0.0, below=1.0)
         p = validation.real("power", power)
@@ -102,19 +103,19 @@ class Apodization:
             return cls()
         from numpy.polynomial import Chebyshev, Polynomial
 
-        k = np.arange(1, _MOST + 1)
+        k = np.arange(1, _MAX_POWERS + 1)
         # Series of log(1 - 2 q x + q^2) and its tail: certificate, section 5, "An amplitude".
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
         # As many terms as rounding can hold, ten at most.
-        degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)
+        degree = 1 + next((i for i in range(_MAX_POWERS) if tails[i] <= _ROUNDING * abs(series[0])), _MAX_POWERS - 1)
         # Coefficients of t^j in T_k(2t - 1): integers, exact.
         rows = [Chebyshev.basis(i, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for i in range(degree + 1)]
         matrix = np.stack([np.pad(row, (0, degree + 1 - row.size)) for row in rows])
         powers = np.concatenate(([0.0], series[:degree])) @ matrix
-        left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
-        # A logarithm off by e is an amplitude off by exp(e) - 1 of itself.
-        return cls(tuple(powers[1:].tolist()), error=math.expm1(min(left, _LARGEST)))
+        log_error = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
+        # An error e of the logarithm is a relative error of at most exp(e) - 1 of the amplitude.
+        return cls(tuple(powers[1:].tolist()), error=math.expm1(min(log_error, _MAX_EXPONENT)))
 
     @classmethod
     def zernike(cls, terms: Mapping[int, float]) -> Apodization:
@@ -123,34 +124,33 @@ class Apodization:
         Parameters
         ----------
         terms : mapping of int to float
-            Coefficients by degree n, 2, 4, ... to 20, nepers rms over the pupil.
+            Coefficients (nepers rms over the full pupil) by degree n = 2, 4, ..., 20.
 
         Raises
         ------
         TypeError, ValueError
-            If a degree is none of these, or as above.
+            If a degree is not an even number from 2 to 20, or the exponent is too large (see the class).
         """
         from numpy.polynomial import Legendre, Polynomial
 
         validation.instance("terms", terms, Mapping)
-        series = np.zeros(_MOST + 1)
+        series = np.zeros(_MAX_POWERS + 1)
         for n, b in terms.items():
-            degree = validation.integer("degrees of terms", n, least=2, most=2 * _MOST)
+            degree = validation.integer("degrees of terms", n, least=2, most=2 * _MAX_POWERS)
             if degree % 2:
                 raise ValueError(f"degrees of terms must be even, got {degree}")
             series[degree // 2] = math.sqrt(degree + 1.0) * validation.real(f"terms[{degree}]", b)
-        # R_2j^0(rho) = P_j(2 t - 1).
-        # The amplitude is exp(-exponent): hence the sign of the powers.
+        # R_2j^0(rho) = P_j(2 t - 1), a Legendre polynomial. The minus sign: the amplitude is exp(-exponent).
         powers = Legendre(series, domain=[0.0, 1.0]).convert(kind=Polynomial).coef
         return cls(tuple((-powers[1:]).tolist()))
 
     def to_zernike(self) -> dict[int, float]:
-        """Return the coefficients that :meth:`zernike` takes, without those that are 0."""
+        """Return the coefficients by degree, as :meth:`zernike` expects them, without zeros."""
         from numpy.polynomial import Legendre, Polynomial
 
         series = Polynomial([0.0, *self.powers]).convert(kind=Legendre, domain=[0.0, 1.0]).coef
-        found = {2 * j: -float(c) / math.sqrt(2.0 * j + 1.0) for j, c in enumerate(series) if j}
-        return {n: b for n, b in found.items() if b}
+        terms = {2 * j: -float(c) / math.sqrt(2.0 * j + 1.0) for j, c in enumerate(series) if j}
+        return {n: b for n, b in terms.items() if b}
 
     @property
     def uniform(self) -> bool:
@@ -159,11 +159,11 @@ class Apodization:
 
     @property
     def slope(self) -> float:
-        """Bound on the derivative of the exponent by t, which sets the number of nodes; g of a Gaussian."""
+        """Bound on the derivative of the exponent with respect to t, from which quadratures choose their nodes."""
         return float(sum(k * abs(g) for k, g in enumerate(self.powers, 1)))
 
     def value(self, rho: ArrayLike) -> Array:
-        """Return the amplitude at radii `rho` over that of the aperture; ValueError unless they are from 0 to 1."""
+        """Return the amplitude at `rho`, radii over that of the aperture; ValueError unless these are from 0 to 1."""
         at = validation.real_array("rho", rho, least=0.0, most=1.0)
         return self.at(at * at)
 
@@ -182,7 +182,7 @@ class Apodization:
         """Return the integral over t of the amplitude to a `power` from `obscuration` squared to 1, to 1e-14."""
         low = obscuration**2
         area = 1.0 - low
-        # A Gaussian has a closed form; the limit of no apodization is taken apart, where it would be 0 / 0.
+        # A Gaussian has a closed form, of which the limit g = 0 is the area.
         if len(self.powers) > 1 or self.exponent[0]:
             t, weight = gauss_legendre(24 + math.ceil(0.5 * power * self.slope), low, 1.0)
             return float(weight @ self.at(t, power))
@@ -190,20 +190,24 @@ class Apodization:
         return area if g < 1e-12 else math.exp(-g * low) * -math.expm1(-g * area) / g
 
     def growth(self, cosh: Array, low: float = 0.0) -> Array:
-        """Return a bound on the log amplitude in ellipses around [`low`, 1] in t, `cosh` the semi-axes."""
-        # Chebyshev series: |T_k| <= T_k(cosh) on the ellipse, and the sign of the exponent makes a_0 count negative.
+        """Return a bound on log |amplitude| for complex t in Bernstein ellipses with foci `low` and 1.
+
+        `cosh` are the major semi-axes of the ellipses over half of the distance between the foci.
+        """
+        # For a Chebyshev series a_k of the exponent: |T_k| <= T_k(cosh) on the ellipse, so that the log amplitude is
+        # at most -a_0 + sum of |a_k| T_k(cosh) over k >= 1.
         from numpy.polynomial.chebyshev import chebval
 
         series = _chebyshev(self.exponent, low)
         return np.asarray(chebval(cosh, np.concatenate(([-series[0]], np.abs(series[1:])))))
 
     def scaled(self, ratio: float) -> Apodization:
-        """Return the apodization within `ratio` of the radius, over its largest value; ValueError beyond 1."""
+        """Return the apodization of the aperture stopped down to `ratio` of its radius (0 to 1), with maximum 1."""
         area = validation.real("ratio", ratio, above=0.0, below=1.0 + 1e-12) ** 2
         return Apodization(tuple(g * area**k for k, g in enumerate(self.powers, 1)), error=self.error)
 
     def to_dict(self) -> Json:
-        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        """Return the parameters in plain types; :meth:`from_dict` is the inverse."""
         return {"powers": list(self.powers), "error": self.error}
 
     @classmethod
@@ -213,23 +217,23 @@ class Apodization:
 
 
 def _constant(powers: list[float]) -> float:
-    """Return the g_0 for which the exponent is nowhere negative on [0, 1], by hardly more than needed."""
-    # Falling amplitudes are largest on the axis.
+    """Return the smallest g_0 for which the exponent is nowhere negative for t in [0, 1], plus rounding errors."""
+    # An amplitude that decreases with t is largest on the axis, where the exponent is g_0.
     if all(g >= 0.0 for g in powers):
         return 0.0
     from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval
 
     series = _chebyshev(np.array([0.0, *powers]), 0.0)
     slope = chebder(series)
-    # Coefficients below rounding are trimmed: a tiny leading one would move all roots.
-    turns = np.clip(chebroots(chebtrim(slope, 1e-17 * float(np.abs(slope).sum()))).real, -1.0, 1.0)
-    least = float(chebval(np.concatenate(([-1.0, 1.0], turns)), series).min())
-    # The root of a flat minimum is uncertain by rounding, the value there is not: a few roundings are added.
-    return max(0.0, -least) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))
+    # Leading coefficients below rounding are trimmed, since they would move all roots.
+    extrema = np.clip(chebroots(chebtrim(slope, 1e-17 * float(np.abs(slope).sum()))).real, -1.0, 1.0)
+    lowest = float(chebval(np.concatenate(([-1.0, 1.0], extrema)), series).min())
+    # Rounding moves the root of a flat minimum, but hardly changes the value there.
+    return max(0.0, -lowest) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))
 
 
 def _chebyshev(powers: Array, low: float) -> Array:
-    """Return a polynomial of t in Chebyshev polynomials on ``[low, 1]``."""
+    """Return the Chebyshev coefficients on ``[low, 1]`` of a polynomial, given its coefficients of 1, t, t^2, ..."""
     if len(powers) < 2:
         return powers
     from numpy.polynomial import Polynomial  # the slowest part of NumPy to import
@@ -245,7 +249,7 @@ def _gaussian(g: float) -> Apodization:
 
 
 def illumination(apodization: float | Apodization) -> Apodization:
-    """Return the Apodization that a pupil was given, a number being g of a Gaussian; TypeError or ValueError."""
+    """Convert the argument `apodization` of a pupil; a number is the g of a Gaussian. TypeError or ValueError."""
     if isinstance(apodization, Apodization):
         return apodization
-    return _gaussian(validation.real("apodization", apodization, least=0.0, most=_LARGEST + 1e-9))
+    return _gaussian(validation.real("apodization", apodization, least=0.0, most=_MAX_EXPONENT + 1e-9))

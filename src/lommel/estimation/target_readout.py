@@ -1,18 +1,20 @@
-r"""Pixel values of pinholes and of crossings of a checkerboard from samples of PSFs, and slopes by blur and angles.
+r"""Images of pinholes and of checkerboard corners ("crossings") from sampled PSFs, and their derivatives.
 
-An image is the object convolved with the PSF, the pixel and a mixture of Gaussians. The intensity of a PSF holds no
-frequency above 1 / (lambda*N): from samples ``h < 1/2`` apart (units of lambda*N) sums over samples are the
-convolution, and frequencies of the object above 1 are of no account. The spectrum of a disc is known. The corners of
-a checkerboard are sampled after a narrow Gaussian, which is then divided out: with lines at
-``p = x cos a + y sin a = 0`` and ``q = 0`` likewise,
+An image is the object convolved with the PSF, the pixel and a blur, a mixture of Gaussians. The spectrum of the
+intensity of a PSF ends at the frequency 1 / (lambda*N). With samples less than 1/2 lambda*N apart, sums over samples
+are therefore equal to the convolution integrals, and only frequencies of the object up to 1 / (lambda*N) are needed.
+For a pinhole, a uniform disc, this spectrum is known in closed form. A crossing is sampled after convolution with a
+narrow Gaussian, which the transfer function then divides out. Its two edges lie at ``p = x cos a + y sin a = 0`` and,
+with the other angle, q = 0. In units of the standard deviation of the Gaussian the convolution is
 
 .. math:: \mathrm{E}[\mathrm{sgn}(p + \nu_p)\, \mathrm{sgn}(q + \nu_q)]
-          = \mathrm{erf}\,\mathrm{erf} + 4 \rho\, \varphi\varphi + 2 \rho^2\, pq\, \varphi\varphi + O(\rho^3),
+          = e(p)\, e(q) + 4 \rho\, g(p)\, g(q) + 2 \rho^2\, g_1(p)\, g_1(q) + O(\rho^3),
 
-where :math:`\rho` is the cosine of the angle between the normals of the lines, near 0, and further lines a square
-apart alternate in sign.
+with :math:`e(p) = \mathrm{erf}(p / \sqrt{2})`, the normal density g and :math:`g_1(p) = p\, g(p)`. Here
+:math:`\rho`, near 0, is the cosine of the angle between the normals of the edges, the correlation of :math:`\nu_p`
+and :math:`\nu_q`. Parallel edges of a checkerboard, one square apart, alternate in sign and are summed.
 
-Uneven light on a chart is a smooth function of the position, from the white squares of all windows.
+Uneven illumination of a chart is estimated from the white squares of all windows as a smooth function of position.
 """
 
 from __future__ import annotations
@@ -30,22 +32,25 @@ from lommel.base.threads import side_by_side
 from lommel.blur.mixtures import Shape
 from lommel.estimation.field_signs import highest_degree, monomials
 
-_STEP = 0.45  # largest distance of samples, lambda*N
-_FINE = 0.285  # largest distance of samples of objects, lambda*N
-_MARGIN = 8.0  # lambda*N of samples of PSFs beyond the outer pixels
-_PAD = 5.0  # lambda*N in which what the transforms cut off at their edge fades
-_ALIAS = 12.0  # minus the logarithm of the Gaussian where copies of the spectrum begin
-_APART = 12.0  # standard deviations of the Gaussian: lines farther apart are separate
+_STEP = 0.45  # largest distance between samples of PSFs, lambda*N
+_OBJECT_STEP = 0.285  # largest distance between samples of objects, lambda*N
+_MARGIN = 8.0  # lambda*N by which the samples of PSFs extend beyond the outer pixels
+_PAD = 5.0  # lambda*N of zero padding, so that light that wraps around does not reach the pixels
+_ALIAS = 12.0  # minus the logarithm of the narrow Gaussian's spectrum where its aliases begin
+_SEPARATE = 12.0  # standard deviations of the Gaussian: edges farther apart do not overlap
 _FLAT = 6.5  # standard deviations from an edge beyond which it is flat
-_ENDLESS = 1e30  # lambda*N: side of the squares of a single crossing
-_TURNS = 90  # directions, over half a turn, in which a crossing is searched
-_LIGHT_DEGREE, _LIGHT_TURNS = 4, 10  # of the polynomial of uneven light, and iterations of its fit
-_BLURRED = 2  # pixels beside lines that are left out
-_LEAST = 10  # least number of white pixels of a window
+_SINGLE = 1e30  # lambda*N: side of the squares that stands for a single crossing
+_DIRECTIONS = 90  # angles over half a turn at which a crossing is searched
+_LIGHT_DEGREE, _LIGHT_ITERATIONS = 4, 10  # of the polynomial of uneven illumination, and of its robust fit
+_EDGE_PIXELS = 2  # pixels beside edges that are excluded from white squares
+_MIN_WHITE = 10  # smallest number of white pixels of a window
 
 
 class Target(NamedTuple):
-    """A kind of object, and its size in pixels: diameter of pinholes, side of squares (inf: one crossing alone)."""
+    """Kind of object ("pinhole" or "crossing") and its size in pixels.
+
+    The size is the diameter of a pinhole, or the side of the squares around a crossing (inf: a single crossing).
+    """
 
     kind: str
     size: float
@@ -57,197 +62,219 @@ class Target(NamedTuple):
 
 
 class TargetReadout:
-    """From samples of PSFs on a lattice to the pixels of a window, for objects around its middle pixel.
+    """Map from samples of PSFs on a lattice to the pixels of a window, for objects near its middle pixel.
 
-    `pixel` is in lambda*N; pixels that do not `integrate` are points.
+    Parameters
+    ----------
+    window : (int, int)
+        Height and width in pixels.
+    pixel : float
+        Pixel pitch, lambda*N.
+    target : Target
+    shape : Shape
+        Blur as a mixture of Gaussians.
+    integrate : bool
+        Pixel-integrated images; else point-sampled.
     """
 
-    widest = math.inf  # pixels of blur
+    widest = math.inf  # largest blur, pixels: there is no limit
 
     def __init__(
         self, window: tuple[int, int], pixel: float, target: Target, shape: Shape, *, integrate: bool
     ) -> None:
         self.pixel, self.target, self._pixels, self.blur = pixel, target, window, shape
-        self._every = math.ceil(pixel / _STEP)
-        self.step = pixel / self._every
+        self._samples_per_pixel = math.ceil(pixel / _STEP)
+        self.step = pixel / self._samples_per_pixel
         halves = [math.ceil(((side // 2) * pixel + _MARGIN) / self.step) for side in window]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         pad = 2 * math.ceil(_PAD / self.step)
         self._sides = [
-            fft.next_fast_len(side * self._every + samples + pad, real=True)
+            fft.next_fast_len(side * self._samples_per_pixel + samples + pad, real=True)
             for side, samples in zip(window, self.shape, strict=True)
         ]
         f_row = fft.fftfreq(self._sides[0], self.step)[:, None]
         f_column = fft.rfftfreq(self._sides[1], self.step)[None]
         square = f_row**2 + f_column**2
-        inside = square <= 1.1
-        # Single precision: images err by 1e-6 of the peak, noise is a thousand times that.
-        self._rate: Values = np.float32(-2.0 * (math.pi * pixel) ** 2) * square.astype(np.float32)
-        area = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(square.shape)
-        # Sample 0 of a PSF is its corner, the middle of the first pixel is half a window before the axis.
-        corner = [half - (side // 2) * self._every for half, side in zip(halves, window, strict=True)]
-        turned = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
-        plain = inside * area * turned
+        inside = square <= 1.1  # beyond the frequency 1 the PSF has none; a little more for rounding
+        # Single precision: errors of images are 1e-6 of the peak, and noise is a thousand times larger.
+        # Derivative of the log of the transfer function of a Gaussian with respect to its variance in pixels^2.
+        self._log_slope: Values = np.float32(-2.0 * (math.pi * pixel) ** 2) * square.astype(np.float32)
+        pixel_transfer = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(square.shape)
+        # Shift from the first sample of a PSF to the middle of the first pixel, so that pixels are at multiples of
+        # the samples per pixel.
+        corner = [half - (side // 2) * self._samples_per_pixel for half, side in zip(halves, window, strict=True)]
+        shift = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
+        transfer = inside * pixel_transfer * shift
         if target.kind == "pinhole":
-            reach = math.pi * target.size * pixel * np.sqrt(square)
-            # The spectrum of a uniform disc: 2 J1(x) / x, 1 in the middle.
-            disc = np.where(reach > 1e-6, 2.0 * special.j1(reach) / np.maximum(reach, 1e-6), 1.0)
-            self._plain: Values = (plain * disc * self._every**2).astype(np.complex64)
+            x = math.pi * target.size * pixel * np.sqrt(square)
+            # The spectrum of a uniform disc of unit light: 2 J1(x) / x.
+            disc = np.where(x > 1e-6, 2.0 * special.j1(x) / np.maximum(x, 1e-6), 1.0)
+            self._transfer: Values = (transfer * disc * self._samples_per_pixel**2).astype(np.complex64)
             return
-        self._finer = math.ceil(self.step / _FINE)
-        step = self.step / self._finer
-        variance = _ALIAS / (2.0 * (math.pi * (1.0 / step - 1.0)) ** 2)
+        self._object_samples = math.ceil(self.step / _OBJECT_STEP)  # for each sample of PSFs, along an axis
+        object_step = self.step / self._object_samples
+        variance = _ALIAS / (2.0 * (math.pi * (1.0 / object_step - 1.0)) ** 2)
         self._width = math.sqrt(variance)
-        # The narrow Gaussian that objects are sampled with is divided out.
-        plain *= np.exp(2.0 * math.pi**2 * variance * np.where(inside, square, 0.0)) / self._finer**2
-        self._plain = plain.astype(np.complex64)
-        y, x = (step * self._finer * side * fft.fftfreq(self._finer * side) for side in self._sides)
+        # Division by the spectrum of the narrow Gaussian.
+        transfer *= np.exp(2.0 * math.pi**2 * variance * np.where(inside, square, 0.0)) / self._object_samples**2
+        self._transfer = transfer.astype(np.complex64)
+        y, x = (
+            object_step * self._object_samples * side * fft.fftfreq(self._object_samples * side)
+            for side in self._sides
+        )
         self._x, self._y = x[None].astype(np.float32), y[:, None].astype(np.float32)
 
-    def _lines(self, angle: float) -> tuple[Values, Values, Values, Values]:
-        """Return e, g, g1 of the module's formula along the normal of a line, summed over lines, and dp/da."""
+    def _edge_terms(self, angle: float) -> tuple[Values, Values, Values, Values]:
+        """Return e(p), g(p) and g1(p) (module docstring) summed over parallel edges, and dp / d angle."""
         p = self._x * math.cos(angle) + self._y * math.sin(angle)
-        along = self._y * math.cos(angle) - self._x * math.sin(angle)
-        pitch = min(self.target.size * self.pixel, _ENDLESS)
-        even, density, first = (np.zeros_like(p) for _ in range(3))
-        if pitch > _APART * self._width:  # at each point the nearest line, for the others are straight edges
+        derivative = self._y * math.cos(angle) - self._x * math.sin(angle)
+        pitch = min(self.target.size * self.pixel, _SINGLE)
+        e, g, g1 = (np.zeros_like(p) for _ in range(3))
+        if pitch > _SEPARATE * self._width:  # only the nearest edge matters at each point
             k = np.rint(p / pitch)
-            at, sign = (p - k * pitch) / self._width, 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
-            near = np.abs(at) < _FLAT
-            even = np.copysign(sign, sign * at)
-            even[near], density[near], first[near] = _line(at[near], sign[near])
-            return even, density, first, along / self._width
+            distance, sign = (p - k * pitch) / self._width, 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
+            near = np.abs(distance) < _FLAT
+            e = np.copysign(sign, sign * distance)
+            e[near], g[near], g1[near] = _edge(distance[near], sign[near])
+            return e, g, g1, derivative / self._width
         most = math.ceil(1.5 * float(np.abs(p).max()) / pitch)
         for k in range(-most, most + 1):
-            parts = _line((p - k * pitch) / self._width, -1.0 if k % 2 else 1.0)
-            for total, part in zip((even, density, first), parts, strict=True):
-                total += part
-        return even, density, first, along / self._width
+            terms = _edge((p - k * pitch) / self._width, -1.0 if k % 2 else 1.0)
+            for total, term in zip((e, g, g1), terms, strict=True):
+                total += term
+        return e, g, g1, derivative / self._width
 
-    def _corners(self, angles: Array) -> list[Values]:
-        """Return spectra of the corner between two lines, black and white at -1/2 and 1/2, and slopes by angles."""
-        (e, g, e1, along), (other, h, h1, across) = (self._lines(float(angle)) for angle in angles)
-        between = float(angles[0] - angles[1])
-        cosine, sine = math.cos(between), math.sin(between)
-        value = e * other + 4.0 * cosine * g * h + 2.0 * cosine**2 * e1 * h1
-        # By the angles: of each line, and of the cosine between them.
-        turned = -4.0 * sine * (g * h + cosine * e1 * h1)
-        one = 2.0 * g * along * other - 4.0 * cosine * e1 * along * h + turned
-        two = 2.0 * h * across * e - 4.0 * cosine * h1 * across * g - turned
-        return [self._coarse(0.5 * part) for part in (value, one, two)]
+    def _corner_spectra(self, angles: Array) -> list[Values]:
+        """Return the spectrum of a crossing, -1/2 in black and 1/2 in white squares, and its derivatives by angle."""
+        (e, g, g1, dp), (other_e, other_g, other_g1, dq) = (self._edge_terms(float(angle)) for angle in angles)
+        difference = float(angles[0] - angles[1])
+        rho, sine = math.cos(difference), math.sin(difference)
+        value = e * other_e + 4.0 * rho * g * other_g + 2.0 * rho**2 * g1 * other_g1
+        # Each angle changes the position of its edge and rho: d rho = -sine d(difference).
+        by_rho = -4.0 * sine * (g * other_g + rho * g1 * other_g1)
+        by_first = 2.0 * g * dp * other_e - 4.0 * rho * g1 * dp * other_g + by_rho
+        by_second = 2.0 * other_g * dq * e - 4.0 * rho * other_g1 * dq * g - by_rho
+        return [self._coarse_spectrum(0.5 * part) for part in (value, by_first, by_second)]
 
-    def _coarse(self, fine: Values) -> Values:
-        """Return the part of a spectrum that the lattice of the samples holds."""
+    def _coarse_spectrum(self, fine: Values) -> Values:
+        """Return the spectrum of a finely sampled object at the frequencies of the lattice of samples."""
         whole = fft.rfft2(fine)
         rows, columns = self._sides
         half = (rows + 1) // 2
-        kept = np.concatenate([whole[:half], whole[len(whole) - (rows - half) :]])
-        return np.asarray(kept[:, : columns // 2 + 1])
+        coarse = np.concatenate([whole[:half], whole[len(whole) - (rows - half) :]])
+        return np.asarray(coarse[:, : columns // 2 + 1])
 
     def _spectra(self, squares: Array, angles: Array, *, slopes: bool) -> list[Values]:
-        """Return spectra that samples are multiplied with, and slopes by the squares (b,) and by the angles."""
+        """Return the factor on the spectra of samples, and its derivatives by squared blurs (if `slopes`) and angles.
+
+        `squares` (b,) are in pixels^2.
+        """
         shape = self.blur
-        each = [
-            np.float32(weight) * np.exp(np.float32(variance) * self._rate)
+        gaussians = [
+            np.float32(weight) * np.exp(np.float32(variance) * self._log_slope)
             for weight, variance in zip(shape.weights, shape.variances(squares), strict=True)
         ]
-        faded = [np.sum(each, axis=0)]
+        blurs = [np.sum(gaussians, axis=0)]
         if slopes:
-            faded += [
-                self._rate * sum(np.float32(rate) * one for rate, one in zip(rates, each, strict=True))
+            blurs += [
+                self._log_slope * sum(np.float32(rate) * one for rate, one in zip(rates, gaussians, strict=True))
                 for rates in shape.rates.T
             ]
-        objects = [self._plain]
+        objects = [self._transfer]
         if self.target.kind != "pinhole":
-            objects = [self._plain * part for part in self._corners(angles)]
-        return [objects[0] * one for one in faded] + [one * faded[0] for one in objects[1:]]
+            objects = [self._transfer * spectrum for spectrum in self._corner_spectra(angles)]
+        return [objects[0] * blur for blur in blurs] + [by_angle * blurs[0] for by_angle in objects[1:]]
 
     def read(
         self, samples: Sequence[Values], squares: Array, angles: Array, *, slopes: bool, threads: int = 0
     ) -> list[Values]:
-        """Return images (r, height, width) of samples of PSFs and of their slopes, and slopes of the images.
+        """Return images and their derivatives, each of shape (r, height, width).
 
-        If there are to be `slopes`, by the squared blurs (r, b), pixels^2; and by the angles (r, a).
+        The first images are those of `samples`, r PSFs and any derivatives of these. If `slopes`, the derivatives of
+        the first image by the squared blurs follow (`squares`, shape (r, b), pixels^2), and then those by the
+        `angles` (r, a) in any case.
         """
         count = len(samples) + (self.blur.unknown if slopes else 0) + self.target.angles
-        found: list[Values] = [np.empty((len(squares), *self._pixels), np.float32) for _ in range(count)]
+        images: list[Values] = [np.empty((len(squares), *self._pixels), np.float32) for _ in range(count)]
 
-        def one(k: int) -> None:
-            first, *others = self._spectra(squares[k], angles[k], slopes=slopes)
-            light = [fft.rfft2(np.asarray(each[k], np.float32), self._sides) for each in samples]
-            spectra = [*(first * each for each in light), *(light[0] * other for other in others)]
-            for place, spectrum in zip(found, spectra, strict=True):
-                image = fft.irfft2(spectrum, self._sides)
-                place[k] = image[tuple(slice(0, side * self._every, self._every) for side in self._pixels)]
+        def read_one(k: int) -> None:
+            factor, *derivatives = self._spectra(squares[k], angles[k], slopes=slopes)
+            sampled = [fft.rfft2(np.asarray(values[k], np.float32), self._sides) for values in samples]
+            spectra = [*(factor * spectrum for spectrum in sampled), *(sampled[0] * by for by in derivatives)]
+            for image, spectrum in zip(images, spectra, strict=True):
+                fine = fft.irfft2(spectrum, self._sides)
+                every = self._samples_per_pixel
+                image[k] = fine[tuple(slice(0, side * every, every) for side in self._pixels)]
 
-        side_by_side(one, range(len(squares)), threads)
-        return found
+        side_by_side(read_one, range(len(squares)), threads)
+        return images
 
 
-def _line(at: Values, sign: Values | float) -> tuple[Values, Values, Values]:
-    """Return e, g, g1 of the module's formula for one line, `at` standard deviations of the Gaussian from it."""
-    bell = np.exp(-0.5 * at * at) * (sign / math.sqrt(2.0 * math.pi))
-    return sign * special.erf(at * math.sqrt(0.5)), bell, at * bell
+def _edge(distance: Values, sign: Values | float) -> tuple[Values, Values, Values]:
+    """Return e, g, g1 (module docstring) of an edge at a distance in standard deviations of the narrow Gaussian."""
+    density = np.exp(-0.5 * distance * distance) * (sign / math.sqrt(2.0 * math.pi))
+    return sign * special.erf(distance * math.sqrt(0.5)), density, distance * density
 
 
 def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
-    """Return row and column of a crossing from the middle pixel, and the angles of the normals of its two lines."""
+    """Return estimates of row and column of a crossing from the middle pixel, and the angles of its two normals."""
     height, width = image.shape
     y, x = (np.arange(side) - side // 2 for side in (height, width))
     x, y = x[None].astype(float), y[:, None].astype(float)
     window = np.exp(-0.5 * (x**2 + y**2) / (0.3 * min(height, width)) ** 2)
-    # A crossing is odd about each line: the level between black and white must be 0.
-    plain = image - np.median(image)
+    # Matched filter. A crossing is odd about each edge: the level between black and white must be 0.
+    contrast = image - np.median(image)
     patterns = []
-    for turn in np.pi * np.arange(_TURNS) / _TURNS:
-        p, q = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
+    for angle in np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS:
+        p, q = x * math.cos(angle) + y * math.sin(angle), y * math.cos(angle) - x * math.sin(angle)
         pattern = np.tanh(p) * np.tanh(q) * window
-        # A flat image must not match.
+        # A uniform image must not match.
         patterns.append(pattern - pattern.mean())
     stack = np.array(patterns)
-    # Twice the sides: the correlation must not wrap around.
+    # Zero-padded to twice the sides, so that the correlation does not wrap around.
     size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
-    matched = fft.irfft2(fft.rfft2(plain, size) * np.conj(fft.rfft2(stack, size)), size)
+    correlation = fft.irfft2(fft.rfft2(contrast, size) * np.conj(fft.rfft2(stack, size)), size)
     near = [max(2, side // 5) for side in (height, width)]
     rows, columns = (np.arange(-n, n + 1) for n in near)
-    part = matched[:, rows[:, None], columns]
-    turn, row, column = np.unravel_index(int(part.argmax()), part.shape)
-    angle = math.pi * turn / _TURNS
+    central = correlation[:, rows[:, None], columns]
+    direction, row, column = np.unravel_index(int(central.argmax()), central.shape)
+    angle = math.pi * direction / _DIRECTIONS
     return float(rows[row]), float(columns[column]), angle, angle + 0.5 * math.pi
 
 
 def relative_light(electrons: Array, valid: NDArray[np.bool_], u: Array, v: Array) -> Array:
-    """Return light in each pixel over that in the middle of its window, shape of `electrons` (n, e, height, width).
+    """Return the illumination of each pixel over that in the middle of its window, in the shape of `electrons`.
 
-    `u` (n, width) and `v` (n, height) are positions of pixels over the sensor, from -1 to 1. The logarithm of the
-    light is a polynomial of these: of degree 4, or less where windows are fewer than one and a half for each
-    coefficient.
+    `electrons` and `valid` have the shape (windows, exposures, height, width). `u` (windows, width) and `v` (windows,
+    height) are positions of pixels on the sensor, from -1 to 1. The logarithm of the illumination is a polynomial in
+    u and v of degree 4, or lower if there are fewer windows than 1.5 for each coefficient.
     """
     count, exposures, height, width = electrons.shape
     degree = highest_degree(_LIGHT_DEGREE, 4 * count // 3)
-    found = np.ones(electrons.shape)
+    relative = np.ones(electrons.shape)
     if degree == 0:
-        return found
-    over = monomials(np.repeat(u[:, None], height, axis=1), np.repeat(v[:, :, None], width, axis=2), degree)
+        return relative
+    powers = monomials(np.repeat(u[:, None], height, axis=1), np.repeat(v[:, :, None], width, axis=2), degree)
     for e in range(exposures):
-        white = np.array([_white(*pair) for pair in zip(electrons[:, e], valid[:, e], strict=True)])
-        basis, light = over[white], np.log(electrons[:, e][white])
+        white = np.array([_white_pixels(*pair) for pair in zip(electrons[:, e], valid[:, e], strict=True)])
+        basis, light = powers[white], np.log(electrons[:, e][white])
         if np.linalg.matrix_rank(basis) < basis.shape[1]:
             continue
         weight = np.ones(len(light))
-        for _ in range(_LIGHT_TURNS):  # robustly (Geman and McClure): dirt, print
+        # Robust fit with the weights of Geman and McClure: dirt and uneven print are outliers.
+        for _ in range(_LIGHT_ITERATIONS):
             root = np.sqrt(weight)
-            share = np.linalg.lstsq(root[:, None] * basis, root * light, rcond=None)[0]
-            distance = np.abs(light - basis @ share)
+            coefficients = np.linalg.lstsq(root[:, None] * basis, root * light, rcond=None)[0]
+            distance = np.abs(light - basis @ coefficients)
             weight = 1.0 / (1.0 + (distance / max(3.0 * float(np.median(distance)), 1e-6)) ** 2) ** 2
-        smooth = over @ share
-        found[:, e] = np.exp(smooth - smooth[:, height // 2, width // 2, None, None])
-    return found
+        smooth = powers @ coefficients
+        relative[:, e] = np.exp(smooth - smooth[:, height // 2, width // 2, None, None])
+    return relative
 
 
-def _white(image: Array, valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the pixels in white squares, away from lines."""
+def _white_pixels(image: Array, valid: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return a mask of the pixels in white squares away from edges; all False if these are too few."""
     low, high = np.percentile(image[valid], [5.0, 95.0])
     bright = ndimage.median_filter(image, size=3, mode="nearest") > 0.5 * (low + high)
-    inside = ndimage.binary_erosion(bright, iterations=_BLURRED, border_value=True) & valid & (image > 0.0)
-    return inside if inside.sum() >= _LEAST else np.zeros_like(inside)
+    inside = ndimage.binary_erosion(bright, iterations=_EDGE_PIXELS, border_value=True) & valid & (image > 0.0)
+    return inside if inside.sum() >= _MIN_WHITE else np.zeros_like(inside)

@@ -42,12 +42,12 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        Computed from the transfer function, independent of pixel pitch and window. The error for radially symmetric
-        lenses is at most 1e-9, or the tolerance of the method without pixels and blur. For others it is at most 2e-8
-        plus ``4 A e``, A being the area of the circle and e the error bound of the light per area (`error_bound`
-        times the peak). The actual error is far smaller, since the bound assumes errors of one sign everywhere. With
-        :class:`lommel.Seeing` it is at most about 1e-5, for every aperture and radius: from the autocorrelation of
-        the pupil on 1024 to 4096 cells across.
+        Computed from the transfer function, independent of pixel pitch and window. For radially symmetric lenses the
+        error is at most 1e-9, or the tolerance of the method for images without pixels and blur. For other lenses it
+        is at most 2e-8 plus ``4 A e``, where A is the area of the circle and e the error bound of the light per area
+        (`error_bound` times the peak). The actual error is far smaller, since this bound assumes errors of equal sign
+        everywhere. With :class:`lommel.Seeing` the error is at most about 1e-5 for every aperture and radius; it is
+        that of the autocorrelation of the pupil on 1024 to 4096 cells across.
 
     Raises
     ------
@@ -57,15 +57,15 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
         farther than half of the period of an image of samples (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`);
         or `about` or `of` is unknown.
     """
-    model, at = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
-    away = energy_centers(psf, about) / psf.pupil.scale
+    model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
+    centers = energy_centers(psf, about) / psf.pupil.scale
     if model.radial_method is not None:
-        return radial_energy(model.radial_method, psf.pupil, at)
+        return radial_energy(model.radial_method, psf.pupil, radii)
 
-    def within(image: Image, radii: Array, center: Array) -> Array:
+    def light_within(image: Image, radii: Array, center: Array) -> Array:
         return image.circles(radii, (float(center[0]), float(center[1])))
 
-    return _measured(model, "radius", at, away, np.hypot(*away.T), within)
+    return _light_within(model, "radius", radii, centers, np.hypot(*centers.T), light_within)
 
 
 def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
@@ -78,7 +78,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
         Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
     about : {"axis", "centroid"}, default "axis"
     of : {"image", "optics"}, default "image"
-        As of :func:`lommel.measures.energy.encircled_energy`, with the same error.
+        As in :func:`lommel.measures.energy.encircled_energy`, with the same error.
 
     Returns
     -------
@@ -89,34 +89,39 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     TypeError, ValueError
         As :func:`lommel.measures.energy.encircled_energy`.
     """
-    model, at = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
-    away = energy_centers(psf, about) / psf.pupil.scale
+    model, half_widths = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
+    centers = energy_centers(psf, about) / psf.pupil.scale
     if model.radial_method is not None:
-        return radial_square_energy(model.radial_method, psf.pupil, at)
+        return radial_square_energy(model.radial_method, psf.pupil, half_widths)
 
-    def within(image: Image, sides: Array, center: Array) -> list[float]:
+    def light_within(image: Image, half_widths: Array, center: Array) -> list[float]:
         x, y = center
-        return [image.rectangle((x - a, y - a), (x + a, y + a)) for a in sides]
+        return [image.rectangle((x - a, y - a), (x + a, y + a)) for a in half_widths]
 
-    return _measured(model, "half_width", at, away, np.abs(away), within)
+    return _light_within(model, "half_width", half_widths, centers, np.abs(centers), light_within)
 
 
-def _measured(
-    model: ImageModel, name: str, at: Array, centers: Array, away: Array, within: Callable[..., object]
+def _light_within(
+    model: ImageModel, name: str, sizes: Array, centers: Array, offsets: Array, light_within: Callable[..., object]
 ) -> Numbers:
-    """Return the light `within` a shape of each size around the centre of each image of a stack."""
-    pupil, flat = model.pupil, at.ravel() / model.pupil.scale
-    reach = float(flat.max(initial=0.0)) + float(away.max(initial=0.0))
-    validation.reach(f"{name}={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
-    each = zip(energy_images(model, reach, name), centers, strict=True)
-    return numbers([within(image, flat, center) for image, center in each], pupil.shape + at.shape)
+    """Return ``light_within(image, sizes, center)`` for each image of a stack, shape ``pupil.shape + sizes.shape``.
+
+    `sizes` are in the unit of the pupil, `centers` (n, 2) and their `offsets` from the axis in lambda*N, as are the
+    arguments of `light_within`.
+    """
+    pupil, flat = model.pupil, sizes.ravel() / model.pupil.scale
+    reach = float(flat.max(initial=0.0)) + float(offsets.max(initial=0.0))
+    validation.reach(f"{name}={sizes.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
+    pairs = zip(energy_images(model, reach, name), centers, strict=True)
+    return numbers([light_within(image, flat, center) for image, center in pairs], pupil.shape + sizes.shape)
 
 
 def image_centroid(psf: PSFLike) -> Array:
     """Return the centroid of all light, (x, y) from the axis.
 
-    For lenses it is computed from the wavefront (:func:`lommel.centroid`), over all wavelengths of the PSF; neither
-    blur nor pixels move it. For an Objective it is that of the values in the window, :func:`window_centroid`.
+    For lenses the centroid is computed from the wavefront (:func:`lommel.centroid`), over all wavelengths of the PSF;
+    neither blur nor pixels move it. For an Objective it is the centroid of the values in the window,
+    :func:`window_centroid`.
 
     Parameters
     ----------
@@ -125,7 +130,7 @@ def image_centroid(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Metres or units of lambda*N; of lenses exact but for rounding.
+        Metres or units of lambda*N. For lenses exact except for rounding.
 
     Raises
     ------
@@ -136,7 +141,7 @@ def image_centroid(psf: PSFLike) -> Array:
     if not isinstance(psf.pupil, Pupil):
         return window_centroid(psf)
     parts = psf.method.components(psf.pupil)
-    # Centroids of components add by their light, not by their peaks.
+    # The centroids of components (wavelengths) are weighted by their light.
     total = sum(part.share * aperture_means.centroid(part.pupil) for part in parts)
     return np.asarray(total / sum(part.share for part in parts))
 
@@ -144,8 +149,8 @@ def image_centroid(psf: PSFLike) -> Array:
 def window_centroid(psf: PSFLike) -> Array:
     """Return the centroid of the values in the window, (x, y) from the axis: a sum over pixels.
 
-    :func:`image_centroid` is that of all light; the difference, due to the light outside the window, falls slowly,
-    like the reciprocal of its size.
+    It differs from :func:`image_centroid`, the centroid of all light, by the light outside the window. The difference
+    falls slowly, like the reciprocal of the window's size.
 
     Parameters
     ----------
@@ -171,7 +176,7 @@ def window_centroid(psf: PSFLike) -> Array:
 
 
 def energy_centers(psf: PSFLike, about: str) -> Array:
-    """Return the centres (x, y) of the flattened stack that `about` names, shape (n, 2)."""
+    """Return the centres (x, y) about which energies are measured ("axis" or "centroid"), shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
     # The centroid of a radially symmetric image is the axis.
     if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
@@ -200,7 +205,7 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        To the tolerance of the method.
+        Within the tolerance of the method.
 
     Raises
     ------
@@ -214,34 +219,34 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
         return np.zeros(pupil.shape + at.shape)
     # v refers to the reference wavelength; light of shorter wavelengths oscillates faster by this factor.
     stretch = method.stretch(pupil)
-    edges, where = np.unique(_within_reach(pupil, "radius", at, stretch), return_inverse=True)
+    edges, index = np.unique(_v_within_reach(pupil, "radius", at, stretch), return_inverse=True)
     # A node on the axis with weight 0: errors of a profile are relative to its largest value.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
-        # I v is of exponential type 2 `stretch`: half a node a unit and some more give spectral accuracy.
+        # I v is of exponential type 2 `stretch`: 0.6 nodes per unit of v and 24 more give spectral accuracy.
         x, w = gauss_panels(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
         nodes.append(x)
         weights.append(w * x)
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
-    # Panels end at the requested radii, so that one running sum serves all.
+    # Panels end at the radii, so that a single cumulative sum contains all integrals.
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
-    # E = int I v dv / (2 tau), since all light is 4 pi tau in v^2 and the plane has 2 pi v dv.
-    return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
+    # E = int I v dv / (2 tau): the integral of I over the plane, with 2 pi v dv, is 4 pi times the transmission tau.
+    return numbers(light[:, np.cumsum(counts)[index]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
 
 def radial_square_energy(method: RadialMethod, pupil: BasePupil, half_width: Array) -> Numbers:
     """Return the fraction of all light of a radial pupil within squares about the axis, by quadrature."""
-    sides = _within_reach(pupil, "half_width", half_width, method.stretch(pupil)).tolist()
-    exact = [_rectangles(method, pupil, [(4.0, a, a)]) for a in sides]
-    return numbers(np.transpose(exact), pupil.shape + half_width.shape)
+    half_sides = _v_within_reach(pupil, "half_width", half_width, method.stretch(pupil)).tolist()
+    fractions = [_light_in_rectangles(method, pupil, [(4.0, a, a)]) for a in half_sides]
+    return numbers(np.transpose(fractions), pupil.shape + half_width.shape)
 
 
-def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Array:
-    """Return `at` in v, flattened; ValueError if it is too far from the axis."""
-    far = float(at.max(initial=0.0))
+def _v_within_reach(pupil: BasePupil, name: str, distance: Array, stretch: float) -> Array:
+    """Return distances as values of v, flattened; ValueError if one is too far from the axis."""
+    far = float(distance.max(initial=0.0))
     validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
-    return pupil.v(at).ravel()
+    return pupil.v(distance).ravel()
 
 
 def window_energy(psf: PSFLike) -> Numbers:
@@ -254,12 +259,13 @@ def window_energy(psf: PSFLike) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        With the error of :func:`lommel.measures.energy.encircled_energy`; the sum of pixel-integrated values.
+        The error is that of :func:`lommel.measures.energy.encircled_energy`. For pixel-integrated values this is
+        their sum.
 
     Raises
     ------
     ValueError
-        If the window is too wide, as there.
+        If the window is too wide: its limits are those of :func:`lommel.measures.energy.encircled_energy`.
     """
     checked(psf)
     pupil, grid = psf.pupil, psf.grid
@@ -269,32 +275,38 @@ def window_energy(psf: PSFLike) -> Numbers:
         return numbers(energy_per_pixel(psf).sum(axis=(-2, -1)), pupil.shape)
     if grid.stack:
         return numbers([window_energy(psf[index]) for index in np.ndindex(pupil.shape)], pupil.shape)
-    high, wide = (0.5 * side for side in grid.pitch)
+    half_y, half_x = (0.5 * side for side in grid.pitch)
     left, right, top, bottom = (
-        float(end) for end in (grid.x[0] - wide, grid.x[-1] + wide, grid.y[0] - high, grid.y[-1] + high)
+        float(end) for end in (grid.x[0] - half_x, grid.x[-1] + half_x, grid.y[0] - half_y, grid.y[-1] + half_y)
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        # A window of an even number of pixels reaches half a pixel beyond half a period on one side.
+        # A window of an even number of pixels may exceed half a period of a sampled image by half a pixel on one
+        # side.
         reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
-        each = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
-        return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in each], pupil.shape)
+        images = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
+        return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in images], pupil.shape)
     step = math.pi / pupil.scale
     # Inclusion and exclusion: signed rectangles with one corner on the axis.
     corners = [
         (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step) for a in (right, -left) for b in (bottom, -top)
     ]
-    return numbers(_rectangles(radial, pupil, corners), pupil.shape)
+    return numbers(_light_in_rectangles(radial, pupil, corners), pupil.shape)
 
 
-def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[float, float, float]]) -> Array:
-    """Return the light in rectangles from the axis to (a, b) in v, summed with weights, each (weight, a, b); (n,)."""
+def _light_in_rectangles(
+    method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[float, float, float]]
+) -> Array:
+    """Return the weighted sum of the fractions of light in rectangles, for each pupil of the stack (n,).
+
+    A rectangle (weight, a, b) extends from the axis to (a, b) in units of v.
+    """
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
-    for factor, a, b in rectangles:
+    for weight, a, b in rectangles:
         if a > 1e-150 and b > 1e-150:  # so that b / v and a / v are finite
             v, w = _quadrant_rule(a, b, method.stretch(pupil))
             nodes.append(v)
-            weights.append(factor * w)
+            weights.append(weight * w)
     v, w = np.concatenate(nodes), np.concatenate(weights)
     order = np.argsort(v)
     intensity = method.profile(pupil, v[order]).values
@@ -302,13 +314,14 @@ def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[f
 
 
 def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
-    """Return nodes v and weights for radial functions of exponential type ``2 stretch`` over [0, a] x [0, b]."""
+    """Return nodes v and weights that integrate a radial function of type ``2 stretch`` over [0, a] x [0, b]."""
     near, far = min(a, b), max(a, b)
-    # Full quarter circles, then arcs cut by the nearer side, then by both.
+    # Radii of full quarter circles, of arcs cut by the nearer side, and of arcs cut by both sides.
     pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
     nodes, weights = [], []
     for low, high in pieces:
-        # v = low + (high - low) s^2 smooths the square root with which arcs begin to leave the rectangle.
+        # v = low + (high - low) s^2: where a circle begins to leave the rectangle its arc shortens like a square
+        # root.
         s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
         # Angle of the arc of radius v within the rectangle.
@@ -335,9 +348,10 @@ class Encircled(NamedTuple):
     Attributes
     ----------
     fraction : ndarray
-        One for each radius.
+        Fraction of the light within each radius.
     error : float or None
-        Bound on their error; None if the method of the image has none, or the pupil is radially symmetric.
+        Bound on the error of the fractions; None if the method has no error bound, or the pupil is radially
+        symmetric.
     """
 
     fraction: NDArray[np.float64]
@@ -354,13 +368,13 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     radius : array_like, shape (n,)
         Metres if the pupil has a wavelength, else units of lambda*N; 0 to 250 lambda*N unless the pupil is radial.
     method : Method, optional
-        Of the image; by default that of :func:`lommel.psf`. Ignored where the pupil is radial.
+        Method that computes the image; by default that of :func:`lommel.psf`. Ignored for a radially symmetric pupil.
 
     Returns
     -------
     Encircled
-        The error bound is 2e-8 plus that of the image summed over the circle: at most a few times 1e-4 for
-        10 lambda*N and a tolerance of 1e-6. The actual error is mostly far smaller.
+        The error bound is 2e-8 plus the error bound of the image integrated over the circle: at most a few times 1e-4
+        for 10 lambda*N and a tolerance of 1e-6. The actual error is mostly far smaller.
 
     Raises
     ------
@@ -373,7 +387,6 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if pupil.radial:
-        # The error of a profile is the tolerance over the peak; the peak is at most the transmission.
         return Encircled(np.atleast_1d(radial_energy(of_profiles(), pupil, at)), None)
     reach = at / pupil.scale
     if reach.size and reach.max() > MAX_RADIUS:
@@ -384,15 +397,15 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if method is not None:
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
-    # Errors of samples of one sign everywhere, the worst case: certificate, "From samples".
+    # Worst case: errors of samples that have the same sign everywhere (certificate, "From samples").
     area = math.pi * float(reach.max(initial=0.0)) ** 2
-    known = isinstance(image, CartesianImage) and not math.isnan(image.error)
-    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if known else None
+    bounded = isinstance(image, CartesianImage) and not math.isnan(image.error)
+    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if bounded else None
     return Encircled(image.circles(reach), error)
 
 
 def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
-    """Return the model of the image of a pupil alone, by `method` or by the default one."""
+    """Return the model of the image by the optics alone, without pixel and blur, with `method` or the default one."""
     return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[-1])
 
 
@@ -407,8 +420,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     pupil : Pupil
         A single pupil.
     radius : float
-        Metres if the pupil has a wavelength, else units of lambda*N.
-        Above 0.
+        Metres if the pupil has a wavelength, else units of lambda*N. Above 0.
     method : RadialMethod, default NijboerZernike(tol=1e-6)
 
     Returns
@@ -423,12 +435,12 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
 
     Notes
     -----
-    The defocus is scanned in steps of half a radian over the range that brings any zone of the pupil to focus,
-    then refined by Brent's method to 1e-6 rad.
+    Defocus is scanned in steps of half a radian over the range in which some zone of the pupil is in focus, then
+    refined by Brent's method to 1e-6 rad.
     """
     from scipy.optimize import minimize_scalar
 
-    way = validation.instance("method", of_profiles() if method is None else method, RadialMethod)
+    radial_method = validation.instance("method", of_profiles() if method is None else method, RadialMethod)
     at = validation.real("radius", radius, above=0.0)
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
@@ -437,18 +449,17 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
             "pupil must be radially symmetric for its best focus in a circle, got other terms or another aperture; "
             "compare psf.encircled_energy of some defoci"
         )
-    require_radial(way, pupil)
-    # dPhi/d(rho^2) of each zone: minus half of it is the defocus that focuses the zone, as its phase is 2 C_d rho^2.
+    require_radial(radial_method, pupil)
+    # A zone of the pupil is in focus where its slope dPhi/d(rho^2) is cancelled by that of the added defocus, 2 C_d.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
-    # A zone of the pupil is in focus where its slope and that of the defocus, 2 C_d, cancel.
     low, high = -0.5 * slope.max() - 6.0, -0.5 * slope.min() + 6.0
     scan = np.linspace(low, high, math.ceil(2.0 * (high - low)) + 1)
 
-    def within(defocus: ArrayLike) -> NDArray[np.float64]:
-        moved = replace(pupil, wavefront=pupil.wavefront + Wavefront(defocus), geometry=None)
-        return np.asarray(radial_energy(way, moved, at))
+    def energy(defocus: ArrayLike) -> NDArray[np.float64]:
+        defocused = replace(pupil, wavefront=pupil.wavefront + Wavefront(defocus), geometry=None)
+        return np.asarray(radial_energy(radial_method, defocused, at))
 
-    start = float(scan[np.argmax(within(scan))])
+    start = float(scan[np.argmax(energy(scan))])
     bounds, options = (start - 0.5, start + 0.5), {"xatol": 1e-6}
-    return float(minimize_scalar(lambda c: -float(within(c)), bounds=bounds, method="bounded", options=options).x)
+    return float(minimize_scalar(lambda c: -float(energy(c)), bounds=bounds, method="bounded", options=options).x)

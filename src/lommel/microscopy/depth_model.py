@@ -1,4 +1,4 @@
-"""PSFs of a microscope at the depths of a stack, and the weights with which they blur its planes."""
+"""PSFs of a microscope at the depths of a stack, and the blur of the stack by these PSFs."""
 
 from __future__ import annotations
 
@@ -23,25 +23,28 @@ from lommel.psf import PSF, psf
 MODALITIES = ("widefield", "confocal", "spinning disc", "light sheet", "two-photon")
 SPREADING = ("widefield", "light sheet")
 """Modalities that record light out of focus."""
-_TURNING = emitter_of("isotropic")
-_TOL = 1e-4
-_LIKE = 0.003  # of the light: largest difference of PSFs over the stack for which one PSF is enough
-_ALIKE = 0.03  # of the light: largest difference of a PSF from the mean of its neighbours
-_MOST = 9  # largest number of PSFs
-_FAR = 9  # depths of light far from its emitter, which changes slowly
-_RADIAL = 0.01  # of the rms transfer function: largest deviation from rotational symmetry
-_LEAST_REACH, _MOST_PLANES, _MOST_REACH = 8, 64, 48  # planes and pixels of a PSF on a side of its middle
-_PARTS, _MOST_NODES = 3, 48  # of the coarse grid: values a node, and nodes on a side of the middle
-_DARK = 4.0  # thicknesses of a light sheet beyond which it counts as constant
-_TABLE = 33  # depths of the table of foci
-_SPLINES = (3, 2)  # degrees that are tried
-_NEGATIVE = 0.015  # of the light of a PSF: largest negative part
+_ISOTROPIC = emitter_of("isotropic")
+_TOL = 1e-4  # error of PSFs over their peaks
+# Differences between PSFs as fractions of their light: below the first, over the whole stack, one PSF is enough; the
+# second is the largest difference of a PSF from the mean of its neighbours.
+_EQUAL, _INTERPOLATED = 0.003, 0.03
+_MAX_PSFS = 9
+_FAR_DEPTHS = 9  # number of depths of the tails of PSFs, which change slowly
+_RADIAL = 0.01  # largest deviation of a transfer function from rotational symmetry, over its rms
+_MIN_HALF, _MAX_HALF_PLANES, _MAX_HALF_PIXELS = 8, 64, 48  # half widths of PSF windows, planes and pixels
+_SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # of the coarse grid, along an axis: samples averaged, and half width
+_SHEET_END = 4.0  # distance over the thickness of a light sheet beyond which its light is taken as constant
+_FOCUS_TABLE = 33  # number of depths at which the best focus is computed
+_SPLINE_DEGREES = (3, 2)  # in the order tried
+_MAX_NEGATIVE = 0.015  # largest negative part of a narrowed PSF over its light
 
 
 class PSFs(NamedTuple):
-    """The depths in focus in each plane, and of PSFs: of those near their emitters, and of the light far from them.
+    """Depths (m) at which PSFs are computed for a stack.
 
-    Metres. With `radial` there is one for each plane, else weights between neighbours are linear.
+    `planes` are the depths in focus in each plane (with margin), `depths` those of the windows of PSFs, and `nodes`
+    those of their tails, which blur at every few pixels. With `radial` there is a window for each plane. Otherwise,
+    and for the tails, PSFs between two depths are interpolated linearly.
     """
 
     planes: Array
@@ -52,9 +55,10 @@ class PSFs(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class DepthModel:
-    """A microscope and the sampling of a stack, from which its PSF at each depth follows.
+    """A microscope and the sampling of a stack, which determine its PSF at each depth.
 
-    `pixel` is on the camera and `step` of the stage, metres; `depth` is that in focus in plane ``planes // 2``.
+    `pixel` is the pixel pitch on the camera and `step` the step of the stage, metres; `depth` is the depth in focus
+    in plane ``planes // 2``.
     """
 
     objective: Objective
@@ -68,103 +72,108 @@ class DepthModel:
     excitation: float | None = None
     pinhole: float = 1.0
     thickness: float | None = None
-    emitter: Emitter = _TURNING
+    emitter: Emitter = _ISOTROPIC
     aberrations: Wavefront | None = None
-    degrees: tuple[int, int] | None = None  # of the B-splines along z and across; by default as high as they may be
+    degrees: tuple[int, int] | None = None  # of the B-splines along z and across; None: as high as possible
 
     def changed(self, name: str, value: float) -> DepthModel:
-        """Return the model with another value.
+        """Return the model with one parameter changed; ValueError if the result is out of range.
 
-        Of "depth" or "sample" index; with "spherical" aberration (waves rms) added; "wavelength", "step" or "NA"
-        times it. ValueError where it is out of range.
+        "depth" (m) and "sample" (index) are set to `value`; "wavelength", "step" and "NA" are multiplied by it; and
+        "spherical" adds primary spherical aberration of `value` waves rms.
         """
         if name in ("wavelength", "step"):
             return replace(self, **{name: value * getattr(self, name)})
         if name == "depth":
             return replace(self, depth=validation.real("depth", value, least=0.0, most=DEPTH_MOST))
         if name in ("sample", "NA"):
-            given = {key: getattr(self.objective, key) for key in self.objective.__dataclass_fields__}
-            given[name] = value if name == "sample" else value * self.objective.NA
-            return replace(self, objective=Objective(**given))
+            parameters = {key: getattr(self.objective, key) for key in self.objective.__dataclass_fields__}
+            parameters[name] = value if name == "sample" else value * self.objective.NA
+            return replace(self, objective=Objective(**parameters))
         terms = {} if self.aberrations is None else dict(self.aberrations.to_zernike(unit="waves"))
         terms[(4, 0)] = float(terms.get((4, 0), 0.0)) + value
         return replace(self, aberrations=Wavefront.zernike(terms, unit="waves"))
 
     def psf(self, depth: float) -> PSF:
-        """Return the PSF of an emitter at a depth, with z from its brightest focus."""
+        """Return the PSF of an emitter at a depth (m), a stack over z from its brightest focus."""
         side = self.window[1]
         if self.modality == "two-photon":
             return two_photon(self._laser(depth, self._z, "brightest"), side, self.pixel, tol=_TOL)
         emission = self._emission(depth)
         if self.modality == "light sheet":
             assert self.thickness is not None
-            offset = np.clip(self._z, -_DARK * self.thickness, _DARK * self.thickness)
+            offset = np.clip(self._z, -_SHEET_END * self.thickness, _SHEET_END * self.thickness)
             return light_sheet(emission, self.thickness, side, self.pixel, offset=offset, tol=_TOL)
         if self.modality in ("confocal", "spinning disc"):
-            # The laser is focused where the emission is: both with the same focus over the cover glass.
+            # Excitation and detection share the objective: the same stage position relative to the cover glass.
             beam = self._laser(depth, emission.focus, "coverslip")
             return confocal(beam, emission, side, self.pixel, pinhole=self.pinhole, tol=_TOL)
         return psf(emission, side, self.pixel, tol=_TOL)
 
     @property
     def spreads(self) -> bool:
-        """Whether light out of focus is recorded and counts in full; otherwise only that in the window."""
+        """Whether light out of focus is recorded, so that PSFs have tails beyond their window."""
         return self.modality in SPREADING
 
     def near(self, depth: float) -> Array:
-        """Return the share of the light of an emitter in each voxel of the window, which fades towards its edge.
+        """Return the light of an emitter in each voxel of the window, as a fraction of its light in all planes.
 
-        All light is that which the objective collects in as many planes as the window has; where none is recorded
-        out of focus, that in the window.
+        For modalities that record light out of focus the window is tapered towards its edge, and the fraction is of
+        all light that the objective collects in the planes of the window. For others the window has the sum 1.
         """
         values = self.psf(depth).values.astype(np.float64)
         if not self.spreads:
             return np.asarray(values / values.sum())
-        # A taper, so that what the coarse grid takes over has no edge.
+        # The taper keeps the remainder, which the coarse grid represents, free of edges.
         return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._collected_light.sum())
 
     def kernel(self, depth: float) -> Array:
-        """Return the light of an emitter that is spread over the nearest voxels as a B-spline, as :meth:`near`.
+        """Return :meth:`near` for a specimen whose voxels are B-splines instead of points: a narrower kernel.
 
-        Wherever a point lies between the voxels, its image is then that of nearby voxels with positive light
-        (Magain et al. 1998, doi:10.1086/305187): that of voxels which are points would be wider.
+        The image of a point anywhere between voxels is then that of nearby voxels with positive light. Voxels that
+        are points could only form a wider image (Magain et al. 1998, doi:10.1086/305187).
         """
         return narrowed(self.near(depth), *self.splines)
 
     @cached_property
     def splines(self) -> tuple[int, int]:
-        """Degrees of the B-splines along z and across, 0 where planes or pixels are too wide for any."""
+        """Degrees of the B-splines along z and across; 0 (points) where planes or pixels are too coarse."""
         if self.degrees is not None:
             return self.degrees
         return spline_degrees(self.near(self.depth))
 
     def far(self, depth: float, reach: int) -> Array:
-        """Return what is not :meth:`near`, at every `pitch_of` th pixel up to so many of these, share a pixel.
+        """Return the tail of the PSF, all light but :meth:`near`, at the nodes of the coarse grid.
 
-        What lies beyond these is on the outermost ones.
+        The shape is (planes, side, side) with ``side = 2 reach + 1`` nodes, `pitch_of` pixels apart. Values are
+        fractions of the light per pixel. Light beyond the outermost nodes is added to these.
         """
         pitch, side = pitch_of(self.window[1]), 2 * reach + 1
-        lit = self._collected_light / self._collected_light.sum()
-        made = psf(self._emission(depth), _PARTS * side, self.pixel * pitch / _PARTS, integrate=False, tol=_TOL)
-        at = np.asarray((np.arange(_PARTS * side) - _PARTS * side // 2) * (pitch / _PARTS), np.float64)
-        values = made.values * (1.0 - taper(self.window[1], pitch, at)) * (_PARTS / pitch) ** 2
-        means = values.reshape(-1, side, _PARTS, side, _PARTS).mean(axis=(2, 4)) * lit[:, np.newaxis, np.newaxis]
+        plane_light = self._collected_light / self._collected_light.sum()
+        samples = _SAMPLES_PER_NODE * side
+        spacing = pitch / _SAMPLES_PER_NODE  # pixels
+        sampled = psf(self._emission(depth), samples, self.pixel * spacing, integrate=False, tol=_TOL)
+        at = np.asarray((np.arange(samples) - samples // 2) * spacing, np.float64)
+        values = sampled.values * (1.0 - taper(self.window[1], pitch, at)) * (_SAMPLES_PER_NODE / pitch) ** 2
+        means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
+        means *= plane_light[:, np.newaxis, np.newaxis]
         rim = np.maximum(*np.abs(np.indices((side, side)) - reach)) >= 0.8 * reach
-        # Light that neither the window nor the coarse grid holds goes to the rim: the sum is that collected.
-        asked = np.maximum(lit - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
-        found = np.maximum(means.sum(axis=(1, 2)), 1e-30)
-        means *= np.minimum(asked / found, 1.0)[:, np.newaxis, np.newaxis]
-        return np.asarray(means + np.maximum(asked - found, 0.0)[:, np.newaxis, np.newaxis] * rim / rim.sum())
+        # In each plane window and tail together must contain the collected light: the difference goes to the rim.
+        expected = np.maximum(plane_light - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
+        sums = np.maximum(means.sum(axis=(1, 2)), 1e-30)
+        means *= np.minimum(expected / sums, 1.0)[:, np.newaxis, np.newaxis]
+        return np.asarray(means + np.maximum(expected - sums, 0.0)[:, np.newaxis, np.newaxis] * rim / rim.sum())
 
     def reach(self, shape: tuple[int, int], margin: int) -> int:
-        """Return the nodes of the coarse grid that PSFs reach: over the cone of light, or the whole field."""
+        """Return the half width of tails in nodes of the coarse grid: the cone of light, at most the whole field."""
         pitch = pitch_of(self.window[1])
         field = (max(shape) + margin) / pitch
         cone = _cone(self.objective, self.wavelength, self.pixel, float(np.abs(self._z).max())) / pitch
-        return max(math.ceil(margin / pitch), min(math.ceil(1.2 * cone), math.ceil(field), _MOST_NODES), 2)
+        return max(math.ceil(margin / pitch), min(math.ceil(1.2 * cone), math.ceil(field), _MAX_HALF_NODES), 2)
 
     @property
     def _z(self) -> Array:
+        """Stage positions of the planes of the window, metres from the middle one."""
         return np.asarray((np.arange(self.window[0]) - self.window[0] // 2) * self.step)
 
     @property
@@ -173,8 +182,9 @@ class DepthModel:
         if self.modality != "light sheet":
             return np.ones(self.window[0])
         assert self.thickness is not None
-        # A Gaussian of this full width at half maximum.
-        return np.asarray(np.exp(-4.0 * math.log(2.0) * np.clip(self._z / self.thickness, -_DARK, _DARK) ** 2))
+        # Gaussian profile of a light sheet, whose thickness is the full width at half maximum.
+        distance = np.clip(self._z / self.thickness, -_SHEET_END, _SHEET_END)
+        return np.asarray(np.exp(-4.0 * math.log(2.0) * distance**2))
 
     def _laser(self, depth: float, z: Array, origin: str) -> ObjectivePupil:
         assert self.excitation is not None
@@ -197,52 +207,54 @@ class DepthModel:
         )
 
     def depths(self, margin: int = 0) -> Array:
-        """Return the depth in focus in each plane, with `margin` more on each side; 0 where that is in the glass."""
-        # Without a mismatch of indices the focus moves as the stage does.
+        """Return the depth (m) in focus in each plane, with `margin` more planes on each side.
+
+        It is 0 where the focus is in the cover glass.
+        """
+        offset = self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
+        # Without a mismatch of refractive indices the focus moves as the stage does.
         if self.objective.coverslip is None and self.objective.sample == self.objective.immersion:
-            ratio = 1.0
-            found = self.depth + ratio * self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
-            return np.asarray(np.clip(found, 0.0, DEPTH_MOST))
+            return np.asarray(np.clip(self.depth + offset, 0.0, DEPTH_MOST))
         wave = self.wavelength if self.modality != "two-photon" else float(self.excitation or self.wavelength)
-        away = self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
-        span = float(np.abs(away).max()) * self.objective.sample / self.objective.immersion
-        # The paraxial focus in the sample moves by the ratio of the indices; the table reaches farther.
-        table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _TABLE)
+        # Best focus as a table over depth, inverted by interpolation. The paraxial focus moves by the ratio of the
+        # indices; the table extends 1.6 times farther.
+        span = float(np.abs(offset).max()) * self.objective.sample / self.objective.immersion
+        table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _FOCUS_TABLE)
         table = np.unique(np.append(table, self.depth))
         focus = self.objective.pupil(depth=table, wavelength=wave).focus
-        # np.interp needs positions that increase.
-        best = np.maximum.accumulate(focus)  # at the glass it may jump back by nanometres
+        # np.interp needs ascending positions; at the glass the focus may jump back by nanometres.
+        best = np.maximum.accumulate(focus)
         middle = float(np.interp(self.depth, table, best))
-        return np.asarray(np.interp(middle + away, best + 1e-15 * np.arange(len(best)), table))
+        return np.asarray(np.interp(middle + offset, best + 1e-15 * np.arange(len(best)), table))
 
     def psfs(self, margin: int, slabs: int | None = None) -> PSFs:
-        """Return which PSFs blur a stack with so many planes more on each side.
+        """Return the depths of the PSFs for a stack with `margin` more planes on each side.
 
-        Each plane has a PSF of its own where these are rotationally symmetric, or all have one where PSFs hardly
-        differ. Else so many as are needed for those between to be like the means of their neighbours.
+        One PSF is used if PSFs hardly differ over the stack. If they are rotationally symmetric, each plane has its
+        own. Otherwise there are as many (or `slabs`) as needed for linear interpolation between neighbours.
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
-        alone = PSFs(depths, np.array([self.depth]), np.array([self.depth]), None)
+        single = PSFs(depths, np.array([self.depth]), np.array([self.depth]), None)
         if slabs is not None:
             validation.integer("slabs", slabs, least=1, most=64)
         if slabs == 1 or high - low < 1e-9:
-            return alone
+            return single
         if slabs is not None:
             nodes = _nodes(low, high, slabs)
             return PSFs(depths, nodes, nodes, None)
-        if _relative_difference(self.near(low), self.near(high)) < _LIKE:
-            return alone
+        if _relative_difference(self.near(low), self.near(high)) < _EQUAL:
+            return single
         radial = self._radial(low, high)
         if radial is not None:
-            return PSFs(depths, depths, _nodes(low, high, _FAR), radial)
+            return PSFs(depths, depths, _nodes(low, high, _FAR_DEPTHS), radial)
         nodes = _nodes(low, high, self._slabs(low, high))
         return PSFs(depths, nodes, nodes, None)
 
     def blur(
         self, shape: tuple[int, int, int], margin: tuple[int, int], psfs: PSFs | None = None, *, threads: int = 0
     ) -> TiledBlur | WideBlur:
-        """Return the blur of a stack, with a margin on each side."""
+        """Return the blur of a stack of this shape, with a margin of planes and of pixels on each side."""
         used = psfs or self.psfs(margin[0])
         weights = _weights(used.planes, used.nodes) if len(used.nodes) > 1 else None
         kernels = (self.kernel(float(each)) for each in used.depths)
@@ -258,88 +270,91 @@ class DepthModel:
         return WideBlur(near, far, pitch_of(self.window[1]), weights=weights, threads=threads)
 
     def _radial(self, *depths: float) -> RadialTransfer | None:
-        """Return the lateral transfer functions over the magnitude of frequencies, if they follow from that."""
+        """Return the table of transfer functions if PSFs at these depths are rotationally symmetric, else None."""
         if self.aberrations is not None and any(order for _, order in self.aberrations.to_zernike(unit="waves")):
             return None
-        found = RadialTransfer(self.window[1], pixels=self.spreads)
-        if not all(found.misfit(self.near(each)) < _RADIAL for each in depths):
+        transfer = RadialTransfer(self.window[1], pixels=self.spreads)
+        if not all(transfer.misfit(self.near(depth)) < _RADIAL for depth in depths):
             return None
         return RadialTransfer(self.window[1], pixels=self.spreads, spline=self.splines[1])
 
     def _slabs(self, low: float, high: float) -> int:
-        """Return the number of PSFs for which those between two are like the means of these."""
-        made: dict[float, Array] = {}
+        """Return the number of PSFs between two depths for which linear interpolation is accurate enough."""
+        computed: dict[float, Array] = {}
 
-        def at(share: float) -> Array:
-            if share not in made:
-                made[share] = self.near(((1.0 - share) * math.sqrt(low) + share * math.sqrt(high)) ** 2)
-            return made[share]
+        def at(position: float) -> Array:
+            """Return the PSF at a position from 0 (depth `low`) to 1 (`high`)."""
+            if position not in computed:
+                computed[position] = self.near(((1.0 - position) * math.sqrt(low) + position * math.sqrt(high)) ** 2)
+            return computed[position]
 
-        pieces = 1
-        while pieces < _MOST - 1 and any(
-            _relative_difference(at((k + 0.5) / pieces), at(k / pieces), at((k + 1) / pieces)) > _ALIKE
-            for k in range(pieces)
+        intervals = 1
+        while intervals < _MAX_PSFS - 1 and any(
+            _relative_difference(at((k + 0.5) / intervals), at(k / intervals), at((k + 1) / intervals))
+            > _INTERPOLATED
+            for k in range(intervals)
         ):
             # Doubling keeps the PSFs that are already computed.
-            pieces *= 2
-        return pieces + 1
+            intervals *= 2
+        return intervals + 1
 
 
 def _nodes(low: float, high: float, count: int) -> Array:
-    """Return depths evenly spaced in their square root: near the glass PSFs change fastest."""
-    shares = np.arange(count) / (count - 1)
-    return np.asarray(((1.0 - shares) * math.sqrt(low) + shares * math.sqrt(high)) ** 2)
+    """Return depths evenly spaced in their square root: PSFs change fastest near the glass."""
+    position = np.arange(count) / (count - 1)
+    return np.asarray(((1.0 - position) * math.sqrt(low) + position * math.sqrt(high)) ** 2)
 
 
 def spline_degrees(kernel: Array) -> tuple[int, int]:
     """Return the highest degrees of B-splines along z and across for which a narrowed kernel is positive, or 0."""
 
-    def fits(*degrees: int) -> bool:
-        made = narrowed(kernel, *degrees)
-        return -float(np.minimum(made, 0.0).sum()) < _NEGATIVE * float(made.sum())
+    def nearly_positive(*degrees: int) -> bool:
+        narrow = narrowed(kernel, *degrees)
+        return -float(np.minimum(narrow, 0.0).sum()) < _MAX_NEGATIVE * float(narrow.sum())
 
-    along = next((degree for degree in _SPLINES if fits(degree, 0)), 0)
-    return along, next((degree for degree in _SPLINES if fits(0, degree)), 0)
+    along = next((degree for degree in _SPLINE_DEGREES if nearly_positive(degree, 0)), 0)
+    return along, next((degree for degree in _SPLINE_DEGREES if nearly_positive(0, degree)), 0)
 
 
 def narrowed(kernel: Array, along: int, across: int) -> Array:
-    """Return the kernel whose convolution with B-splines, of these degrees along z and across, is a kernel."""
+    """Return the kernel whose convolution with B-splines of these degrees, along z and across, is `kernel`."""
     from scipy.ndimage import spline_filter1d
 
     for axis, degree in enumerate((along, across, across)):
         if degree:
-            kernel = spline_filter1d(kernel, degree, axis, mode="reflect")  # which keeps the light
+            kernel = spline_filter1d(kernel, degree, axis, mode="reflect")  # keeps the sum
     return kernel
 
 
 def _weights(depths: Array, nodes: Array) -> Array:
-    """Return the weights of PSFs at each depth, linear between two."""
-    place = np.interp(depths, nodes, np.arange(len(nodes)))
+    """Return the weights of linear interpolation between PSFs at depths `nodes`, shape (nodes, depths)."""
+    position = np.interp(depths, nodes, np.arange(len(nodes)))
     # Hat functions around the nodes.
-    return np.asarray(np.maximum(0.0, 1.0 - np.abs(place - np.arange(len(nodes))[:, np.newaxis])))
+    return np.asarray(np.maximum(0.0, 1.0 - np.abs(position - np.arange(len(nodes))[:, np.newaxis])))
 
 
-def _relative_difference(one: Array, *others: Array) -> float:
-    """Return half of the absolute difference of a PSF from the mean of others, over its light."""
-    # Half: light that is missing in one place is too much in another.
-    return float(np.abs(one - sum(others) / len(others)).sum() / one.sum()) / 2.0
+def _relative_difference(kernel: Array, *others: Array) -> float:
+    """Return half of the absolute difference between a PSF and the mean of others, over its light."""
+    # Half: displaced light is counted twice, where it is missing and where it is in excess.
+    return float(np.abs(kernel - sum(others) / len(others)).sum() / kernel.sum()) / 2.0
 
 
-def _cone(objective: Objective, wavelength: float, pixel: float, away: float) -> float:
-    """Return the radius of the cone of light at a distance from the focus, pixels."""
-    side = pixel / objective.magnification
-    # NA = n sin(alpha): the marginal ray's tan(alpha); two wavelengths over NA for the spot itself.
+def _cone(objective: Objective, wavelength: float, pixel: float, distance: float) -> float:
+    """Return the radius of the cone of light at a distance (m) from the focus, in pixels."""
+    pixel_in_sample = pixel / objective.magnification
+    # The marginal ray has NA = n sin(alpha) and the slope tan(alpha); two wavelengths over NA are for the spot
+    # itself.
     tangent = objective.NA / math.sqrt(objective.immersion**2 - objective.NA**2)
-    return (away * tangent + 2.0 * wavelength / objective.NA) / side
+    return (distance * tangent + 2.0 * wavelength / objective.NA) / pixel_in_sample
 
 
 def usual_window(
     objective: Objective, wavelength: float, pixel: float, step: float, shape: tuple[int, int, int]
 ) -> tuple[int, int]:
-    """Return planes and pixels of the PSF of a stack: as far as it goes, and the cone of light, within limits.
+    """Return planes and pixels of the PSF window for a stack: the planes of the stack and the cone of light.
 
-    Light beyond the pixels is on a coarse grid.
+    Both are limited; light beyond the pixels is represented on a coarse grid.
     """
-    planes = min(max(_LEAST_REACH, shape[0] - 1), _MOST_PLANES)
+    planes = min(max(_MIN_HALF, shape[0] - 1), _MAX_HALF_PLANES)
     pixels = math.ceil(_cone(objective, wavelength, pixel, planes * step))
-    return 2 * planes + 1, 2 * min(max(_LEAST_REACH, pixels), _MOST_REACH) + 1
+    return 2 * planes + 1, 2 * min(max(_MIN_HALF, pixels), _MAX_HALF_PIXELS) + 1

@@ -31,18 +31,19 @@ if TYPE_CHECKING:
 
     from lommel.lensfiles.image_quality import Place
 
-# An image whose circle of 80 % of the light is so many times its FWHM has a bright centre within a wide blur.
-_SPIKE = 4.0
+# If the circle of 80 % of the light is wider than the FWHM by more than this factor, the image is a narrow central
+# peak within a wide blur, and the FWHM is labelled as that of the peak.
+_NARROW_PEAK = 4.0
 
 
 def summarize_lens(instrument: Instrument) -> Report:
-    """Return the description of a lens, its object and its sensor, without measures of its images, in one line."""
+    """Return a report of one line on a lens, its object and its sensor, without measures of image quality."""
     facts = ImageQuality(instrument).setup() | {"camera": plain(instrument.camera)}
-    focused, seen = distinct(facts["focus_distance"], facts["object_distance"])
+    focus_distance, object_distance = distinct(facts["focus_distance"], facts["object_distance"])
     lens = instrument.lens
     line = (
         f"f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}, {format_length(lens.wavelength)}; "
-        f"focus {focused}, object {seen}; `lommel info` has its image quality"
+        f"focus {focus_distance}, object {object_distance}; `lommel info` has its image quality"
     )
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(line)])
 
@@ -50,30 +51,31 @@ def summarize_lens(instrument: Instrument) -> Report:
 def describe_lens(instrument: Instrument) -> Report:
     """Return the report of a lens and its object; the facts are those of :class:`lommel.ImageQuality`."""
     facts = ImageQuality(instrument).to_dict() | {"camera": plain(instrument.camera)}
-    first = Text(instrument.name, "bold"), _setup(facts)
-    return Report(facts, [*first, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
+    heading = Text(instrument.name, "bold"), _setup(facts)
+    return Report(facts, [*heading, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
 
 
 def _setup(facts: Facts) -> Table:
     """Return the table of lens, object and sensor."""
-    focused, seen = distinct(facts["focus_distance"], facts["object_distance"])
-    obscured = f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else ""
-    pixel, sharp, hyperfocal = pitch_in_words(facts["pixel"]), facts["in_focus"], facts["hyperfocal_distance"]
+    focus_distance, object_distance = distinct(facts["focus_distance"], facts["object_distance"])
+    obscuration = f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else ""
+    pixel, depth_of_field = pitch_in_words(facts["pixel"]), facts["in_focus"]
+    hyperfocal = facts["hyperfocal_distance"]
     if facts["arcsec_per_pixel"]:
         pixel += f", {number(facts['arcsec_per_pixel'])} arcsec"
     if facts["pixel_in_object"]:
         pixel += f", {format_length(facts['pixel_in_object'])} in the sample"
-    if sharp is not None:
-        ends = " to ".join(distinct(sharp["near"], sharp["far"]))
-        sharp = f"{ends} (circle of confusion up to {IN_FOCUS:g} pixels)"
+    if depth_of_field is not None:
+        ends = " to ".join(distinct(depth_of_field["near"], depth_of_field["far"]))
+        depth_of_field = f"{ends} (circle of confusion up to {IN_FOCUS:g} pixels)"
     lens = f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
     rows = [
-        ("lens", f"{lens} (working f/{facts['working_f_number']:.4g}){obscured}"),
+        ("lens", f"{lens} (working f/{facts['working_f_number']:.4g}){obscuration}"),
         *_aperture(facts),
         ("wavelength", format_length(facts["wavelength"])),
-        ("focus distance", focused),
-        ("object distance", seen),
-        ("depth of field", sharp),
+        ("focus distance", focus_distance),
+        ("object distance", object_distance),
+        ("depth of field", depth_of_field),
         ("hyperfocal distance", hyperfocal and f"{format_length(hyperfocal)} (same circle)"),
         ("pixel", pixel),
         ("camera", camera_in_words(facts)),
@@ -82,16 +84,16 @@ def _setup(facts: Facts) -> Table:
 
 
 def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
-    """Return the tables of the image of a point."""
-    on_axis, top, bound = facts["strehl"], facts["strehl_at_peak"], facts["encircled_energy_error"]
+    """Return the tables of the image of a point; `pitch` is that of the pixels along y and x, metres."""
+    on_axis, at_peak, bound = facts["strehl"], facts["strehl_at_peak"], facts["encircled_energy_error"]
     strehl = strehl_ratio(on_axis)
-    if top is not None and on_axis is not None and top > 1.005 * on_axis:
-        strehl += f" on the axis, {strehl_ratio(top)} at the brightest point"
+    if at_peak is not None and on_axis is not None and at_peak > 1.005 * on_axis:
+        strehl += f" on the axis, {strehl_ratio(at_peak)} at the brightest point"
     lines = [
         ("Strehl ratio", strehl),
         ("Marechal's estimate", strehl_ratio(facts["marechal"]) if (facts["marechal"] or 0.0) >= 0.3 else None),
         *_mtf_rows(facts),
-        ("focus tolerance", _tolerance(facts)),
+        ("focus tolerance", _focus_tolerance(facts)),
     ]
     energies = [
         (row["within"], format_length(row["radius"]), percent(row["fraction"], 1), percent(row["unaberrated"], 1))
@@ -107,8 +109,8 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
     return parts if facts["field"] is None else [*parts, *_field_parts(facts["field"])]
 
 
-def _tolerance(facts: Facts) -> str | None:
-    """Return how far the sensor may move in words."""
+def _focus_tolerance(facts: Facts) -> str | None:
+    """Return the range in which the sensor may move, in words."""
     if facts["focus_tolerance"] is None:
         return None
     near, far = (f"{end / 1e-6:+.3g} um" for end in facts["focus_tolerance"])
@@ -117,15 +119,15 @@ def _tolerance(facts: Facts) -> str | None:
 
 
 def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
-    """Return the rows of the MTF, for x and y where these differ."""
+    """Return the rows of the MTF, separately for x and y if they differ."""
 
-    def along(end: str) -> list[tuple[str, str | None]]:
-        kinds = ("mtf_at_nyquist_with_pixel", "mtf_at_nyquist", "mtf50", "nyquist")
-        with_pixel, alone, half, nyquist = (facts[kind + end] for kind in kinds)
+    def along(suffix: str) -> list[tuple[str, str | None]]:
+        names = ("mtf_at_nyquist_with_pixel", "mtf_at_nyquist", "mtf50", "nyquist")
+        with_pixel, alone, frequency50, nyquist = (facts[name + suffix] for name in names)
         mtf = None
         if alone is not None and nyquist < facts["cutoff"]:
             mtf = f"{with_pixel:.4f} with the pixel, {alone:.4f} without, at {per_mm(nyquist)}"
-        mtf50 = half and f"{per_mm(half)}, optics alone (cutoff {per_mm(facts['cutoff'])})"
+        mtf50 = frequency50 and f"{per_mm(frequency50)}, optics alone (cutoff {per_mm(facts['cutoff'])})"
         return [("MTF at Nyquist", mtf), ("MTF50", mtf50)]
 
     x, y = along(""), along("_y")
@@ -136,20 +138,23 @@ def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
 
 
 def _diameters(facts: Facts, pixel: float) -> RenderableType:
-    """Return the table of the diameters of the blur, in the units of the field of the lens."""
-    fwhm, circle, ring = facts["fwhm"], facts["diameter_80"], facts["dark_ring_radius"]
-    cut = ring != facts["airy_radius"]
-    centre = fwhm is not None and circle is not None and circle > _SPIKE * fwhm
-    whole, rays = "80 % of the light", 2.0 * facts["geometric_radius"]
+    """Return the table of the diameters of the blur in micrometres, pixels and, if known, arcsec or nm in the sample.
+
+    `pixel` is the pixel pitch in metres.
+    """
+    fwhm, diameter_80, ring = facts["fwhm"], facts["diameter_80"], facts["dark_ring_radius"]
+    unlike_airy = ring != facts["airy_radius"]  # obscured or otherwise cut
+    narrow_peak = fwhm is not None and diameter_80 is not None and diameter_80 > _NARROW_PEAK * fwhm
+    label_80, rays = "80 % of the light", 2.0 * facts["geometric_radius"]
     if any(term["m"] for term in facts["zernike"]):
-        whole += ", about the centroid"
+        label_80 += ", about the centroid"
     rows = [
-        ("FWHM" + (" of the central peak" if centre else ""), fwhm),
+        ("FWHM" + (" of the central peak" if narrow_peak else ""), fwhm),
         ("FWHM with the pixel", facts["fwhm_with_pixel"]),
-        (whole, circle),
-        (f"{whole}{',' if 'about' in whole else ''} with the pixel", facts["diameter_80_with_pixel"]),
-        ("Airy disc" + (" of a clear aperture" if cut else " (first dark ring)"), 2.0 * facts["airy_radius"]),
-        ("first dark ring without aberrations", 2.0 * ring if cut and ring else None),
+        (label_80, diameter_80),
+        (f"{label_80}{',' if 'about' in label_80 else ''} with the pixel", facts["diameter_80_with_pixel"]),
+        ("Airy disc" + (" of a clear aperture" if unlike_airy else " (first dark ring)"), 2.0 * facts["airy_radius"]),
+        ("first dark ring without aberrations", 2.0 * ring if unlike_airy and ring else None),
         ("circle of confusion (defocus alone)", facts["circle_of_confusion"] or None),
         ("all rays, with the aberrations", None if math.isclose(rays, facts["circle_of_confusion"]) else rays),
     ]
@@ -164,21 +169,23 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
 
 def _wavefront_parts(facts: Facts) -> Parts:
     """Return the tables of the wavefront and of the model."""
-    rms, level, best = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
-    where = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
-    tilted = f" ({number(level)} without tilt)" if level is not None and rms - level > 5e-5 * rms else ""
-    higher, distances, shares = facts["higher"], facts["defocus_of_distances"], ""
-    if not math.isclose(distances, facts["defocus"], rel_tol=1e-6, abs_tol=1e-9):
-        shares = f"; by distances alone {distances:.4g} rad (W020 = {distances / math.pi:.4g})"
-    listed = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
-    if len(listed) > 4:
-        listed[2:] = [f"... ({len(listed)} terms; see --json)"]
+    rms, untilted, best = facts["rms_waves"], facts["rms_waves_without_tilt"], facts["balancing_W020"]
+    area = "over the clear aperture" if facts["clear_area"] < 1.0 - 1e-9 else "over the pupil"
+    without_tilt = ""
+    if untilted is not None and rms - untilted > 5e-5 * rms:
+        without_tilt = f" ({number(untilted)} without tilt)"
+    higher, of_distances, note = facts["higher"], facts["defocus_of_distances"], ""
+    if not math.isclose(of_distances, facts["defocus"], rel_tol=1e-6, abs_tol=1e-9):
+        note = f"; by distances alone {of_distances:.4g} rad (W020 = {of_distances / math.pi:.4g})"
+    terms = [f"{name} = {value:.4g}" for name, value in facts["waves"].items()]
+    if len(terms) > 4:
+        terms[2:] = [f"... ({len(terms)} terms; see --json)"]
     lines = [
-        ("rms wavefront error", None if rms is None else f"{number(rms)} waves {where}{tilted}"),
-        ("defocus C_d", f"{facts['defocus']:.4g} rad{shares}"),
+        ("rms wavefront error", None if rms is None else f"{number(rms)} waves {area}{without_tilt}"),
+        ("defocus C_d", f"{facts['defocus']:.4g} rad{note}"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(higher if len(higher) < 4 else [])],
-        ("in waves at the edge", ", ".join(listed)),
+        ("in waves at the edge", ", ".join(terms)),
         ("least rms would be at", None if best is None else f"W020 = {best:.4g}, which balances the other terms"),
     ]
     zernike = [zernike_table(facts)] if any(term["m"] for term in facts["zernike"]) else []
@@ -188,12 +195,12 @@ def _wavefront_parts(facts: Facts) -> Parts:
         ("lambda*N", format_length(facts["wavelength"] * facts["working_f_number"])),
         ("other model", None if _identical(facts["other_model"]) else model_in_words(facts["other_model"])),
     ]
-    last = [list_of(models, title="Model"), *refused(facts)]
-    return ["", *paragraphs([list_of(lines, title="Wavefront")], zernike, last)]
+    model = [list_of(models, title="Model"), *refused(facts)]
+    return ["", *paragraphs([list_of(lines, title="Wavefront")], zernike, model)]
 
 
 def distinct(*distances: float | None) -> list[str]:
-    """Return lengths with enough digits for different ones to look different."""
+    """Return lengths as texts with enough digits for different lengths to have different texts; None is infinity."""
     for digits in range(4, 13):
         texts = [format_length(math.inf if d is None else d, digits=digits) for d in distances]
         if len(set(texts)) == len(set(distances)):
@@ -202,6 +209,7 @@ def distinct(*distances: float | None) -> list[str]:
 
 
 def _amplitude(facts: Facts) -> str:
+    """Return the amplitude across the pupil in words."""
     kind = facts["apodization"]
     name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "exponential of a polynomial in rho^2"
     if isinstance(kind, float):
@@ -214,7 +222,7 @@ def _model(facts: Facts) -> str:
 
 
 def model_in_words(other: Facts) -> str:
-    """Return the difference of the paraxial and the aplanatic model in one line."""
+    """Return a line on the other model of the lens (paraxial or aplanatic) and the difference of its PSF."""
     if other["reason"] is not None:
         return f"{other['model']}: {other['reason']}"
     if _identical(other):
@@ -223,13 +231,13 @@ def model_in_words(other: Facts) -> str:
 
 
 def _identical(other: Facts) -> bool:
-    """Return whether the other model makes the same PSF within the tolerance of both, 1e-6."""
+    """Check that the PSF of the other model differs by less than 1e-6, the tolerance of both."""
     return other["reason"] is None and bool(other["peak_error"] < 1e-6)
 
 
 def _aperture(facts: Facts) -> list[tuple[str, str]]:
-    """Return rows for the spider, the vignetting, the mask and the stop, if there are any."""
-    spider, edge, mask, stop = (facts["aperture"][name] for name in ("spider", "vignetting", "mask", "stop"))
+    """Return rows on spider, vignetting, mask and stop of the aperture, and the clear area; none for a full disc."""
+    spider, vignetting, mask, stop = (facts["aperture"][name] for name in ("spider", "vignetting", "mask", "stop"))
     rows = []
     if stop is not None:
         kinds = [f"{count} {kind[:-1] if count == 1 else kind}" for kind, count in stop["parts"].items() if count]
@@ -240,12 +248,12 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
         angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
         width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
         rows.append(("vanes", f"{width} wide, at {angles} degrees from x towards y"))
-    if edge is not None and edge["name"] == "Ellipse":
-        angle = math.degrees(edge["angle"])
-        rows.append(("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {angle:.4g} degrees"))
-    elif edge is not None:
-        x, y = edge["shift"]
-        rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
+    if vignetting is not None and vignetting["name"] == "Ellipse":
+        angle = math.degrees(vignetting["angle"])
+        rows.append(("ellipse", f"{vignetting['a']:.4g} x {vignetting['b']:.4g} radii, at {angle:.4g} degrees"))
+    elif vignetting is not None:
+        x, y = vignetting["shift"]
+        rows.append(("cat's eye", f"a circle of {vignetting['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
     if mask is not None:
         rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
     return [*rows, ("clear area", f"{percent(facts['clear_area'], 2)} of the full aperture")] if rows else []
@@ -270,17 +278,17 @@ def _field_parts(field: Facts) -> Parts:
 
 
 def zernike_table(facts: Facts) -> Table:
-    """Return the table of the Zernike terms at a wavelength."""
+    """Return the table of the Zernike coefficients, waves rms at the wavelength of the lens."""
     rows = [(t["name"], f"({t['n']}, {t['m']})", f"{t['waves_rms']:+.4g}") for t in facts["zernike"]]
     return table_of(("Zernike term", "(n, m)", f"waves rms at {format_length(facts['wavelength'])}, full disc"), rows)
 
 
 def describe_psf(answer: PSF, seconds: float) -> Report:
-    """Return the report of a PSF; "wide_enough" is a window for 98 % of the light if this has under 95 %."""
+    """Return the report of a PSF; if it has below 95 % of the light, "wide_enough" is the side for about 98 %."""
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     enough = energy >= 0.95 or min(answer.shape) >= side
     facts = how_made(answer, seconds) | {"wide_enough": None if enough else side, "energy": energy}
-    # As many digits of the peak as its error bound leaves.
+    # As many digits of the peak as its error bound allows.
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
     pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
     parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", percent(energy, 2))
@@ -314,8 +322,9 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
     sensor, energy = list(grid.sensor), np.asarray(answer.energy)
     facts: Facts = {"name": instrument.name, "source": instrument.source, "sensor": sensor}
     facts |= {"x": grid.x.tolist(), "y": grid.y.tolist(), "energy": energy.tolist()} | how_made(answer, seconds)
-    (rows, columns, height, width), stray = facts["shape"], facts["sum"]
-    ends = "" if stray is None else f"{np.min(stray):.4g} to {np.max(stray):.4g}"
+    # "sum" is given only if the values do not sum to the light: see `how_made`.
+    (rows, columns, height, width), sums = facts["shape"], facts["sum"]
+    ends = "" if sums is None else f"{np.min(sums):.4g} to {np.max(sums):.4g}"
     lines = [
         ("sensor", f"{format_length(sensor[0])} x {format_length(sensor[1])} (height x width)"),
         ("method", repr(answer.method)),
@@ -340,17 +349,17 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
 
 def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -> Report:
     """Return the report of PSFs in colour channels, with the peak and the energy of each channel."""
-    held = answer.normalize == "energy"
-    each: list[Facts] = [
+    by_energy = answer.normalize == "energy"  # values sum to the light in the window
+    channels: list[Facts] = [
         {
             "name": name,
-            "wavelengths": [w for w, _ in pairs],
-            "weights": [share for _, share in pairs],
+            "wavelengths": [wavelength for wavelength, _ in spectrum],
+            "weights": [weight for _, weight in spectrum],
             "light": light,
-            "peak": float(one.values.max()),
-            "energy": float(one.values.sum(axis=(-2, -1), dtype=float).mean()) if held else None,
+            "peak": float(psf.values.max()),
+            "energy": float(psf.values.sum(axis=(-2, -1), dtype=float).mean()) if by_energy else None,
         }
-        for (name, pairs), light, one in zip(answer.channels, answer.channels.light, answer, strict=True)
+        for (name, spectrum), light, psf in zip(answer.channels, answer.channels.light, answer, strict=True)
     ]
     made = how_made(answer[0], seconds)
     facts = {
@@ -360,33 +369,35 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
         "shape": list(answer.shape),
         "error_bound": answer.error_bound,
         "of_spectra": answer.channels.error,
-        "channels": each,
+        "channels": channels,
     }
     spectra = f"error at most {facts['of_spectra']:.2g} of the unaberrated peak" if facts["of_spectra"] else None
-    bound, spent = _error_and_time(facts, " of a channel")
+    bound_row, time_row = _error_and_time(facts, " of a channel")
     lines = [
         ("values", _values(facts)),
         ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
-        bound,
+        bound_row,
         ("spectral sampling", spectra),
-        spent,
+        time_row,
     ]
     rows = []
-    for one in each:
-        waves = one["wavelengths"]
+    for channel in channels:
+        waves = channel["wavelengths"]
         ends = " to ".join(dict.fromkeys(format_length(end) for end in (min(waves), max(waves))))
         ends = ends if len(waves) == 1 else f"{len(waves)} from {ends}"
-        rows.append((one["name"], ends, f"{one['light']:.3g}", f"{one['peak']:.4g}", percent(one["energy"], 2)))
+        light, peak, energy = f"{channel['light']:.3g}", f"{channel['peak']:.4g}", percent(channel["energy"], 2)
+        rows.append((channel["name"], ends, light, peak, energy))
     table = table_of(("channel", "wavelengths", "light", "largest value", "sum of values"), rows)
     return Report(facts, [Text(instrument.name, "bold"), list_of(lines), "", table])
 
 
 def _values(facts: Facts) -> str:
+    """Return shape, type and normalisation of the values in words."""
     return f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"
 
 
 def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
-    """Return rows for the error bound and the time."""
+    """Return the row of the error bound, for the peak of a PSF or of a `channel`, and that of the time."""
     bound = "none proven"
     if facts["error_bound"] is not None:
         bound = f"each value within {facts['error_bound']:.2g} of the peak{channel}"
@@ -396,8 +407,8 @@ def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
 def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Report:
     """Return the report of the MTF, pixel included, at the Nyquist frequency and at half of it.
 
-    One row for each of the `places` and each of the `channels`, or for the wavelength of the file: sagittal and
-    tangential, or on the axis alone along x and y.
+    There is one row for each of the `places` in the field and of the `channels`, or for the wavelength of the file
+    without channels. Directions are sagittal and tangential, or x and y if the only place is the axis.
     """
     facts = sensor_mtf(instrument, places, channels)
     over_field = places[0][0] is not None
@@ -406,7 +417,7 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     for row in facts["rows"]:
         place = ", ".join(format_length(row[axis] or 0.0, like=1e-3) for axis in ("x", "y"))
         first = [place if head != "channel" else row["channel"] for head in heads]
-        pairs = [row["nyquist"], row["half_nyquist"]]  # of a place on the axis, whose directions have no names
+        pairs = [row["nyquist"], row["half_nyquist"]]  # along x and y
         if "sagittal" in row:
             pairs = list(zip(row["sagittal"], row["tangential"], strict=True))
         # The MTF is exactly 0 from the cutoff of the lens on.
@@ -417,22 +428,25 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     across, down = map(per_mm, frequencies)
     along = across if across == down else f"{across} along x and {down} along y"
     lines = "S sagittal: radial lines; T: tangential ones" if over_field else "x: vertical lines"
-    said = [f"Nyquist frequency: {along}; {lines}"]
+    notes = [f"Nyquist frequency: {along}; {lines}"]
     if max(frequencies) > (cutoff := max(pupil.cutoff for _, _, pupil in places)):
         light = format_length(instrument.lens.wavelength)
         others = "" if channels is None else ", higher at shorter wavelengths"
-        said.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {light}{others}")
-    return Report({"mtf": facts}, ["", table, *(Text(line, "dim") for line in said)])
+        notes.append(f"0: the lens passes nothing above its cutoff, {per_mm(cutoff)} at {light}{others}")
+    return Report({"mtf": facts}, ["", table, *(Text(note, "dim") for note in notes)])
 
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:
-    """Return the description of the values and how they were computed, sums and peaks for each PSF of a stack."""
-    stray = answer.normalize == "energy" and not answer.sum_is_light
+    """Return the facts on the values of a PSF and their computation; sums and peaks are for each PSF of a stack.
+
+    "sum" is None unless the values, although normalised to energy, do not sum to the light in the window.
+    """
+    undersampled = answer.normalize == "energy" and not answer.sum_is_light
     return {
         "method": answer.method.to_dict(),
         "sampling": answer.sampling,
         "pixel_over_lambda_N": max(answer.grid.pitch) / answer.pupil.scale,
-        "sum": answer.values.sum(axis=(-2, -1), dtype=float).tolist() if stray else None,
+        "sum": answer.values.sum(axis=(-2, -1), dtype=float).tolist() if undersampled else None,
         "shape": list(answer.shape),
         "pixel": answer.pixel,
         "dtype": str(answer.values.dtype),
@@ -451,7 +465,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
 
 
 def _microscope_parts(facts: Facts) -> Parts:
-    """Return the table of a microscope, and what it samples too coarsely."""
+    """Return the table of a microscope, and warnings of pixels or steps that are coarser than Nyquist sampling."""
     nyquist, design = facts["nyquist"], facts["design"]
     if design is not None:
         design = f"immersion {design['immersion']:g}, cover glass {_layer_in_words(design['coverslip']) or 'none'}"
@@ -500,12 +514,13 @@ _ORIGINS = {
 
 
 def _layer_in_words(layer: dict[str, float] | None) -> str:
+    """Return thickness and index of a layer in words, "" for none."""
     return "" if layer is None else f"{format_length(layer['thickness'])} of index {layer['index']:g}"
 
 
 def _focus_parts(facts: Facts) -> Parts:
     """Return the table of the focus of emitters at several depths."""
-    lengths = ("depth um", "paraxial um", "best um", "depth / best", "axial nm", "lateral nm")
+    names = ("depth um", "paraxial um", "best um", "depth / best", "axial nm", "lateral nm")
     rows = [
         (
             f"{1e6 * row['depth']:.4g}",
@@ -516,9 +531,9 @@ def _focus_parts(facts: Facts) -> Parts:
         )
         for row in facts["focus"]
     ]
-    table = table_of((*lengths, "peak", "/ at 0", "light"), rows, left=-1, title="Focus of a freely rotating dipole")
+    table = table_of((*names, "peak", "/ at 0", "light"), rows, left=-1, title="Focus of a freely rotating dipole")
     for column in table.columns:
-        column.overflow = "fold"  # or digits would be cut off
+        column.overflow = "fold"  # other settings cut off digits
     note = (
         "paraxial, best (brightest): stage travel from the focus on the surface of the cover glass; axial, lateral: "
         "full width at half maximum of the optics alone, without the pixel; light: "
@@ -528,16 +543,16 @@ def _focus_parts(facts: Facts) -> Parts:
 
 
 def describe_stack(answer: PSF, seconds: float) -> Report:
-    """Return the report of a stack of planes, or of one plane, whose "brightest" is None."""
+    """Return the report of a stack of planes, or of a single plane; "brightest" is the brightest plane of a stack."""
     pupil: Any = answer.pupil
     energy, best = np.asarray(answer.energy), None
     facts = how_made(answer, seconds)
-    peak, held = f"{np.max(facts['peak']):.4g}", percent(energy.min(), 2)
+    peak, energies = f"{np.max(facts['peak']):.4g}", percent(energy.min(), 2)
     if pupil.shape:
         best = int(np.argmax(facts["peak"]))
         ends = (format_length(float(at[best]), like=1e-6) for at in (pupil.z, pupil.focus))
         peak += " in plane {}, z = {}, stage at {}".format(best, *ends)
-        held += f" to {percent(energy.max(), 2)}, by plane"
+        energies += f" to {percent(energy.max(), 2)}, by plane"
     facts |= {
         "pixel_in_sample": answer.pixel / pupil.magnification,
         "z": pupil.z.tolist(),
@@ -546,4 +561,4 @@ def describe_stack(answer: PSF, seconds: float) -> Report:
         "brightest": best,
     }
     pixels = f"{format_length(facts['pixel_in_sample'])} in the sample, {HOW[answer.sampling]}"
-    return Report({"psf": facts}, _psf_parts(answer, facts, pixels, peak, held))
+    return Report({"psf": facts}, _psf_parts(answer, facts, pixels, peak, energies))

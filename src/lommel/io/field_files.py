@@ -25,9 +25,11 @@ _KEY = "field"  # key of the positions in a description
 SEVERAL = "at several distances or in channels"
 
 ChannelPSFs = tuple[Channels, tuple[Made, ...]]
+"""Channels, and the PSFs of each channel."""
 
 
 def _read(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
+    """Read the PSFs of a file as objects made by `kind`, and the description of the file."""
     form = psf_files.find(source, verb="read")
     return psf_files.read(form, source, "a grid of PSFs", partial(_rebuilt, kind=kind))
 
@@ -35,12 +37,14 @@ def _read(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[M
 def _rebuilt(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Description]:
+    """Return PSFs made by `kind` from their arrays and description, and the description."""
     if "channels" in description:
         return psf_files.rebuild_colours(arrays, description, kind), description
     return psf_files.rebuild(arrays, description, kind), description
 
 
 def _write_tiff(grid: PSFGridLike, description: Description, target: Path) -> None:
+    """Write one page for each PSF, with its position in the metadata of OME-TIFF."""
     assert is_psf(grid.psf)
     factor, unit = psf_formats.ome_unit(grid.unit)
     y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
@@ -50,7 +54,7 @@ def _write_tiff(grid: PSFGridLike, description: Description, target: Path) -> No
 
 
 def _of_psfs(form: Format) -> Format:
-    """Return a format of PSFs as a format of grids, which are stacks of PSFs."""
+    """Return the format of grids of PSFs that writes them as a stack in a format of PSFs."""
 
     def write(grid: PSFGridLike, description: Description, target: Path) -> None:
         psf_files.write(form, target, grid.psf, description)
@@ -59,34 +63,37 @@ def _of_psfs(form: Format) -> Format:
 
 
 def _write_zarr(grid: PSFGridLike, description: Description, target: Path) -> None:
+    """Write the array of values and one array of coordinates for each axis."""
     if grid.psf.grid.stack:
         raise ValueError(
             "path must not end in .zarr for PSFs with a center each, since all have one x and one y there"
         )
     values = np.ascontiguousarray(grid.values)
-    said = sealed(description, {"values": values})
+    sealed_description = sealed(description, {"values": values})
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
         raise ValueError(
             f"path must be new or a Zarr store, got {validation.shown(str(target))}, which is something else"
         )
 
     def fill(folder: Path) -> None:
-        zarr_folders.write_group(folder, {"lommel": said})
-        places: Description = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
-        places |= {"depth": grid.depths, "channel": np.arange(values.shape[-3])}
+        zarr_folders.write_group(folder, {"lommel": sealed_description})
+        coordinates: Description = {"field_y": grid.y, "field_x": grid.x}
+        coordinates |= {"y": grid.psf.grid.y, "x": grid.psf.grid.x}
+        coordinates |= {"depth": grid.depths, "channel": np.arange(values.shape[-3])}
         units = {"depth": "m", "channel": "1"}
-        chunk = (*[1] * (values.ndim - 2), *values.shape[-2:])  # for each PSF: what is read together
+        chunk = (*[1] * (values.ndim - 2), *values.shape[-2:])  # one PSF each
         layout = Layout(values.shape, chunk, values.dtype.str, grid.dims)
         ZarrArray(folder / "values", layout).create(values=values)
         for name in grid.dims:
-            at = places[name]
-            place = ZarrArray(folder / name, Layout(at.shape, at.shape, at.dtype.str, (name,)))
-            place.create(attributes={"units": units.get(name, grid.unit)}, values=at)
+            at = coordinates[name]
+            array = ZarrArray(folder / name, Layout(at.shape, at.shape, at.dtype.str, (name,)))
+            array.create(attributes={"units": units.get(name, grid.unit)}, values=at)
 
     atomic.write_folder(target, fill)
 
 
 def _read_zarr(source: Path, kind: Callable[..., Made]) -> tuple[Made | ChannelPSFs[Made], Description]:
+    """Read the PSFs of a Zarr folder as objects made by `kind`, and the description."""
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     with psf_files.as_file_error(source, "a grid of PSFs"):
@@ -112,14 +119,14 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
 
     In OME-TIFF each page has its position on the sensor, PositionX and PositionY of its plane (micrometres, or
     ``reference frame`` for lambda*N). Zarr has the array ``values`` (field_y, field_x, y, x), a coordinate array for
-    each dimension, as xarray expects, and the description as the attribute ``lommel``. The other formats hold a stack
-    of PSFs; FITS, HDF5 and MATLAB name the positions ``field_y`` and ``field_x``. With several distances (depth,
-    metres) and channels, all but OME-TIFF hold (field_y, field_x, depth, channel, y, x), which MATLAB sees as
-    (y, x, field_y, field_x, depth, channel).
+    each dimension, as xarray expects, and the description as the attribute ``lommel``. The other formats contain a
+    stack of PSFs; in FITS, HDF5 and MATLAB the positions are named ``field_y`` and ``field_x``. With several
+    distances (depth, metres) and channels, the axes in all formats but OME-TIFF are (field_y, field_x, depth,
+    channel, y, x), which MATLAB shows as (y, x, field_y, field_x, depth, channel).
 
-    Each has the description of :func:`lommel.io.psf_files.save` with the positions and the sensor size, so that
-    :meth:`lommel.PSF.load` reads the stack from all but ``.zarr``. All is written under a temporary name and moved
-    into place; an existing ``.zarr`` folder is replaced if it is a Zarr store.
+    Each file has the description of :func:`lommel.io.psf_files.save`, with the positions and the sensor size, so that
+    :meth:`lommel.PSF.load` reads the stack from all formats but ``.zarr``. Files are written under a temporary name
+    and moved into place; an existing ``.zarr`` folder is replaced if it is a Zarr store.
 
     Parameters
     ----------
@@ -134,24 +141,28 @@ def save(grid: PSFGridLike, path: str | PathLike[str]) -> None:
     ImportError
         If tifffile, astropy or h5py is not installed.
     OSError
-        If it cannot be written.
+        If the file cannot be written.
     """
     psf = grid.psf
     if isinstance(psf, ColourPSFLike):
-        said, form = psf_files.describe_colours(psf), find(path, holding=SEVERAL)
+        description, form = psf_files.describe_colours(psf), find(path, holding=SEVERAL)
     else:
-        deep = "" if grid.depths is None else SEVERAL
-        form, said = find(path, holding="with derivatives" if psf.derivatives else deep), psf_files.describe(psf)
+        contents = "" if grid.depths is None else SEVERAL
+        form = find(path, holding="with derivatives" if psf.derivatives else contents)
+        description = psf_files.describe(psf)
     field: Description = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor)}
     if grid.depths is not None:  # JSON has no infinity
         field["depths"] = [None if np.isinf(s) else s for s in grid.depths.tolist()]
-    form.write(grid, said | {_KEY: field | {"unit": grid.unit}}, Path(path))
+    form.write(grid, description | {_KEY: field | {"unit": grid.unit}}, Path(path))
 
 
 def load(
     path: str | PathLike[str], kind: Callable[..., Made]
 ) -> tuple[Made | ChannelPSFs[Made], Array, Array, tuple[float, float], Array | None]:
-    """Read PSFs of this kind (or channels and PSFs), their x and y, the sensor's size and the distances, if any."""
+    """Read a grid of PSFs: PSFs made by `kind` (or channels and their PSFs), x, y, size of the sensor, and distances.
+
+    Distances are None for a grid at a single distance.
+    """
     form, source = find(path, verb="read"), Path(path)
     psf, description = form.read(source, kind)
     if _KEY not in description:
@@ -163,7 +174,7 @@ def load(
         depths = field.get("depths")
         if depths is not None:
             depths = np.array([np.inf if s is None else validation.real("depths", s, above=0.0) for s in depths])
-        one, places = psf[1][0] if isinstance(psf, tuple) else psf, (y.size, x.size)
-        if one.pupil.shape != places + (() if depths is None else depths.shape):
-            raise ValueError(f"positions of shape {places} for PSFs of shape {one.pupil.shape}")
+        any_channel, shape = psf[1][0] if isinstance(psf, tuple) else psf, (y.size, x.size)
+        if any_channel.pupil.shape != shape + (() if depths is None else depths.shape):
+            raise ValueError(f"positions of shape {shape} for PSFs of shape {any_channel.pupil.shape}")
     return psf, x, y, (height, width), depths

@@ -246,7 +246,7 @@ class Plan:
             except (Declined, ToleranceError):
                 if len(ways) == 1:
                     raise
-                asked = asked._replace(ways=ways[1:])  # which the next method answers
+                asked = asked._replace(methods=ways[1:])  # which the next method answers
         if found is None:
             return self._computed(asked, pupil, names, out)
         (scale, error), method = found, ways[0].reported

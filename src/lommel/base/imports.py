@@ -1,10 +1,9 @@
-"""Imports of modules: those of a package on first use (PEP 562), and none while a process forks.
+"""Lazy imports: modules of a package are imported on first use (PEP 562), and forks wait for imports.
 
-Imports and forks: a process does not fork while another of its threads imports a module.
-A child process has only the thread that forked. A module that another thread was importing stays locked in the child
-(the import system has a lock for each module), and any import of it waits for ever. Python protects the tables of the
-import system from forks, but not the import of a module, and most of this package is imported on first use. So a fork
-waits until no import is under way.
+Forks: a child process has only the thread that forked. A module that another thread was importing would stay locked
+in the child (the import system has a lock for each module), and any import of that module would wait forever. Python
+protects the tables of the import system during a fork, but not the import of a module. Since most modules of this
+package are imported on first use, possibly in threads, a fork waits until no other thread is importing.
 """
 
 from __future__ import annotations
@@ -19,14 +18,14 @@ from importlib import _bootstrap, import_module
 from typing import Any
 
 PATIENCE = 10.0
-"""Seconds after which a fork waits no longer: an import may itself wait for the thread that forks."""
+"""Seconds after which a fork stops waiting: an import may itself wait for the thread that forks."""
 
-# Weak references to the lock of each module being imported, by name; Python has no public list of these.
+# Weak references to the lock of each module being imported, by name. There is no public interface to these.
 _locks: dict[str, Any] = _bootstrap._module_locks  # type: ignore[attr-defined]
 
 
 def _importers() -> dict[str, int | None]:
-    """Return the modules being imported and the threads that import them; None where an import is about to begin."""
+    """Return the importing thread of each module being imported; None if its import is about to begin."""
     _imp.acquire_lock()
     try:
         return {name: lock.owner for name, ref in _locks.items() if (lock := ref()) is not None}
@@ -34,31 +33,34 @@ def _importers() -> dict[str, int | None]:
         _imp.release_lock()
 
 
-def _wait() -> None:
-    """Wait for imports of other threads, unless this thread imports too: they may be waiting for it."""
-    me, until = threading.get_ident(), time.monotonic() + PATIENCE
-    while (under_way := _importers()) and me not in under_way.values() and time.monotonic() < until:
+def _wait_for_imports() -> None:
+    """Wait for imports by other threads, unless this thread is importing too: they may be waiting for it."""
+    this_thread, deadline = threading.get_ident(), time.monotonic() + PATIENCE
+    while (importers := _importers()) and this_thread not in importers.values() and time.monotonic() < deadline:
         time.sleep(0.001)
 
 
-def _let_go() -> None:
-    """In the child, forget imports of threads that it does not have."""
+def _release_locks() -> None:
+    """Release, in a child process, the locks of modules that threads of the parent were importing."""
     for name, owner in _importers().items():
         if owner != threading.get_ident():
-            # Begun between the end of the wait and the fork; a module half initialised must be imported anew.
+            # Such an import began after the wait. A module that is half initialised must be imported again.
             _locks.pop(name, None)
             if getattr(getattr(sys.modules.get(name), "__spec__", None), "_initializing", False):
                 del sys.modules[name]
 
 
 def guard() -> None:
-    """Make all forks of this process wait for imports; one call is enough."""
+    """Make all future forks of this process wait for imports; to be called once."""
     if hasattr(os, "register_at_fork"):
-        os.register_at_fork(before=_wait, after_in_child=_let_go)
+        os.register_at_fork(before=_wait_for_imports, after_in_child=_release_locks)
 
 
 def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], object], Callable[[], list[str]]]:
-    """Return ``__getattr__`` and ``__dir__`` of a package: its modules, and the names that `exports` lists."""
+    """Return functions ``__getattr__`` and ``__dir__`` for a package whose contents are imported on first use.
+
+    These are its modules and, if given, the names in ``__all__`` of its module `exports`.
+    """
 
     def attribute(name: str) -> object:
         if not name.startswith("_"):

@@ -1,4 +1,4 @@
-"""Depth maps in files: metres, or levels, inverse depth and disparity with what makes metres of them."""
+"""Depth maps in files: metres, or levels, inverse depth and disparity with their conversion to metres."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ RESAMPLE = ("nearest",)
 
 
 class DepthKeywords(TypedDict, total=False):
-    """What the values of a depth map mean."""
+    """Options on the meaning of the values of a depth map: see :class:`DepthValues`."""
 
     scale: float | None
     inverse: tuple[float, float] | None
@@ -32,26 +32,26 @@ class DepthKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class DepthValues:
-    """What the values of a depth map in a file mean, validated; at most one of the first three is given.
+    """Meaning of the values of a depth map in a file, validated; at most one of the first three is given.
 
     Parameters
     ----------
     scale : float, optional
-        Metres per level of integers, such as 0.001. Floats are metres without it. A PFM file whose header states a
-        scale other than 1 needs it too, since programs disagree on its meaning.
+        Metres per level of integers, such as 0.001. Floats are metres without a scale. A PFM file whose header states
+        a scale other than 1 requires `scale`, since programs disagree on the meaning of that number.
     inverse : (float, float), optional
-        The map is linear in 1 / distance, as of phones and MiDaS: metres at the brightest level (255, 65535 or 1.0)
-        and at 0, which may be infinite.
+        For a map that is linear in 1 / distance, such as those of phones and MiDaS: metres at the brightest level
+        (255, 65535 or 1.0) and at level 0; the latter may be infinite.
     disparity : (float, float), optional
-        The map is a disparity of stereo: metres are the first number (focal length in pixels times baseline in
-        metres) over the sum of the stored value and the second number (offset in pixels).
+        For a stereo disparity map: focal length (pixels) times baseline (metres), and the offset (pixels) added to
+        stored values. The distance is the first number over the sum of the stored value and the offset.
     zero_is_unknown : bool, default False
         Treat the stored value 0 as unknown.
     unknown : sequence of float, optional
-        Other stored values that mean unknown, such as (-1, 255).
+        Other stored values to be treated as unknown, such as (-1, 255).
     resample : {"nearest"}, optional
-        Resample a map of another size and the same aspect ratio: each pixel takes the value of the pixel of the map
-        that its middle lies in, so that no distances are mixed at edges.
+        Resample a map of another size and the same aspect ratio. Each pixel of the photograph takes the value of the
+        map's pixel in which its middle lies, so that no distances are mixed at edges.
 
     Raises
     ------
@@ -67,53 +67,54 @@ class DepthValues:
     resample: str | None = None
 
     def __post_init__(self) -> None:
-        made: Json = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
-        if sum(each is not None for each in (self.scale, self.inverse, self.disparity)) > 1:
+        valid: Json = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
+        if sum(option is not None for option in (self.scale, self.inverse, self.disparity)) > 1:
             raise ValueError("give one of `scale`, `inverse` and `disparity`, which say how metres are stored")
         if self.scale is not None:
-            made["scale"] = validation.real("scale", self.scale, above=0.0, unit="metres per level")
+            valid["scale"] = validation.real("scale", self.scale, above=0.0, unit="metres per level")
         if self.inverse is not None:
             near, far = _two("inverse", self.inverse)
             near = validation.real("inverse", near, above=0.0, unit="metres")
-            made["inverse"] = near, validation.real("inverse", far, above=near, infinite=True, unit="metres")
+            valid["inverse"] = near, validation.real("inverse", far, above=near, infinite=True, unit="metres")
         if self.disparity is not None:
             product, offset = _two("disparity", self.disparity)
             product = validation.real("disparity", product, above=0.0, unit="metres times pixels")
-            made["disparity"] = product, validation.real("disparity", offset)
-        made["unknown"] = tuple(
+            valid["disparity"] = product, validation.real("disparity", offset)
+        valid["unknown"] = tuple(
             np.atleast_1d(validation.number_array("unknown", self.unknown)).astype(float).tolist()
         )
         if self.resample is not None:
             validation.choice("resample", self.resample, RESAMPLE)
-        vars(self).update(made)
+        vars(self).update(valid)
 
     @property
     def states_metres(self) -> bool:
-        """Whether the storage of metres is stated."""
+        """Whether a conversion to metres is given: `scale`, `inverse` or `disparity`."""
         return (self.scale, self.inverse, self.disparity) != (None, None, None)
 
     def metres(self, values: Values, name: str) -> Array:
-        """Return metres, NaN where unknown, from the values of a map; errors call it `name`."""
+        """Convert the values of a map to metres, NaN where unknown; error messages call the map `name`."""
         if values.dtype.kind != "f" and not self.states_metres:
             raise PhotoError(
                 f"{name} is an integer image; give the scale, e.g. scale=0.001 for millimetres, or `inverse` or "
                 "`disparity`"
             )
-        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a NaN that signals
-            found: Array = values.astype(np.float64)
-            found[np.isin(values, self.unknown)] = np.nan
+        # Ignored warnings: a signalling NaN in the file raises them.
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            distances: Array = values.astype(np.float64)  # stored values, converted in place
+            distances[np.isin(values, self.unknown)] = np.nan
             if self.zero_is_unknown:
-                found[values == 0] = np.nan
-            least, most = (float(end.reduce(found, axis=None)) for end in (np.fmin, np.fmax))
+                distances[values == 0] = np.nan
+            least, most = (float(extremum.reduce(distances, axis=None)) for extremum in (np.fmin, np.fmax))
             if self.inverse is not None:
-                self._invert(found, values.dtype, (least, most), name)
+                self._from_inverse(distances, values.dtype, (least, most), name)
             elif self.disparity is not None:
-                self._divide(found, (least, most), name)
+                self._from_disparity(distances, (least, most), name)
             else:
-                found *= self.scale or 1.0
-                if zeros := found.size - np.count_nonzero(found):
+                distances *= self.scale or 1.0
+                if zeros := distances.size - np.count_nonzero(distances):
                     raise ValueError(
-                        f"{name} is 0 at {zeros} of {found.size} points; if that means unknown, give "
+                        f"{name} is 0 at {zeros} of {distances.size} points; if that means unknown, give "
                         "`zero_is_unknown`"
                     )
                 if least < 0.0:
@@ -126,10 +127,13 @@ class DepthValues:
                 f"the farthest depth of {name} is exactly 1: maps of 0 to 1, such as inverse depth, are not in "
                 "metres; `inverse` states the distances at 1 and at 0"
             )
-        return found
+        return distances
 
-    def _invert(self, found: Array, kind: DType, ends: tuple[float, float], name: str) -> None:
-        """Convert shares of the brightest level to metres."""
+    def _from_inverse(self, levels: Array, kind: DType, ends: tuple[float, float], name: str) -> None:
+        """Convert levels that are linear in 1 / distance to metres, in place.
+
+        `kind` is the type of the stored levels, `ends` are the smallest and the largest.
+        """
         assert self.inverse is not None
         if kind.kind != "f" and (kind.kind != "u" or kind.itemsize > 2):
             raise ValueError(f"{name} holds {kind}; `inverse` is for uint8, uint16 and floats of 0 to 1")
@@ -144,13 +148,13 @@ class DepthValues:
                 f"the brightest level of {name} is {ends[1]:g}, and `inverse` takes {top:g} for the nearest "
                 "distance: scale levels of fewer bits to all of them"
             )
-        near, far = (1.0 / each for each in self.inverse)
-        found *= (near - far) / top
-        found += far
-        np.reciprocal(found, out=found)
+        near, far = (1.0 / distance for distance in self.inverse)
+        levels *= (near - far) / top
+        levels += far
+        np.reciprocal(levels, out=levels)
 
-    def _divide(self, found: Array, ends: tuple[float, float], name: str) -> None:
-        """Convert disparities to metres."""
+    def _from_disparity(self, disparities: Array, ends: tuple[float, float], name: str) -> None:
+        """Convert disparities to metres, in place; `ends` are the smallest and the largest."""
         assert self.disparity is not None
         product, offset = self.disparity
         for value in (ends[0], ends[1] if ends[1] == math.inf else ends[0]):
@@ -160,22 +164,26 @@ class DepthValues:
                     f"{name} must hold finite disparities > {0.0 - offset:g} (the offset is {offset:g}), "
                     f"got {value:g}; if that means unknown, {option}"
                 )
-        found += offset
-        np.divide(product, found, out=found)
+        disparities += offset
+        np.divide(product, disparities, out=disparities)
 
     def fitted(self, values: Values, shape: tuple[int, int], name: str) -> Values:
-        """Return the values of a map at the pixels of a picture of this shape; ValueError unless it has its size."""
+        """Return the values of a map at the pixels of a photograph of this shape.
+
+        ValueError if the map has another shape, unless `resample` is given and the aspect ratio is the same.
+        """
         if values.shape == shape:
             return values
         (height, width), (rows, columns) = shape, values.shape
         text = f"{name} must have the size of the upright photo, {width} x {height}, got {columns} x {rows}"
-        # Sides that were rounded up or down.
+        # The same aspect ratio, if sides were rounded up or down.
         if abs(rows - height * columns / width) >= 1.0 and abs(columns - width * rows / height) >= 1.0:
             raise ValueError(text)
         if self.resample is None:
             raise ValueError(f'{text}, of the same aspect ratio; resample="nearest" resamples it')
         down, across = (
-            (2 * np.arange(side) + 1) * held // (2 * side) for side, held in zip(shape, values.shape, strict=True)
+            (2 * np.arange(side) + 1) * map_side // (2 * side)
+            for side, map_side in zip(shape, values.shape, strict=True)
         )
         return values[np.ix_(down, across)]
 
@@ -209,18 +217,18 @@ def read_depth(
     Raises
     ------
     PhotoError
-        If the file is damaged, of another format, has several channels, or has levels and nothing says how metres
-        are stored.
+        If the file is damaged, of another format, has several channels, or contains integers without an option on
+        their conversion to metres.
     TypeError, ValueError
-        If it holds a distance that is not positive, or 0 without `zero_is_unknown`, or values that `inverse` or
-        `disparity` makes no distance of; if it is not of `shape`; or if an argument is out of range.
+        If the map contains a distance that is not positive, 0 without `zero_is_unknown`, or values that `inverse` or
+        `disparity` does not convert to a distance; if its shape is not `shape`; or if an argument is out of range.
     OSError
-        If it cannot be read.
+        If the file cannot be read.
 
     Warns
     -----
     UserWarning
-        If the farthest of floats is exactly 1, and nothing says how metres are stored.
+        If the largest value of a map of floats is exactly 1, without an option on its conversion to metres.
     """
     options.require_known(read_depth, given, DepthKeywords)
     source, meant = validation.path("path", path), DepthValues(**given)
@@ -232,7 +240,7 @@ def read_depth(
     if data.startswith(JPEG):
         raise PhotoError(f"{name} is a JPEG, which does not preserve depth; save it as TIFF or 16-bit PNG")
     with recognized(source, "depth map", data) as form:
-        # Disparities are as they are stored, and what a PFM states as their scale is no scale of metres.
+        # For inverse depth and disparity the scale in a PFM header is not one of metres, and is ignored.
         values = form.read(data, 1.0 if meant.scale is None and meant.states_metres else meant.scale)
     del data  # to save memory
     if values.ndim != 2 or 0 in values.shape:
@@ -252,7 +260,7 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     path : path
         .tif, .npy, .pfm or .exr.
     depth : array_like, shape (height, width)
-        Metres; NaN where it is not known, may be infinite.
+        Metres; NaN where unknown, may be infinite.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Where molecules are, from their images: maximum likelihood with a table of the PSF."""
+"""Positions of molecules by maximum likelihood, from their images and a table of the PSF."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from lommel.recorded.noise import Noise
 
 STATES = ("converged", "border", "steps", "undetermined")
 BACKGROUNDS = ("flat", "tilted")
-_SPACING, _TURN = 1.15, 0.85  # of templates: in v, and radians of the fastest phase along z
-_AT_ONCE = 20000  # molecules fitted together
-_MOST_TEMPLATES = 20000  # largest number of templates
+_SPACING, _PHASE_STEP = 1.15, 0.85  # between templates: in v laterally, and radians of the fastest phase along z
+_BLOCK = 20000  # molecules fitted in one call
+_MAX_TEMPLATES = 20000
 
 
 @dataclass(frozen=True, eq=False)
 class MoleculeErrors:
-    """Standard errors by the Cramer-Rao bound, in the units of the estimates; inf where undetermined."""
+    """Standard errors of the attributes of :class:`Molecules` by the Cramer-Rao bound; inf where undetermined."""
 
     row: Array
     column: Array
@@ -49,27 +49,27 @@ class Molecules:
     Attributes
     ----------
     row, column : ndarray, shape (n,)
-        Pixels, 0 being the middle of the first pixel of the box or, with `corners`, of the camera.
+        Position in pixels; 0 is the middle of the first pixel of the box or, with `corners`, of the camera.
     z : ndarray, shape (n,)
-        Metres: position of the stage at which the molecule would look so or, by a table along the depth, depth.
+        Metres: stage position at which the table's molecule has this image; with a table along the depth, the depth.
     photons : ndarray, shape (n,) or (n, channels)
         Electrons in an infinite window.
     background : ndarray, shape (n,) or (n, channels)
         Electrons per pixel, at least 0.01.
     errors : MoleculeErrors
-        Standard errors of all of these by the Cramer-Rao bound at the estimate.
+        Standard errors of these estimates by the Cramer-Rao bound.
     log_likelihood : ndarray, shape (n,)
-        Logarithm of the likelihood, less that of a mean equal to the counts in every pixel.
+        Logarithm of the likelihood, less that of a model whose mean equals the counts in every pixel.
     discrepancy : ndarray, shape (n,)
-        Pearson's chi2 less its expectation, over its standard deviation: about 0 +- 1 where the PSF and the noise are
-        right; large with a second molecule in the box, a wrong PSF or a wrong gain.
+        Pearson's chi2 less its expectation, over its standard deviation: about 0 +- 1 if PSF and noise are correct;
+        large with a second molecule in the box, a wrong PSF or a wrong gain.
     state : ndarray of int, shape (n,)
         Index into ``states``.
     steps : ndarray of int, shape (n,)
-        Steps of all starts together.
+        Number of steps of all starts together.
     states : tuple of str
-        "converged"; "border", the estimate being at a limit of the table; "steps", not converged in 50; and
-        "undetermined", with too few pixels, no light or no information.
+        "converged"; "border", the estimate is at a limit of the table; "steps", not converged after 50 steps; and
+        "undetermined", too few pixels, no light or no information.
     """
 
     row: Array
@@ -86,38 +86,38 @@ class Molecules:
 
     @property
     def converged(self) -> NDArray[np.bool_]:
-        """Which molecules have an estimate within the table."""
+        """True for molecules whose fit has converged within the table."""
         return np.asarray(self.state == 0)
 
     def __len__(self) -> int:
         return len(self.row)
 
     def __getitem__(self, which: Index) -> Molecules:
-        """Return some of the molecules, indexed as an array of them by a slice, a mask or an array of indices."""
+        """Return a selection of molecules by a slice, a mask or an array of indices."""
         if np.ndim(np.empty(len(self))[which]) != 1:
             raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
-        some: Molecules = _of_each(lambda values: values[which], self)
-        return some
+        selected: Molecules = _map_arrays(lambda values: values[which], self)
+        return selected
 
     def replaced(self, which: NDArray[np.intp], others: Molecules) -> Molecules:
-        """Return the same with other estimates of some molecules.
+        """Return a copy with the estimates of some molecules replaced.
 
         Parameters
         ----------
         which : ndarray of int
-            Indices of these molecules.
+            Indices of the molecules to replace.
         others : Molecules
-            Their estimates.
+            New estimates, one for each index.
 
         Returns
         -------
         Molecules
         """
-        # Indices beyond the own molecules point to the replacements.
+        # In the concatenation of both, the replacements follow all molecules.
         order = np.arange(len(self))
         order[which] = len(self) + np.arange(len(others))
-        found: Molecules = _of_each(lambda *parts: np.concatenate(parts)[order], self, others)
-        return found
+        result: Molecules = _map_arrays(lambda *parts: np.concatenate(parts)[order], self, others)
+        return result
 
     def __repr__(self) -> str:
         counts = zip(STATES, np.bincount(self.state, minlength=4), strict=True)
@@ -125,13 +125,13 @@ class Molecules:
         return f"<Molecules: {len(self)}{': ' if count else ''}{count}>"
 
 
-def _of_each(change: Callable[..., Any], *several: Any) -> Any:
-    """Return molecules or errors each array of which is `change` of those of several."""
-    found = {}
-    for name in (each.name for each in fields(several[0])):
-        parts = [getattr(one, name) for one in several]
-        found[name] = _of_each(change, *parts) if name == "errors" else change(*parts)
-    return type(several[0])(**found)
+def _map_arrays(function: Callable[..., Any], *items: Any) -> Any:
+    """Apply a function to each attribute of one or several Molecules (or MoleculeErrors); return a new object."""
+    results = {}
+    for name in (field.name for field in fields(items[0])):
+        arrays = [getattr(item, name) for item in items]
+        results[name] = _map_arrays(function, *arrays) if name == "errors" else function(*arrays)
+    return type(items[0])(**results)
 
 
 def fit(
@@ -152,35 +152,36 @@ def fit(
     Parameters
     ----------
     table : Table or sequence of Table
-        Images of a molecule. A sequence is of the channels that show each molecule at once, such as two planes
-        (biplane) or colours.
+        Images of a molecule. Several tables are those of channels in which each molecule is recorded simultaneously,
+        for example two planes (biplane) or colours.
     images : array_like, shape (n, height, width)
-        One box for each molecule, as large as the table's, in electrons or, with `noise`, in the camera's unit; NaN
-        for pixels that are not to count. Several channels: a sequence of such arrays, or shape (channels, n, height,
-        width).
+        One box for each molecule, in the shape of the table, in electrons or, with `noise`, in the unit of the
+        camera; NaN for pixels to be ignored. For several channels a sequence of such arrays, or an array of shape
+        (channels, n, height, width).
     noise : Noise or sequence of Noise, optional
-        White, offset and read noise of the camera, or of the camera of each channel; by default images are in
-        electrons, without read noise. Maps are of the whole camera, of which `corners` chooses boxes; pixels of a
-        read noise of 1000 electrons or more do not count.
+        Gain, offset and read noise of the camera, or of the camera of each channel; by default images are in
+        electrons, without read noise. Maps cover the whole camera, and `corners` gives the positions of boxes in
+        them; pixels with a read noise of 1000 electrons or more are ignored.
     corners : array_like, shape (n, 2) or (channels, n, 2), optional
-        Row and column of the first pixel of each box on the camera, whole numbers. Needed for maps, and for channels
-        with transforms other than shifts of whole pixels; rows and columns of the estimates are then the camera's.
+        Row and column (integers) of the first pixel of each box on the camera. Required for maps, and for transforms
+        of channels other than shifts by whole pixels. Rows and columns of the estimates then count from the first
+        pixel of the camera.
     transforms : array_like, shape (channels - 1, 2, 3), optional
-        From (row, column, 1) of a molecule on the camera of the first channel to its row and column on that of each
-        other; by default the same place. From beads that all channels show.
+        Matrices that map (row, column, 1) of a molecule on the camera of the first channel to its row and column on
+        that of each other channel, for example from beads recorded in all channels; by default the identity.
     saturation : float, optional
-        Values from here on, in the unit of `images`, are saturated and do not count. By default the largest value of
-        integers, and where many pixels are full, that of 8 to 16 bits.
+        Value from which on pixels are saturated, and ignored, in the unit of `images`. By default the largest value
+        of the integer type or, if many pixels have the largest value of 8 to 16 bits, this value.
     starts : int, default 4
-        Number of starts, in different ranges of z, that are tried where the first estimate is in doubt: at a limit of
-        the table, or with a discrepancy above 2.5. 1 to 20.
+        Number of starts, in different ranges of z, for a molecule whose first estimate is in doubt: at a limit of the
+        table, or with a discrepancy above 2.5. 1 to 20.
     background : {"flat", "tilted"}, default "flat"
-        Background of a box: the same in all pixels, or with slopes along rows and columns, two unknowns more, which
-        takes away the shift of positions in an uneven background; standard errors are 2 to 4 % larger.
+        Background of a box: uniform, or with a slope along rows and one along columns. The two additional parameters
+        remove the bias of positions in an uneven background; standard errors are 2 to 4 % larger.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Called with the number of molecules done and their total, from time to time.
+        Called with the number of molecules done and their total after each block of molecules.
 
     Returns
     -------
@@ -193,14 +194,14 @@ def fit(
 
     Notes
     -----
-    The mean of a pixel is ``mu = photons h + background``, h being the table's image, and its counts are taken as
-    Poisson's with the mean ``mu + read**2``, shifted (Huang et al. 2013, doi:10.1038/nmeth.2488). Fisher scoring with
-    damping (Smith et al. 2010, doi:10.1038/nmeth.1449) ends where no estimate would move by 0.01 of its standard
-    error. It starts at the most similar of a bank of images all over z and 1.5 pixels to all sides: boxes
-    should be around molecules, not around the brightest part of their images. Pixels of a negative ``counts +
-    read**2``, as with a wrong offset, are not those of the model and make the `discrepancy` large. Systematic errors
-    due to the table are below 1e-3 of the standard error for 10^4 photons and ``tol=1e-4``; those of a wrong PSF
-    are not known here: beads tell.
+    The mean of a pixel is ``mu = photons h + background`` with the table's image h. The counts plus ``read**2`` are
+    taken as Poisson-distributed with the mean ``mu + read**2`` (Huang et al. 2013, doi:10.1038/nmeth.2488). Damped
+    Fisher scoring (Smith et al. 2010, doi:10.1038/nmeth.1449) ends when no estimate would move by 0.01 of its
+    standard error. It starts from the most similar of a bank of templates over the whole range of z and up to 1.5
+    pixels off the middle of the box: boxes should be centred on molecules, not on the brightest part of their images.
+    Pixels with negative ``counts + read**2``, for example by a wrong offset, contradict the model and make the
+    `discrepancy` large. Systematic errors due to the table are below 1e-3 of the standard error for 10^4 photons and
+    ``tol=1e-4``. Those of a wrong PSF are not included; test it with beads.
 
     Examples
     --------
@@ -216,7 +217,7 @@ def fit(
     np.True_
     """
     validation.integer("starts", starts, least=1, most=20)
-    count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+    thread_count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.function("progress", progress, required=False)
     tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
     if not tables or not all(isinstance(each, Table) for each in tables):
@@ -225,97 +226,108 @@ def fit(
     cameras = _cameras(tables, noise, placed=corners is not None)
     boxes = _boxes(tables, images if several else [images], saturation)
     total = len(boxes[0])
-    places = _corners(corners, len(boxes), total, several)
+    box_corners = _corners(corners, len(boxes), total, several)
     matrices, shifts = _transforms(transforms, len(boxes))
-    # What is added to matrix times (row, column) in the first box, for the box of each channel.
-    moved = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), places[0]) + shifts[:, None] - places
-    offsets = np.ascontiguousarray(moved.swapaxes(0, 1))
+    # Offsets: position in the box of a channel less its matrix times the position in the box of the first channel.
+    differences = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), box_corners[0])
+    differences = differences + shifts[:, None] - box_corners
+    offsets = np.ascontiguousarray(differences.swapaxes(0, 1))
     tilted = validation.choice("background", background, BACKGROUNDS) == "tilted"
-    per = 4 if tilted else 2
-    unknown = 3 + per * len(boxes)
-    values, errors, likely = np.empty((total, unknown)), np.empty((total, unknown)), np.empty((total, 2))
+    per_channel = 4 if tilted else 2
+    parameters = 3 + per_channel * len(boxes)
+    values, errors, quality = np.empty((total, parameters)), np.empty((total, parameters)), np.empty((total, 2))
     state = np.empty((total, 2), np.int32)
     fitter = _fitter(tuple(tables), matrices.tobytes())
-    for first in range(0, total, _AT_ONCE):
-        part = slice(first, first + _AT_ONCE)
-        each = zip(boxes, cameras, places, strict=True)
-        pairs = [in_electrons(box[part], camera, at[part]) for box, camera, at in each]
-        light, read = map(list, zip(*pairs, strict=True))
-        made = fitter.fit(light, read, offsets[part], starts, tilted, count)
-        values[part], errors[part], likely[part], state[part] = made
+    for first in range(0, total, _BLOCK):
+        block = slice(first, first + _BLOCK)
+        channels = zip(boxes, cameras, box_corners, strict=True)
+        pairs = [in_electrons(box[block], camera, corner[block]) for box, camera, corner in channels]
+        electrons, read = map(list, zip(*pairs, strict=True))
+        results = fitter.fit(electrons, read, offsets[block], starts, tilted, thread_count)
+        values[block], errors[block], quality[block], state[block] = results
         if progress is not None:
-            progress(min(part.stop, total), total)
-    values[:, :2] += places[0]
-    for c, camera in enumerate(cameras):  # light of counts whose noise has no excess
+            progress(min(block.stop, total), total)
+    values[:, :2] += box_corners[0]
+    # Photons and background are fitted to electrons over the excess noise factor.
+    for c, camera in enumerate(cameras):
         for columns in (values, errors):
-            columns[:, 3 + per * c : 3 + per * (c + 1)] *= camera.excess
+            columns[:, 3 + per_channel * c : 3 + per_channel * (c + 1)] *= camera.excess
     return Molecules(
-        **_named(values, several, per),
-        errors=MoleculeErrors(**_named(errors, several, per)),
-        log_likelihood=-0.5 * likely[:, 0],
-        discrepancy=likely[:, 1].copy(),
+        **_named(values, several, per_channel),
+        errors=MoleculeErrors(**_named(errors, several, per_channel)),
+        log_likelihood=-0.5 * quality[:, 0],
+        discrepancy=quality[:, 1].copy(),
         state=state[:, 0].copy(),
         steps=state[:, 1].copy(),
     )
 
 
-def _named(of: Array, several: bool, per: int) -> dict[str, Any]:
-    """Return estimates or their errors (n, unknowns) by name; the light of each of `several` channels."""
-    # Unknowns: row, column, z, then for each channel photons, background and, if tilted, two slopes.
-    light = [of[:, k::per] if several else of[:, k] for k in (3, 4)]
-    return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*of[:, :3].T, *light)), strict=True))
+def _named(estimates: Array, several: bool, per_channel: int) -> dict[str, Any]:
+    """Return the columns of estimates or their errors (n, parameters) by name, without slopes of the background.
+
+    Photons and background have the shape (n, channels) if there are `several` tables.
+    """
+    # Parameters: row, column, z, then for each channel photons, background and, if tilted, two slopes.
+    light = [estimates[:, k::per_channel] if several else estimates[:, k] for k in (3, 4)]
+    return dict(zip(_NAMES, (np.ascontiguousarray(part) for part in (*estimates[:, :3].T, *light)), strict=True))
 
 
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
-    """Return the fitter of these tables with its templates, kept with the first table."""
-    if len({(each.z, each.along) for each in tables}) > 1:
+    """Return the compiled fitter of these tables with its templates, cached in the first table."""
+    if len({(table.z, table.along) for table in tables}) > 1:
         raise ValueError("table must have channels of one range of z along the same direction")
     first = tables[0]
     key = (tuple(map(id, tables)), matrices)
-    kept = vars(first).get("_fitter")
-    if kept is None or kept[0] != key:
+    cached = vars(first).get("_fitter")
+    if cached is None or cached[0] != key:
         spacing = _SPACING * first.pupil.scale / (math.pi * first.pixel)  # pixels
-        # Molecules are near the middle of their box: templates need not fill the whole reach.
+        # Molecules are near the middle of their box: templates do not fill the table's lateral range.
         most = min(first.reach, max(1.5, spacing))
         sides = np.arange(-math.floor(most / spacing), math.floor(most / spacing) + 1) * spacing
-        layers = max(2, math.ceil((first.z[1] - first.z[0]) * first.rate / _TURN) + 1)
-        if layers * len(sides) ** 2 > _MOST_TEMPLATES:
+        layers = max(2, math.ceil((first.z[1] - first.z[0]) * first.rate / _PHASE_STEP) + 1)
+        if layers * len(sides) ** 2 > _MAX_TEMPLATES:
             raise ValueError(f"table must span less than {layers} templates along z; make several")
         heights = (np.arange(layers) + 0.5) * ((first.z[1] - first.z[0]) / layers) + first.z[0]
         z, row, column = np.meshgrid(heights, first.shape[0] // 2 + sides, first.shape[1] // 2 + sides, indexing="ij")
-        places = np.stack([row, column, z], axis=-1).reshape(layers, -1, 3)
-        each = np.frombuffer(matrices).reshape(len(tables), 4)
-        made = engine.MoleculeFitter([one.core for one in tables], each, first.limits, 2.5 / first.rate, places)
-        kept = vars(first)["_fitter"] = (key, made, tables)
-    return kept[1]
+        templates = np.stack([row, column, z], axis=-1).reshape(layers, -1, 3)
+        channels = np.frombuffer(matrices).reshape(len(tables), 4)
+        cores = [table.core for table in tables]
+        fitter = engine.MoleculeFitter(cores, channels, first.limits, 2.5 / first.rate, templates)
+        # The tables are kept, so that their ids are not reused.
+        cached = vars(first)["_fitter"] = (key, fitter, tables)
+    return cached[1]
 
 
 def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
-    """Return the boxes of each channel, NaN where a pixel is not used."""
+    """Return the boxes of each channel, with NaN in pixels to be ignored."""
     if not hasattr(images, "__len__") or (isinstance(images, np.ndarray) and not images.ndim):
         raise TypeError(f"images must be boxes of each of {len(tables)} channels, got {validation.shown(images)}")
     if len(images) != len(tables):
         raise ValueError(f"images must be of {len(tables)} channels, got {len(images)}")
     boxes = []
-    for one, given in zip(tables, images, strict=True):
+    for table, channel_images in zip(tables, images, strict=True):
         shape = "(n, height, width), of one box images[None]"
-        box = Counts.of("images", given, sides=(3,), shape=shape, saturation=saturation, empty=True).marked()
-        if box.shape[1:] != one.shape:
-            raise ValueError(f"images must be boxes of {one.shape} pixels as the table's, got {box.shape[1:]}")
-        boxes.append(box)
+        counts = Counts.of("images", channel_images, sides=(3,), shape=shape, saturation=saturation, empty=True)
+        channel_boxes = counts.marked()
+        if channel_boxes.shape[1:] != table.shape:
+            raise ValueError(
+                f"images must be boxes of {table.shape} pixels as the table's, got {channel_boxes.shape[1:]}"
+            )
+        boxes.append(channel_boxes)
     if len({len(box) for box in boxes}) != 1:
         raise ValueError(f"images must be of as many molecules in each channel, got {[len(box) for box in boxes]}")
     return boxes
 
 
 def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, *, placed: bool) -> list[Noise]:
+    """Return the camera of each channel; `placed`: the positions of boxes on it are given."""
     channels = len(tables)
-    given = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
-    for each in given if isinstance(given, Sequence) else [given]:
-        validation.optional("noise", each, Noise)
-    if len(given) != channels:
-        raise ValueError(f"noise must be one, or one for each of {channels} channels, got {len(given)}")
-    cameras = [Noise(read=0.0) if each is None else each for each in given]
+    noises = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
+    for channel_noise in noises if isinstance(noises, Sequence) else [noises]:
+        validation.optional("noise", channel_noise, Noise)
+    if len(noises) != channels:
+        raise ValueError(f"noise must be one, or one for each of {channels} channels, got {len(noises)}")
+    cameras = [Noise(read=0.0) if channel_noise is None else channel_noise for channel_noise in noises]
     for camera, table in zip(cameras, tables, strict=True):
         shapes = {getattr(part, "shape", ()) for part in (camera.white, camera.read, camera.offset)} - {()}
         if not placed and shapes - {table.shape}:
@@ -324,15 +336,16 @@ def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, 
 
 
 def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
-    found = validation.real_array("corners", np.zeros((count, 2)) if corners is None else corners)
-    if found.ndim == 2:
-        found = np.broadcast_to(found, (channels, *found.shape))
-    if found.shape != (channels, count, 2):
+    """Return the corners of all boxes, shape (channels, count, 2), 0 if None is given."""
+    values = validation.real_array("corners", np.zeros((count, 2)) if corners is None else corners)
+    if values.ndim == 2:
+        values = np.broadcast_to(values, (channels, *values.shape))
+    if values.shape != (channels, count, 2):
         shape = f"({channels}, {count}, 2)" if several else f"({count}, 2)"
         raise ValueError(f"corners must have the shape {shape}, a row and a column each, got {np.shape(corners)}")
-    if (found != np.round(found)).any():
-        raise ValueError(f"corners must be whole numbers, got {found[found != np.round(found)].flat[0]:g}")
-    return found
+    if (values != np.round(values)).any():
+        raise ValueError(f"corners must be whole numbers, got {values[values != np.round(values)].flat[0]:g}")
+    return values
 
 
 def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Array]:
@@ -340,17 +353,20 @@ def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Arr
     # The first channel is the reference: identity.
     whole = np.tile(np.eye(2, 3), (channels, 1, 1))
     if transforms is not None:
-        found = validation.real_array("transforms", transforms)
-        if found.shape != (channels - 1, 2, 3):
-            raise ValueError(f"transforms must have the shape {(channels - 1, 2, 3)}, got {found.shape}")
-        if (np.abs(np.linalg.det(found[:, :, :2])) < 1e-6).any():
+        others = validation.real_array("transforms", transforms)
+        if others.shape != (channels - 1, 2, 3):
+            raise ValueError(f"transforms must have the shape {(channels - 1, 2, 3)}, got {others.shape}")
+        if (np.abs(np.linalg.det(others[:, :, :2])) < 1e-6).any():
             raise ValueError("transforms must not map the camera to a line: the determinant of one is 0")
-        whole[1:] = found
+        whole[1:] = others
     return np.ascontiguousarray(whole[:, :, :2]).reshape(channels, 4), whole[:, :, 2]
 
 
 def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
-    """Return boxes in electrons and the variance of reading, of each or of all, as float32."""
+    """Return boxes in electrons over the excess noise factor, and the read variance of these, as float32.
+
+    The variance has the shape of the boxes, or one for all of them, (1, height, width).
+    """
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
     pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
     for name, part in parts.items():
@@ -361,11 +377,11 @@ def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
             parts[name] = part[pixels]
     white = 1.0 if parts["white"] is None else parts["white"]
     light = (box.astype(np.float64) - parts["offset"]) * white
-    # Defects say nothing: NaN, as left-out pixels.
+    # Defective pixels are ignored (NaN).
     if not isinstance(parts["read"], float):
         light = np.where(parts["read"] < DEFECT, light, np.nan)
     variance = np.asarray(parts["read"] / camera.excess, dtype=np.float64) ** 2
     variance = variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *box.shape[1:]))
-    # Electrons over the excess are Poisson's (Noise.poisson); so is the read noise.
+    # Electrons over the excess noise factor are Poisson-distributed (Noise.poisson).
     light = np.ascontiguousarray(light / camera.excess, dtype=np.float32)
     return light, np.ascontiguousarray(variance, dtype=np.float32)

@@ -1,4 +1,4 @@
-"""Tables of localisations of a movie, and their files, written part by part: ThunderSTORM's and Picasso's."""
+"""Tables of the localisations of a movie, and their files (ThunderSTORM, Picasso), written part by part."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ _OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
 
 
 DOUBTFUL = 3.0
-"""Discrepancy from which on the image of a molecule is not of the model: noise exceeds it in some of 1000."""
+"""Discrepancy from which on an image contradicts the model: noise alone exceeds it for a few of 1000 molecules."""
 MEDIANS = ("photons", "background", "x_error", "y_error", "z_error", "discrepancy")
 
 
 @dataclass(frozen=True)
 class Recording:
-    """What localisations were made from.
+    """The movie from which localisations were computed.
 
     Attributes
     ----------
@@ -50,9 +50,9 @@ class Recording:
     box : tuple of int
         Rows and columns of the boxes that were fitted.
     along : {"z", "depth", "none"}
-        What z is: position of the stage, or depth below the cover glass; "none" where it is not told.
+        Meaning of z: position of the stage, or depth below the cover glass; "none" if z is not estimated.
     name : str
-        Name of the movie's file, or "".
+        File name of the movie, or "".
     """
 
     frames: int
@@ -71,24 +71,24 @@ class Localizations(FitReport):
     Attributes
     ----------
     table : structured ndarray, shape (n,)
-        ``frame``, from 0; ``x``, ``y`` in the sample from the outer corner of the first pixel, along columns and
-        rows, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons a pixel; the Cramer-Rao
-        standard errors of these five, ``x_error`` and so on; ``sigma_x``, ``sigma_y``, the standard
-        deviations of a Gaussian fitted to the PSF at this z, metres; ``discrepancy`` and ``log_likelihood`` of the
-        fit; ``score`` of the spot; ``state``, an index into ``states``. ``pandas.DataFrame(found.table)`` makes
-        a data frame.
+        ``frame``, from 0; ``x`` and ``y``, position in the sample along columns and rows from the outer corner of the
+        first pixel, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons per pixel; ``x_error``
+        and so on, the Cramer-Rao standard errors of these five; ``sigma_x`` and ``sigma_y``, the standard deviations
+        of a Gaussian fitted to the PSF at this z, metres; ``discrepancy`` and ``log_likelihood`` of the fit;
+        ``score`` of the spot; ``state``, an index into ``states``. Convert to a data frame by
+        ``pandas.DataFrame(found.table)``.
     recording : Recording
-        Size of the movie, pixel pitch, direction of z.
+        Size of the movie, pixel pitch, meaning of z.
     spots, borders, overlapping, saturated, left_out : int
-        Spots found and fitted, and those left out; pixels of boxes that do not count; see
-        :class:`lommel.localize.Spots`.
+        Numbers of spots that were fitted, spots that were left out for two reasons, and pixels that were ignored for
+        two reasons; see :class:`lommel.localize.Spots`.
     ends : int
-        Fits at an end of the range of z, of those at a border.
+        Number of fits in the state "border" that are at an end of the range of z.
     states : tuple of str
-        "converged"; "border", "steps" and "undetermined", whose positions are no estimates.
+        "converged"; and "border", "steps" and "undetermined", whose positions are not estimates.
     findings, summary, converged, reliable, status, message
-        What the checks of all molecules together found, and the verdict that follows, see
-        :class:`lommel.fit.FitReport`; of a block of frames, those of the movie up to its end.
+        Results of the checks of all molecules together, and the verdict; see :class:`lommel.fit.FitReport`. For a
+        block of frames they are those of the movie up to the end of the block.
     """
 
     table: NDArray[np.void] = field(repr=False)
@@ -112,27 +112,27 @@ class Localizations(FitReport):
         return f"<Localizations: {len(self)} in {n} frame{'s' * (n != 1)}{': ' if counts else ''}{counts}>"
 
     def __getitem__(self, which: Index) -> Localizations:
-        """Return some of them, by a slice, a mask or an array of indices."""
-        chosen = self.table[which]
-        if chosen.ndim != 1:
+        """Return a selection of localisations by a slice, a mask or an array of indices."""
+        selected = self.table[which]
+        if selected.ndim != 1:
             raise TypeError(f"which must be a slice, a mask or indices, got {validation.shown(which)}")
-        return replace(self, table=chosen)
+        return replace(self, table=selected)
 
     @property
     def kept(self) -> NDArray[np.bool_]:
-        """Which fits converged: files have these."""
+        """True for fits that converged, which are written to files."""
         return np.asarray(self.table["state"] == 0)
 
     @property
     def doubtful(self) -> NDArray[np.bool_]:
-        """Which images noise does not explain, as with another molecule in the box: a discrepancy of 3 or more."""
+        """True for a discrepancy of 3 or more, for example with a second molecule in the box."""
         return np.asarray(self.table["discrepancy"] >= DOUBTFUL)
 
     @property
     def counts(self) -> dict[str, int]:
         """Number of fits in each state."""
-        found = np.bincount(self.table["state"], minlength=len(self.states))
-        return dict(zip(self.states, found.tolist(), strict=True))
+        numbers = np.bincount(self.table["state"], minlength=len(self.states))
+        return dict(zip(self.states, numbers.tolist(), strict=True))
 
     def to_dict(self) -> Json:
         """Return the result as plain data, without the table.
@@ -140,7 +140,7 @@ class Localizations(FitReport):
         Returns
         -------
         dict
-            Verdict and findings, numbers of spots and fits, and medians of those that converged.
+            Verdict and findings, numbers of spots and fits, and medians over the fits that converged.
         """
         numbers, recording = super().to_dict(), self.recording
         del numbers["recording"]
@@ -160,7 +160,7 @@ class Localizations(FitReport):
         }
 
     def save(self, *paths: str | PathLike[str]) -> None:
-        """Write those that converged to files: ThunderSTORM's .csv or Picasso's .hdf5.
+        """Write the converged localisations to files: .csv (ThunderSTORM) or .hdf5 (Picasso).
 
         See :func:`lommel.localize.writer`.
 
@@ -181,14 +181,14 @@ class Localizations(FitReport):
             write(self)
 
     def plot(self, *, pixel: float | None = None, ax: Axes | None = None) -> Axes:
-        """Draw those that converged as Gaussians of their standard deviations, coloured by z.
+        """Draw the converged localisations as Gaussians of their standard errors, coloured by z.
 
         Parameters
         ----------
         pixel : float, optional
-            Pixel pitch of the picture, metres in the sample, at most 4096 a side; by default 800 a side.
+            Pixel pitch of the picture, metres in the sample, for at most 4096 pixels a side; by default for 800.
         ax : matplotlib Axes, optional
-            Where to draw; by default a new figure.
+            Axes to draw in; by default a new figure.
 
         Returns
         -------
@@ -203,10 +203,10 @@ class Localizations(FitReport):
         """
         from lommel.show import estimates
 
-        one = self.recording
-        side = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
-        sides = one.rows * one.pixel, one.columns * one.pixel
-        return estimates.picture(self.table[self.kept], sides, side, one.along, ax)
+        movie = self.recording
+        picture_pixel = None if pixel is None else validation.real("pixel", pixel, above=0.0, below=1e-3)
+        sides = movie.rows * movie.pixel, movie.columns * movie.pixel
+        return estimates.picture(self.table[self.kept], sides, picture_pixel, movie.along, ax)
 
 
 def columns() -> np.dtype[np.void]:
@@ -216,7 +216,7 @@ def columns() -> np.dtype[np.void]:
 
 
 def joined(parts: Sequence[Localizations]) -> Localizations:
-    """Return the localisations of parts of one movie, one part or more, as one table."""
+    """Return the localisations of successive parts of a movie (at least one) in a single table."""
     names = ("spots", "borders", "overlapping", "saturated", "left_out", "ends")
     sums = {name: sum(getattr(part, name) for part in parts) for name in names}
     return replace(parts[-1], table=np.concatenate([part.table for part in parts]), **sums)
@@ -234,8 +234,9 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     Yields
     ------
     callable
-        Called with :class:`lommel.localize.Localizations` of one movie, in turn; those that did not converge are left
-        out. Files have temporary names until the end of the block, and there is none after an error.
+        Function to be called with the :class:`lommel.localize.Localizations` of each part of a movie in turn; those
+        that did not converge are not written. Files have temporary names until the end of the ``with`` block, and are
+        removed after an error.
 
     Raises
     ------
@@ -249,11 +250,11 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     Notes
     -----
     The .csv has the columns of ThunderSTORM, which SMAP, Picasso and others read too: id, frame (from 1), x, y, z in
-    nanometres, sigma1 (x) and sigma2 (y) in nanometres, intensity, offset and bkgstd (photons, a pixel; the root of
-    the background), uncertainty_xy (rms of both) and uncertainty_z in nanometres; and discrepancy, that of the fit.
-    The .hdf5 has the data set ``locs`` of Picasso: frame (from 0), x, y, sx, sy, lpx, lpy in pixels of the camera, 0
-    being the middle of the first pixel; photons, bg; z and lpz in nanometres; log_likelihood. z is that of the
-    localisations in both: a position of the stage, or a depth.
+    nanometres, sigma1 (x) and sigma2 (y) in nanometres, intensity (photons), offset (photons per pixel), bkgstd (the
+    root of offset), uncertainty_xy (rms of both errors) and uncertainty_z in nanometres; and the discrepancy of the
+    fit. The .hdf5 has the data set ``locs`` of Picasso: frame (from 0), x, y, sx, sy, lpx, lpy in pixels of the
+    camera, where 0 is the middle of the first pixel; photons, bg; z and lpz in nanometres; log_likelihood. In both z
+    has the meaning that it has in the localisations: position of the stage, or depth.
 
     Examples
     --------
@@ -264,13 +265,13 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     if not paths:
         raise TypeError("paths must be one or more, got none")
     with ExitStack() as files:
-        found = [(registry.find("molecules", path), validation.path("path", path)) for path in paths]
-        writes = [files.enter_context(form.write(*form.places(path))) for form, path in found]
+        formats = [(registry.find("molecules", path), validation.path("path", path)) for path in paths]
+        writers = [files.enter_context(form.write(*form.places(path))) for form, path in formats]
 
         def write(part: Localizations) -> None:
             kept = validation.instance("part", part, Localizations).table[part.kept]
-            for each in writes:
-                each(kept, part.recording)
+            for write_rows in writers:
+                write_rows(kept, part.recording)
 
         yield write
 
@@ -278,9 +279,11 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
 Rows: TypeAlias = NDArray[np.void]
 """Rows of the table of :class:`lommel.localize.Localizations`."""
 Write: TypeAlias = Callable[[Rows, Recording], None]
+"""Function that appends rows to a file."""
 
 _TEXT = {"encoding": "utf-8", "newline": ""}
 
+# Number format of each column, and its values.
 _THUNDERSTORM: dict[str, tuple[str, Callable[[Rows], Values]]] = {
     "frame": ("%d", lambda rows: rows["frame"] + 1),
     "x [nm]": ("%.3f", lambda rows: 1e9 * rows["x"]),
@@ -303,85 +306,90 @@ _Z = ("z [nm]", "uncertainty_z [nm]")
 @contextmanager
 def thunderstorm(path: Path) -> Iterator[Write]:
     """Yield a writer of rows of ThunderSTORM's table (M. Ovesny et al., doi:10.1093/bioinformatics/btu202)."""
-    kept, done = dict[str, tuple[str, Callable[[Rows], Values]]](), 0
+    used, done = dict[str, tuple[str, Callable[[Rows], Values]]](), 0  # columns, and number of rows written
 
-    def begin(along: str) -> None:
-        kept.update({name: each for name, each in _THUNDERSTORM.items() if along != "none" or name not in _Z})
-        file.write(",".join(f'"{name}"' for name in ("id", *kept)) + "\n")
+    def write_header(along: str) -> None:
+        used.update({name: column for name, column in _THUNDERSTORM.items() if along != "none" or name not in _Z})
+        file.write(",".join(f'"{name}"' for name in ("id", *used)) + "\n")
 
     with atomic.opened(path, "w", **_TEXT) as file:
 
         def write(rows: Rows, recording: Recording) -> None:
             nonlocal done
-            if not kept:
-                begin(recording.along)
-            line = ",".join(["%d", *(form for form, _ in kept.values())]) + "\n"
-            columns = [np.arange(done + 1, done + 1 + rows.size), *(of(rows) for _, of in kept.values())]
+            if not used:
+                write_header(recording.along)
+            line = ",".join(["%d", *(number_format for number_format, _ in used.values())]) + "\n"
+            columns = [np.arange(done + 1, done + 1 + rows.size), *(values(rows) for _, values in used.values())]
             done += rows.size
             with atomic.as_path_error(path):
-                file.writelines(line % row for row in zip(*(each.tolist() for each in columns), strict=True))
+                file.writelines(line % row for row in zip(*(column.tolist() for column in columns), strict=True))
 
         yield write
-        # A movie without molecules still has a header.
-        if not kept:
-            begin("z")
+        # Without molecules the file has a header only.
+        if not used:
+            write_header("z")
 
 
 _FLOATS = ("x", "y", "z", "photons", "sx", "sy", "bg", "lpx", "lpy", "lpz", "log_likelihood")
 
 
 def _locs(recording: Recording) -> np.dtype[np.void]:
-    """Return the columns of a recording; without z if it is not estimated."""
-    kept = [name for name in _FLOATS if recording.along != "none" or name not in ("z", "lpz")]
-    return np.dtype([("frame", np.uint32), *((name, np.float32) for name in kept)])
+    """Return the type of a row of Picasso's data set, without z if it is not estimated."""
+    names = [name for name in _FLOATS if recording.along != "none" or name not in ("z", "lpz")]
+    return np.dtype([("frame", np.uint32), *((name, np.float32) for name in names)])
 
 
 @contextmanager
 def picasso(path: Path, beside: Path) -> Iterator[Write]:
-    """Yield what writes the data set of Picasso and its .yaml: J. Schnitzbauer et al., doi:10.1038/nprot.2017.024."""
+    """Yield a writer of rows of Picasso's data set, with a .yaml `beside` it.
+
+    J. Schnitzbauer et al., doi:10.1038/nprot.2017.024. Rows are collected in a temporary file, since their number is
+    needed at the beginning of the HDF5 file.
+    """
     h5py, last, done = library("h5py", "files of Picasso need", "hdf5"), Recording(1, 1, 1, 1.0, (1, 1), "z"), 0
     with ExitStack() as stack:
         target = stack.enter_context(atomic.opened(path))
         with atomic.as_path_error(path):
-            held = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
-        about = stack.enter_context(atomic.opened(beside, "w", **_TEXT))
+            collected = stack.enter_context(tempfile.TemporaryFile(dir=Path(target.name).parent, buffering=0))
+        metadata = stack.enter_context(atomic.opened(beside, "w", **_TEXT))
 
         def write(rows: Rows, recording: Recording) -> None:
             nonlocal last, done
             last, done = recording, done + rows.size
-            found = np.empty(rows.size, _locs(recording))
-            found["frame"], found["photons"], found["bg"] = rows["frame"], rows["photons"], rows["background"]
-            found["log_likelihood"] = rows["log_likelihood"]
+            locs = np.empty(rows.size, _locs(recording))
+            locs["frame"], locs["photons"], locs["bg"] = rows["frame"], rows["photons"], rows["background"]
+            locs["log_likelihood"] = rows["log_likelihood"]
             for name in ("x", "y"):
-                found[name] = rows[name] / recording.pixel - 0.5  # from the middle of the first pixel
-                found[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
-                found[f"lp{name}"] = rows[f"{name}_error"] / recording.pixel
+                locs[name] = rows[name] / recording.pixel - 0.5  # from the middle of the first pixel
+                locs[f"s{name}"] = rows[f"sigma_{name}"] / recording.pixel
+                locs[f"lp{name}"] = rows[f"{name}_error"] / recording.pixel
             if recording.along != "none":
-                found["z"], found["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_error"]
-            left = memoryview(found.tobytes())
+                locs["z"], locs["lpz"] = 1e9 * rows["z"], 1e9 * rows["z_error"]
+            remaining = memoryview(locs.tobytes())
             with atomic.as_path_error(path):
-                while left:  # a disk that is nearly full takes a part
-                    left = left[held.write(left) :]
+                while remaining:  # a nearly full disk accepts only a part at a time
+                    remaining = remaining[collected.write(remaining) :]
 
         yield write
-        # The HDF5 library writes to memory, with the first of the rows alone: a full disk would end the process.
-        made = io.BytesIO()
-        with h5py.File(made, "w") as file:
+        # The HDF5 library would end the process if the disk were full. It therefore writes to memory, and only the
+        # first row, which reserves the place of the rows in the file.
+        header = io.BytesIO()
+        with h5py.File(header, "w") as file:
             table = file.create_dataset("locs", (done,), _locs(last))
             table[:1] = np.zeros(min(done, 1), _locs(last))
             offset = table.id.get_offset()
         with atomic.as_path_error(path):
-            target.write(made.getvalue())
+            target.write(header.getvalue())
             if done:
-                held.seek(0)
+                collected.seek(0)
                 target.seek(offset)
-                shutil.copyfileobj(held, target)
-        about.write(_yaml(last))
+                shutil.copyfileobj(collected, target)
+        metadata.write(_yaml(last))
 
 
 def _yaml(recording: Recording) -> str:
-    """Return the metadata of a movie as Picasso reads them."""
-    facts = {
+    """Return the metadata of a movie in the format of Picasso."""
+    entries = {
         "Frames": recording.frames,
         "Height": recording.rows,
         "Width": recording.columns,
@@ -391,8 +399,8 @@ def _yaml(recording: Recording) -> str:
         "Generated by": f"lommel {version()} localize",
     }
     if recording.along != "none":
-        facts["z"] = "depth" if recording.along == "depth" else "position of the stage"
-    return "".join(f"{name}: {json.dumps(value)}\n" for name, value in facts.items())
+        entries["z"] = "depth" if recording.along == "depth" else "position of the stage"
+    return "".join(f"{name}: {json.dumps(value)}\n" for name, value in entries.items())
 
 
 registry.register(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
+# NamedTuple compiles annotations that are strings, which would take longer than the rest of this module's import.
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple, TypeVar, cast
@@ -28,49 +28,49 @@ if TYPE_CHECKING:
 class Prepared(NamedTuple):
     """Window, methods and settings for all pupils that differ in their phase only."""
 
-    light: tuple[object, ...]  # all properties of a pupil but its phase, and whether that is radially symmetric
+    light: tuple[object, ...]  # all properties of a pupil but its phase, and whether the phase is radially symmetric
     grid: Grid
-    ways: tuple[Method, ...]  # in the order in which they are tried
-    named: bool  # whether the caller named the method
-    energy: bool  # whether values are fractions of all light
+    methods: tuple[Method, ...]  # in the order in which they are tried
+    named: bool  # the method was named by the caller
+    energy: bool  # values are fractions of all light
     wanted: Wanted  # without `out` and derivatives
     shape: tuple[int, ...]  # of the values
-    flat: tuple[int, ...]  # of the values of the flattened stack
-    shortcut: Shortcut | None  # see Method.plan
+    flat: tuple[int, ...]  # shape of the values of the flattened stack, (n, height, width)
+    shortcut: Shortcut | None  # prepared computation that bypasses :meth:`images`: see Method.plan
 
     def images(
         self, pupil: BasePupil, names: tuple[Name, ...] = (), out: Pixels | None = None
     ) -> tuple[Method, Images, list[Slope]]:
-        """Return the method, images of a pupil and their derivatives, without the shortcut."""
-        self.ways[0].require(pupil)
-        question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
+        """Return the method, the images of a pupil and their derivatives `names`, without the shortcut."""
+        self.methods[0].require(pupil)
+        request = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
         if names and pupil.layered:
             from lommel.methods.layers.slopes import layered_slopes
 
-            layers = cast("ObjectivePupil", pupil)
+            objective_pupil = cast("ObjectivePupil", pupil)
             return first_within_tolerance(
-                self.ways if self.named else of_derivatives(layers, self.ways),
-                lambda way: layered_slopes(way, layers, self.grid, names, question, energy=self.energy),
+                self.methods if self.named else of_derivatives(objective_pupil, self.methods),
+                lambda method: layered_slopes(method, objective_pupil, self.grid, names, request, energy=self.energy),
             )[1]
         if names:
             from lommel.methods.derivatives import differentiated
             from lommel.optics.pupil import checked
 
-            method = self.ways[0] if self.named else None
-            of, tol = checked(pupil), self.ways[0].tol
-            return differentiated(method, of, self.grid, names, question, tol, energy=self.energy)
+            named = self.methods[0] if self.named else None
+            lens_pupil, tol = checked(pupil), self.methods[0].tol
+            return differentiated(named, lens_pupil, self.grid, names, request, tol, energy=self.energy)
 
-        def ask(way: Method) -> Images:
-            made = way.images(pupil, self.grid, question)
-            return with_model_error(made, pupil, way, normalized=question.scale is None)
+        def images_by(method: Method) -> Images:
+            images = method.images(pupil, self.grid, request)
+            return with_model_error(images, pupil, method, normalized=request.scale is None)
 
         try:
-            way, made = first_within_tolerance(self.ways, ask)
+            method, images = first_within_tolerance(self.methods, images_by)
         except Declined as refused:
             if self.named:
                 raise
             raise Declined(f"{refused}{instead(pupil, self.grid)}") from None
-        return way.reported, made, []
+        return method.reported, images, []
 
 
 def prepare(
@@ -86,16 +86,16 @@ def prepare(
     """Return the prepared computation for pupils that share an aperture and light; see :class:`lommel.Plan`."""
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
-    ways = candidates(pupil, grid, tol) if method is None else (method,)
-    wanted = output_spec(grid, pupil, ways[0], normalize, dtype, threads)
+    methods = candidates(pupil, grid, tol) if method is None else (method,)
+    wanted = output_spec(grid, pupil, methods[0], normalize, dtype, threads)
     stack = pupil.shape
-    shortcut = ways[0].plan(pupil, grid, wanted)
+    shortcut = methods[0].plan(pupil, grid, wanted)
     named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
-    return Prepared(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
+    return Prepared(light, grid, methods, named, energy, wanted, stack + grid.shape, flat, shortcut)
 
 
 def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
-    """Return the specification of images, after checks of pupil and window."""
+    """Return the scale, type and threads of images; raise ValueError for unsupported pupils or windows."""
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
@@ -114,7 +114,7 @@ def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dt
     if normalize == "emitted":
         scale = grid.cell(pupil) / (4.0 * math.pi) * pupil.collected.ravel()
     elif normalize == "energy":
-        # All light is the integral of I over the plane, 4 pi times the transmission in v^2 (Parseval).
+        # The integral of I over the plane, in units of v, is 4 pi times the transmission (Parseval).
         scale = grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)
     elif normalize == "strehl":
         scale = 1.0 / method.unaberrated_peak(pupil)
@@ -130,25 +130,26 @@ def gradient(
     scale: Array,
     normalize: str,
 ) -> dict[Name, Array]:
-    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+    """Return the derivatives, each (n,), of the sum over pixels of `weights` (n, height, width) times values.
 
-    Values are `scale`, (n,), times the intensity of the flattened stack. None names all terms of the wavefront.
+    Values are `scale` (n,) times the intensity of the flattened stack. `names` are the checked names of derivatives,
+    or None for all terms of the wavefront.
     """
     energy = normalize == "energy"
     if pupil.layered:
         from lommel.methods.layers.slopes import layered_gradient
 
-        layers = cast("ObjectivePupil", pupil)
-        by, far = _terms(layers.aberrations) if names is None else names, normalize == "emitted"
-        found = layered_gradient(method, layers, grid, by, weights, scale, energy=energy, far=far)
-        return {name: found[name] for name in by}
+        objective_pupil = cast("ObjectivePupil", pupil)
+        by, far = _terms(objective_pupil.aberrations) if names is None else names, normalize == "emitted"
+        result = layered_gradient(method, objective_pupil, grid, by, weights, scale, energy=energy, far=far)
+        return {name: result[name] for name in by}
     from lommel.methods import derivatives
     from lommel.optics.pupil import checked
 
-    lens = checked(pupil)
-    by = _terms(lens.wavefront) if names is None else names
-    found = derivatives.gradient(method, lens, grid, by, weights, float(scale[0]), energy=energy)
-    return {name: found[name] for name in by}
+    lens_pupil = checked(pupil)
+    by = _terms(lens_pupil.wavefront) if names is None else names
+    result = derivatives.gradient(method, lens_pupil, grid, by, weights, float(scale[0]), energy=energy)
+    return {name: result[name] for name in by}
 
 
 def _terms(wavefront: Wavefront | None) -> tuple[Name, ...]:
@@ -165,7 +166,7 @@ def names(
     """Return checked names of derivatives; TypeError or ValueError, naming the `argument`, if one is not valid."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
-    from lommel.methods.derivative_names import checked  # late: rarely needed
+    from lommel.methods.derivative_names import checked  # here, as it is rarely needed
 
     return checked(derivatives, argument)
 
@@ -185,13 +186,13 @@ def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
         raise ValueError(f"out must be of {dtype}, got {out.dtype}")
     flags = out.flags
     if not (flags.c_contiguous and flags.writeable):
-        found = "a read-only array" if flags.c_contiguous else "an array of other strides"
-        raise ValueError(f"out must be C-contiguous and writable, got {found}")
+        kind = "a read-only array" if flags.c_contiguous else "an array of other strides"
+        raise ValueError(f"out must be C-contiguous and writable, got {kind}")
     return out
 
 
 def output_type(dtype: DTypeLike | None, tol: float) -> DType:
-    """Return the dtype of values accurate to `tol`; ValueError if the requested one cannot hold them."""
+    """Return the dtype of values accurate to `tol`, float32 if it suffices; ValueError if `dtype` is too coarse."""
     if dtype is None:
         # float32 rounds by 2^-24 = 6e-8 of the peak, a small part of a tolerance of 1e-6.
         return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
@@ -202,7 +203,7 @@ def output_type(dtype: DTypeLike | None, tol: float) -> DType:
 
 
 def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
-    """Return a pupil for each axis, in the shape to which the stack and the axes broadcast."""
+    """Return the stack of pupils broadcast with the shape `places` of centres of windows."""
     try:
         return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
     except ValueError:

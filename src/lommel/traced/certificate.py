@@ -1,15 +1,19 @@
-r"""Error bounds of the fields and images of traced plans, computed on the device of the field.
+r"""Error bounds of the fields and images of differentiable plans, computed on the device of the field.
 
-A field of error e with the largest modulus M in the window makes an intensity that is off by at most ``2 M e + e^2``,
-over a peak that falls short of the computed one by at most as much: docs/certificate.md, section 6.
+If a field has the error e and the largest modulus M in the window, the intensity has an error of at most
+``2 M e + e^2``, and so has its peak (docs/certificate.md, section 6).
 
-Of the chordal rule, the integrand off the disk is bounded by its mean on a curve. Terms do not reach their largest
-values at one place, so the mean of ``|F| = exp(h + l)``, l that of the kernel, is far below its largest value. Over
-the window it is convex, and largest at a corner. There, under the weight of the curve and ``exp(l)``, h has a mean m
-and a variance s^2, a linear and a square form in the coefficients, whose tables are integrals. As ``(e^x - 1 - x) /
-x^2`` rises with x and ``h <= H``, ``<e^h> <= e^m (1 + k s^2)``, k that of ``H - m``. On either curve h is a
-trigonometric polynomial in two angles, so H is the largest of samples, a little widened. Conjugate points have
-opposite h, so that half of the angles suffice.
+The error of the chordal rule is bounded by the mean of the integrand's modulus on a curve around the disk, in complex
+coordinates (docs/certificate.md, "Differentiable PSFs", "Any terms"). That modulus is ``|F| = exp(h + l)``, where h
+is minus the imaginary part of the phase and l the logarithm of the kernel's modulus. Its mean is far below its
+largest value, since different terms are largest at different points. As a function of the position in the window the
+mean is convex, and hence largest at a corner.
+
+At a corner, let m and s^2 be the mean and the variance of h under the weight of the curve times ``exp(l)``. In the
+coefficients of the wavefront m is a linear and s^2 a quadratic form, whose tables are integrals. With H the maximum
+of h, Bennett's inequality gives ``<e^h> <= e^m (1 + k s^2)`` with ``k = (e^x - 1 - x) / x^2`` at ``x = H - m``. On
+the curve h is a trigonometric polynomial of two angles: H is the largest of samples times a factor slightly above 1.
+Since h has opposite signs at conjugate points, half of the angles suffice.
 """
 
 from __future__ import annotations
@@ -25,130 +29,144 @@ from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
 
-_MOST = 60.0  # largest logarithm that is exponentiated; larger ones count as infinite
-_ROOM = 1.001  # room for rounding in float32
+_MAX_LOGARITHM = 60.0  # above this an exponential is taken as infinite
+_ROUND_UP = 1.001  # factor that covers rounding in float32
 
 
 def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
-    """Return e to a logarithm, rounded up; inf out of range."""
+    """Return an upper bound on ``exp(logarithm)``; inf above `_MAX_LOGARITHM`."""
     xp = ns.xp
-    big = logarithm > _MOST
-    least = xp.exp(xp.where(big, xp.zeros_like(logarithm), logarithm)) * _ROOM
-    return xp.where(big, infinite(ns, least), least)
+    large = logarithm > _MAX_LOGARITHM
+    bound = xp.exp(xp.where(large, xp.zeros_like(logarithm), logarithm)) * _ROUND_UP
+    return xp.where(large, infinite(ns, bound), bound)
 
 
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
-    """Return a bound on the error of the squared modulus of a field, shape (n,)."""
+    """Return a bound (n,) on the error of the intensity (n, pixels), from that of the field and the unit roundoff."""
     largest = ns.xp.max(intensity, axis=-1)
     # (M + e)^2 - M^2 = 2 M e + e^2, and 4 u M^2 for rounding of the squares and their sum.
     return (2.0 * ns.xp.sqrt(largest) + error) * error + 4.0 * unit * largest
 
 
 def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, divided: bool) -> Tensor:
-    """Return a bound on the error over the exact peak of stored values, or of values divided by it; never NaN."""
+    """Return a bound on the error of values relative to their exact peak, shape (n,); inf instead of NaN.
+
+    `stored` is the relative error of storing a value, and `divided` that values are divided by their computed peak.
+    """
     xp = ns.xp
     peak = xp.max(values, axis=-1)
-    room = peak - error
-    ratio = error / xp.where(room > 0.0, room, xp.ones_like(peak))
-    ratio = xp.where(room > 0.0, ratio, infinite(ns, ratio))
+    least_peak = peak - error  # lower bound on the exact peak
+    ratio = error / xp.where(least_peak > 0.0, least_peak, xp.ones_like(peak))
+    ratio = xp.where(least_peak > 0.0, ratio, infinite(ns, ratio))
     if divided:
         # Values divided by their own computed peak: 2 r / (1 - r) (docs/certificate.md, section 6).
         small = ratio < 0.5
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
         ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
-    bound = (ratio + (1.0 + ratio) * stored) * _ROOM
-    # NaN compares as False.
+    bound = (ratio + (1.0 + ratio) * stored) * _ROUND_UP
+    # A comparison with NaN is False.
     return xp.where(bound >= 0.0, bound, infinite(ns, bound))
 
 
 def infinite(ns: Namespace, like: Tensor) -> Tensor:
-    """Return infinities of an array's shape and type, where no bound is known."""
+    """Return an array of infinities in the shape and type of another, for bounds that are not known."""
     return ns.xp.full_like(like, float("inf"))
 
 
-# Certificate, "Differentiable PSFs", "Any terms": steps of pi / 5 d, and the widening that they take (M. Riesz).
-_STEPS = 5  # of half a turn, for each degree
-_WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
+# Certificate, "Differentiable PSFs", "Any terms": steps of pi / 5 d, and the factor on the largest sample (M. Riesz).
+_STEPS_PER_DEGREE = 5  # in half a turn
+_SAMPLE_FACTOR = 1.0 / math.cos(0.5 * math.pi / _STEPS_PER_DEGREE) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
-_MOST_OF_MEAN = 40.0  # largest logarithm of the means on usable curves
-_ROUNDED = 0.05  # added to logarithms for the rounding of exponentials
-_LEAST, _FAR = 0.5, 60.0  # least H - m that is used, and largest before its exponential overflows
+"""Parameters b of the curves that are tried: the imaginary part of the angle on them."""
+_MAX_LOG_MEAN = 40.0  # largest logarithm of the means on usable curves
+_LOG_ROUNDING = 0.05  # added to logarithms for the rounding of exponentials
+_MIN_X, _MAX_X = 0.5, 60.0  # range of x = H - m in Bennett's inequality: below it cancels, above it overflows
 _NUMPY = Namespace.of(None)
 
 
 class Mean(NamedTuple):
-    """The bound of one sum on a curve: numbers of disks and of corners of the window, and the unit roundoff."""
+    """Bound on the error of one of the two sums (over chords or over nodes) by means on a curve for each disk.
+
+    An obscured aperture has two disks. `corners` is the number of corners of the window, `unit` the unit roundoff.
+    """
 
     disks: int
     corners: int
     unit: float
 
     def logarithm(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
-        """Return a bound on the logarithm of the error of the sum, shape (n,)."""
+        """Return a bound on the logarithm of the error of the sum over "chords" or "nodes", shape (n,).
+
+        `c` (n, terms) are the coefficients of the wavefronts, `tables` those of :func:`mean_on_curve`.
+        """
         return reduce(ns.xp.logaddexp, (self._of_disk(ns, tables, f"{name} {k}", c) for k in range(self.disks)))
 
     def _of_disk(self, ns: Namespace, tables: Tables, name: str, c: Tensor) -> Tensor:
+        """Return the logarithm of the bound for one disk."""
         xp, terms = ns.xp, c.shape[-1]
         c = xp.permute_dims(c, (1, 0))
-        values, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
+        samples, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
         size = ns.matmul(tables[f"{name} size"], xp.abs(c))
-        lost = ((terms + 10) * (self.unit + ns.coarseness(self.unit)) + 1e-6) * size[0, ...]
-        top = _WIDENED * xp.max(xp.abs(values), axis=0) + lost
-        mean = forms[: self.corners, :] + lost
-        square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
-        spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
+        rounding = ((terms + 10) * (self.unit + ns.coarseness(self.unit)) + 1e-6) * size[0, ...]
+        maximum = _SAMPLE_FACTOR * xp.max(xp.abs(samples), axis=0) + rounding  # H
+        mean = forms[: self.corners, :] + rounding
+        roots = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
+        deviation = xp.sqrt(xp.sum(roots * roots, axis=1)) + rounding
         # Bennett's inequality, x = H - mu (certificate, "Any terms").
-        x, variance = top - mean + 2.0 * lost, spread * spread
-        # (e^x - 1 - x) / x^2 rises with x: a larger x is safe, and a small one would cancel.
-        near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
-        near = xp.where(x > _FAR, xp.full_like(x, _FAR), near)
-        tail = xp.log1p(variance * ((xp.exp(near) - 1.0 - near) / (near * near)))
-        tail = xp.where(x > _FAR, x + xp.log1p(variance), tail)
-        return xp.max(mean + tail + tables[f"{name} constant"], axis=0)
+        x, variance = maximum - mean + 2.0 * rounding, deviation * deviation
+        # (e^x - 1 - x) / x^2 rises with x: x may be raised to where the difference does not cancel.
+        clipped = xp.where(x < _MIN_X, xp.full_like(x, _MIN_X), x)
+        clipped = xp.where(x > _MAX_X, xp.full_like(x, _MAX_X), clipped)
+        log_factor = xp.log1p(variance * ((xp.exp(clipped) - 1.0 - clipped) / (clipped * clipped)))
+        log_factor = xp.where(x > _MAX_X, x + xp.log1p(variance), log_factor)
+        return xp.max(mean + log_factor + tables[f"{name} constant"], axis=0)
 
 
 def fewest(
-    where: tuple[tuple[tuple[int, int], ...], float, tuple[Array, Array]],
+    geometry: tuple[tuple[tuple[int, int], ...], float, tuple[Array, Array]],
     c: Array,
     disks: list[tuple[float, Array]],
     error: float,
     unit: float,
 ) -> tuple[int, int, Mean, Tables] | None:
-    """Return the fewest chords and nodes for an error of all members `c`, with their bound; None without a curve.
+    """Return the smallest numbers of chords and nodes with an error bound of at most `error`, or None without any.
 
-    `where` are terms, stretch and window, `disks` radii and the constants of the logarithms of both on the curves.
+    The bound follows, and its tables. It holds for all wavefronts with coefficients `c` (members, terms). `geometry`
+    are terms, stretch and window as for :func:`mean_on_curve`. `disks` are radii and constants (2, curves), which are
+    added to the logarithms of the bounds of chords and nodes on each curve.
     """
-    counts, every = [0], Tables()
+    counts, best_tables = [0], Tables()
     for kind, name in enumerate(("chords", "nodes")):
-        found = None
+        best = None
         for j, b in enumerate(CURVES.tolist()):
-            # The exponential of the kernel would overflow on this curve and all farther ones.
-            if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
+            # On this and all farther curves the exponential of the kernel would overflow.
+            if max(np.abs(positions).max() for positions in geometry[2]) * math.sinh(b) > _MAX_X:
                 break
             tables = Tables()
             for k, (radius, constants) in enumerate(disks):
-                mean, one = mean_on_curve(*where, name, b, counts[-1], (k, radius))
-                one[f"{name} {k} constant"] = one[f"{name} {k} constant"] + (float(constants[kind, j]) + _ROUNDED)
-                tables |= one
+                mean, disk_tables = mean_on_curve(*geometry, name, b, counts[-1], (k, radius))
+                constant = f"{name} {k} constant"
+                disk_tables[constant] = disk_tables[constant] + (float(constants[kind, j]) + _LOG_ROUNDING)
+                tables |= disk_tables
             mean = mean._replace(disks=len(disks), unit=unit)
             with np.errstate(over="ignore", invalid="ignore"):
-                size = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
-            # The error goes with exp(-2 count b): solved for the count.
-            count = even((size - math.log(error)) / (2.0 * b)) if size < _MOST_OF_MEAN else 0
-            if count and (found is None or count < found[0]):
+                log_error = float(np.max(_NUMPY.to_numpy(mean.logarithm(_NUMPY, tables, name, c))))
+            # The error is proportional to exp(-2 count b).
+            count = even((log_error - math.log(error)) / (2.0 * b)) if log_error < _MAX_LOG_MEAN else 0
+            if count and (best is None or count < best[0]):
                 for k in range(len(disks)):
                     tables[f"{name} {k} constant"] = tables[f"{name} {k} constant"] - 2.0 * count * b
-                found = count, tables
-        if found is None:
+                best = count, tables
+        if best is None:
             return None
-        counts.append(found[0])
-        every |= found[1]
-    return counts[1], counts[2], mean, every  # which is the same for all of them
+        counts.append(best[0])
+        best_tables |= best[1]
+    return counts[1], counts[2], mean, best_tables  # `mean` is the same for all curves and both sums
 
 
 def even(needed: float) -> int:
-    """Return the next even number of chords or nodes, four or more."""
-    # Even: images of nodes at (+-x, +-y) are folded (lommel.traced.chordal).
+    """Return the next even number of chords or nodes, at least four."""
+    # Even, because nodes at (+-x, +-y) are summed together (lommel.traced.chordal).
     return max(4, 2 * math.ceil(0.5 * needed))
 
 
@@ -161,56 +179,63 @@ def mean_on_curve(
     chords: int,
     disk: tuple[int, float] = (0, 1.0),
 ) -> tuple[Mean, Tables]:
-    """Return the bound of one sum on a curve b, over "chords" or over the "nodes" of each chord, and its tables.
+    """Return the bound of one sum, over "chords" or over the "nodes" of each chord, on the curve b, and its tables.
 
-    `window` is (rows, columns) in v, `disk` the number and the radius of the disk. Constants are left out.
+    `stretch` multiplies the phases of the Zernike terms (n, m), `window` is (rows, columns) in v, and `disk` the
+    index and the radius of the disk. `chords` is the number of chords, needed for "nodes". Constant factors of the
+    error are not included.
     """
     (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
-    steps = _STEPS * max(2, int(degrees.max()))
+    steps = _STEPS_PER_DEGREE * max(2, int(degrees.max()))
     angle = np.arange(steps + 1.0) * (math.pi / steps)
-    at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
-    samples = stretch * polynomials(terms, *at).imag
-    # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
-    # The kernel on the curve is at most exp(R sinh b).
+    points = [radius * coordinate for coordinate in _curve(name, b, angle, np.cos(angle), angle)]
+    samples = stretch * polynomials(terms, *points).imag
+    # The kernel on the curve is exp(R sinh b cos a), R the distance of the corner, whose Fourier coefficients fall
+    # like exp(-k^2 / (2 R sinh b)).
     reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
     half = (np.arange(float(count)) + 0.5) * (math.pi / count)
     if name == "chords":
         eta, gauss = gauss_legendre(count, -1.0, 1.0)
         curve = _curve(name, b, half, eta, half)
-        share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
+        weights = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
     else:
         phi = np.arange(1.0, chords + 1.0) * (math.pi / (chords + 1))
         curve = _curve(name, b, phi, half, half)
-        share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
-    at = [radius * places for places in curve]
-    values = stretch * polynomials(terms, *at).imag
-    values, share = np.concatenate([-values, values], axis=1), 0.5 * np.concatenate([share.ravel(), share.ravel()])
+        weights = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
+    points = [radius * coordinate for coordinate in curve]
+    h = stretch * polynomials(terms, *points).imag
+    # Both halves of the curve: h changes its sign at conjugate points.
+    h, weights = np.concatenate([-h, h], axis=1), 0.5 * np.concatenate([weights.ravel(), weights.ravel()])
     constants, means, forms = [], [], []
-    corners = sorted({(u, w) for u in (float(y.min()), float(y.max())) for w in (float(x.min()), float(x.max()))})
-    for u, w in corners:
-        lift = w * at[0].imag + u * at[1].imag
-        weight = share * np.exp(np.concatenate([lift, -lift]))
+    corners = sorted({(v, u) for v in (float(y.min()), float(y.max())) for u in (float(x.min()), float(x.max()))})
+    for v, u in corners:
+        log_kernel = u * points[0].imag + v * points[1].imag
+        weight = weights * np.exp(np.concatenate([log_kernel, -log_kernel]))
         total = float(weight.sum())
-        mean = values @ (weight / total)
-        off = values - mean[:, None]
-        # The variance as a sum of squares: one product with the coefficients on the device.
-        size, vectors = np.linalg.eigh((off * (weight / total)) @ off.T)
+        mean = h @ (weight / total)
+        deviation = h - mean[:, None]
+        # The covariance as a sum of squares, so that the device computes a variance by one matrix product.
+        eigenvalues, vectors = np.linalg.eigh((deviation * (weight / total)) @ deviation.T)
         constants.append(math.log(total))
         means.append(mean)
-        forms.append(np.sqrt(np.maximum(size, 0.0))[:, None] * vectors.T)
-    of_disk: Tables = {
+        forms.append(np.sqrt(np.maximum(eigenvalues, 0.0))[:, None] * vectors.T)
+    disk_tables: Tables = {
         "samples": np.ascontiguousarray(samples.T),
         "forms": np.concatenate([np.stack(means), *forms]),
         "size": stretch * np.sinh(degrees * b)[None, :],
         "constant": np.array(constants)[:, None],
     }
-    return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
+    return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in disk_tables.items()}
 
 
 def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[Values, Values]:
-    """Return flattened x and y on a curve: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
+    """Return the complex coordinates x and y of all points on a curve, flattened.
+
+    For "chords" the angle `first` of the chord is complex and `eta` the real position on the chord; for "nodes" the
+    angle `first` is real and the angle `second` of the node complex.
+    """
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
     else:
@@ -219,14 +244,14 @@ def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tupl
 
 
 def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDArray[np.complex128]:
-    """Return Zernike terms at complex points, shape ``(terms,) + x.shape``."""
+    """Return Zernike terms, 1 at the edge, at complex points, shape ``(terms,) + x.shape``."""
     from scipy.special import eval_jacobi
 
-    # rho^m exp(+-i m theta) = (x +- i y)^m at complex x and y.
-    square, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
-    found = []
+    # rho^m exp(+-i m theta) = (x +- i y)^m holds for complex x and y, too.
+    argument, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
+    values = []
     for n, m in terms:
         order = abs(m)
-        around = 0.5 * (plus**order + minus**order) if m >= 0 else -0.5j * (plus**order - minus**order)
-        found.append(eval_jacobi((n - order) // 2, 0.0, float(order), square + 0j) * around)
-    return np.stack(found)
+        azimuthal = 0.5 * (plus**order + minus**order) if m >= 0 else -0.5j * (plus**order - minus**order)
+        values.append(eval_jacobi((n - order) // 2, 0.0, float(order), argument + 0j) * azimuthal)
+    return np.stack(values)

@@ -1,6 +1,6 @@
 """The Debye-Wolf integral of a microscope by plain quadrature, the reference for stacks through plane layers.
 
-And the base class of the methods for microscope objectives, with refinement to a tolerance relative to the peak.
+Also the base classes of methods for microscope objectives, and refinement to a tolerance relative to the peak.
 """
 
 from __future__ import annotations
@@ -19,54 +19,56 @@ from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-LEAST = 1e-15  # what fields are asked for at the finest
+LEAST = 1e-15  # smallest tolerance of fields, near rounding
 
-BRIGHT_RING = 1.8412  # the maximum of J1 in v: light that is dark on the axis is bright here
+BRIGHT_RING = 1.8412  # v of the maximum of J1: images that are dark on the axis are bright near this radius
 
 
 def likely_peak(pupil: ObjectivePupil) -> float:
-    """Return about what light is at its peak in the darkest plane, spread over where paraxial rays arrive."""
+    """Return an estimate of the peak of I in the most defocused plane, from paraxial defocus alone."""
     layers = pupil.layers
-    off = pupil.focus - (layers.immersion / layers.sample) * pupil.depth
-    away = abs(off.item()) if off.size == 1 else float(np.abs(off).max())
-    # The paraxial defocus in radians at the edge: focus less the place of the image of the emitter.
-    blur = layers.wavenumber * away * layers.NA**2 / layers.immersion
+    defocus = pupil.focus - (layers.immersion / layers.sample) * pupil.depth
+    largest = abs(defocus.item()) if defocus.size == 1 else float(np.abs(defocus).max())
+    # In radians at the edge of the pupil, of the distance between the stage focus and the paraxial image of the
+    # emitter.
+    blur = layers.wavenumber * largest * layers.NA**2 / layers.immersion
     return min(0.25, 2.0 / (1.0 + blur**2))
 
 
 def refine_until(
     compute: Callable[[float], tuple[Array, Array]], tol: float, *, start: float, floor: float, named: float
 ) -> Intensities:
-    """Return intensities of accuracies from `start` down to `floor`, the first whose error over the peak is `tol`.
+    """Refine a computation until its error bound is at most `tol` of the peak of every plane, and return intensities.
 
-    `compute` returns values, (n, ...), and bounds on their errors, (n,). ToleranceError names the tolerance `named`.
+    `compute(accuracy)` returns values (n, ...) and bounds on their errors (n,); accuracies fall from `start` to
+    `floor`. The user's tolerance `named` appears in the ToleranceError if none suffices.
     """
     accuracy = start
     while True:
         values, error = compute(accuracy)
-        lowest = values.reshape(len(values), -1).max(axis=1) - error
-        relative = np.divide(error, lowest, out=np.full(lowest.shape, np.inf), where=lowest > 0.0)
+        least_peak = values.reshape(len(values), -1).max(axis=1) - error  # lower bound on the exact peak
+        relative = np.divide(error, least_peak, out=np.full(least_peak.shape, np.inf), where=least_peak > 0.0)
         if (worst := float(relative.max(initial=0.0))) <= tol:
-            return Intensities(values, relative, lowest)
+            return Intensities(values, relative, least_peak)
         if accuracy <= floor:
             raise not_met(named, worst, "the peak")
         accuracy = max(floor, accuracy * max(1e-4, min(0.5, 0.5 * tol / worst)))
 
 
 class LayeredMethod(Method[ObjectivePupil]):
-    """A method for the pupils of objectives; dataclasses of it have a `tol`."""
+    """Base class of methods for the pupils of objectives; its subclasses are dataclasses with a field `tol`."""
 
     pupils = "objective"
     apodized = nonradial = True
 
 
 class AberratedMethod(LayeredMethod):
-    """One for those with aberrations, by samples: averages over pixels are made of these."""
+    """Base class of methods for objectives with aberrations, whose pixel averages are computed from samples."""
 
     tol: float
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return why `pupil` is not supported, or None if it is."""
+        """Return the reason why `pupil` is not supported, or None if it is."""
         return None if pupil.aberrated else "supports aberrations only; without these use Stratified or DebyeWolf"
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -80,6 +82,7 @@ class AberratedMethod(LayeredMethod):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return point samples at the centres of the pixels of `grid`, to `tol` of the peak."""
         raise NotImplementedError
 
 
@@ -88,7 +91,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     r"""Debye-Wolf integral of an objective by Gauss-Legendre quadrature over angles, at every radius.
 
     Supports the pupils of :meth:`lommel.Objective.pupil` only. Each distinct radius is integrated separately, without
-    interpolation; the number of angles is proven to suffice.
+    interpolation. The number of angles follows from a proven error bound.
 
     Parameters
     ----------
@@ -108,17 +111,17 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     tol: float = 1e-6
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return why `pupil` is not supported, or None if it is."""
+        """Return the reason why `pupil` is not supported, or None if it is."""
         return "supports no aberrations on top of those of layers; use DebyeRings" if pupil.aberrated else None
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
-        """Return I at rising v; its bound is checked against the peak that was found."""
-        # Light that is dark on the axis is bright here: errors relate to the peak, wherever that is.
-        made = self._proven(pupil, np.append(v, BRIGHT_RING), lambda values: values[0], self.tol)
-        return made._replace(values=made.values[:, :-1])
+        """Return I at ascending v, with errors relative to the computed peak."""
+        # One radius more, where images that are dark on the axis are bright, so that the peak is not missed.
+        profile = self._refined(pupil, np.append(v, BRIGHT_RING), lambda orders: orders[0], self.tol)
+        return profile._replace(values=profile.values[:, :-1])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        """Return I at the distinct radii of a radially symmetric image centred on `grid`, else on its pixels."""
         if grid.integrate and pupil.radial:
             return self.on_pixels(pupil, grid, threads)
         if grid.integrate:
@@ -134,45 +137,49 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return point samples at the centres of the pixels of `grid`, to `tol` of the peak."""
         return to_images(self._centres(pupil, grid, max(tol, LEAST)), grid, wanted)
 
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels, around one axis or one for each plane."""
+        """Return I at the centres of pixels; a grid with a centre for each plane is computed plane by plane."""
         if not grid.stack:
             return self._sampled(pupil, grid, tol)
-        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        planes = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*planes, strict=True))
         return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        # Pixels at one distance share their integrals.
+        """Return I at the centres of pixels around a common axis."""
+        # Pixels at equal distance from the axis share their integrals.
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
-        radius, place = np.unique(np.hypot(x, y), return_inverse=True)
+        radius, index = np.unique(np.hypot(x, y), return_inverse=True)
         azimuth = np.arctan2(y, x)
 
-        def turned(orders: Array) -> Array:
+        def with_azimuth(orders: Array) -> Array:
             total = np.zeros((orders.shape[1], *grid.shape))
             for h, values in zip(pupil.light.harmonics, orders, strict=True):
                 around = h.cosine * np.cos(h.order * azimuth) + h.sine * np.sin(h.order * azimuth)
-                total += values[:, place.reshape(grid.shape)] * around
+                total += values[:, index.reshape(grid.shape)] * around
             return np.maximum(total, 0.0)
 
-        return self._proven(pupil, pupil.v(radius), turned, tol)
+        return self._refined(pupil, pupil.v(radius), with_azimuth, tol)
 
-    def _proven(self, pupil: ObjectivePupil, v: Array, made_of: Callable[[Array], Array], tol: float) -> Intensities:
-        """Return intensities made of harmonics that are exact enough for the peak that is found."""
+    def _refined(
+        self, pupil: ObjectivePupil, v: Array, intensities: Callable[[Array], Array], tol: float
+    ) -> Intensities:
+        """Return ``intensities(orders)`` of :func:`harmonics` at v, with an error of at most `tol` of the peak."""
 
-        def at(fields: float) -> tuple[Array, Array]:
-            values, error = harmonics(pupil, v, fields)
-            return made_of(values), error
+        def compute(field_tol: float) -> tuple[Array, Array]:
+            orders, error = harmonics(pupil, v, field_tol)
+            return intensities(orders), error
 
-        return refine_until(at, tol, start=0.02 * tol, floor=LEAST, named=self.tol)
+        return refine_until(compute, tol, start=0.02 * tol, floor=LEAST, named=self.tol)
 
 
 def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]:
-    """Return orders of the azimuth of I at rising v, ``(orders, n, radii)``, by fields that are exact to `tol`.
+    """Return the azimuthal orders of I at ascending v, ``(orders, n, radii)``, from fields with errors below `tol`.
 
-    And bounds on the error of any intensity of these, ``(n,)``.
+    Bounds on the error of the intensity at any azimuth follow, ``(n,)``.
     """
     light, depth, focus = pupil.light, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, light.model, depth, focus, float(v.max(initial=0.0)), tol)
@@ -185,7 +192,10 @@ def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array
 
 
 def _form_error(harmonic: Harmonic, brightest: Array, error: float) -> Array:
-    """Bound the error of a harmonic whose parts, at most so bright, are each off by `error`."""
+    """Return a bound on the error of a harmonic, (n,), of field components with moduli `brightest` and this `error`.
+
+    `brightest` has the shape (components, n).
+    """
     # g of section 15: e (abs(F_j) + abs(F_l) + e) for each entry of H.
     sizes = np.abs(harmonic.form) * np.hypot(harmonic.cosine, harmonic.sine)
     one, other = brightest[:, None], brightest[None]

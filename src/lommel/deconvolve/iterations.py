@@ -363,7 +363,8 @@ class VariationIteration(Iteration):
             discrepancy, self.strength = search(discrepancy_at, first, method.target, weakest)
         stopped = NOISE if discrepancy <= largest_fitting else STEPS
         # A discrepancy that stays above 1 even at the weakest strength is not due to smoothing.
-        if stopped == STEPS and method.strength is None and self.strength <= 1.001 * first * counted.weakest:
+        at_weakest = method.strength is None and self.strength <= 1.001 * first * counted.weakest
+        if discrepancy > largest_fitting and at_weakest:
             stopped = MISFIT
         return len(self.course) - 1, stopped, self.discrepancies
 

@@ -1,8 +1,8 @@
-"""Pixels of stars that cosmic rays have struck, or that are hot: tracks that are sharper than light through a pupil.
+"""Detection of cosmic rays and hot pixels in images of stars: features that are sharper than any image of a star.
 
-Without a model of the star a pixel is struck that exceeds its neighbours by more than a point of light without
-aberration does, as in "Laplacian" searches (van Dokkum 2001, doi:10.1086/323894): tracks are lines, and most
-neighbours of their pixels are dark.
+No model of the star is needed. A pixel is part of a track if it exceeds its neighbours by more than the brightest
+pixel of an unaberrated star does, as in Laplacian detection (van Dokkum 2001, doi:10.1086/323894). Tracks are lines,
+so that most neighbours of their pixels are dark: a pixel is compared with the median of its neighbours.
 """
 
 from __future__ import annotations
@@ -21,77 +21,85 @@ from lommel.psf import psf
 
 Mask: TypeAlias = NDArray[np.bool_]
 
-_SURE, _BESIDE = 6.0, 3.0  # standard deviations: of a struck pixel, and of one beside a struck pixel
-_SHARPER = 2.0  # times the excess over its neighbours of a point of light without aberration; half beside a track
-_LEAST = 8.0  # least ratio to neighbours: on pixels far below lambda*N dark lines of any width occur
-_NEIGHBOUR = 0.25  # standard deviation of the middle of neighbours, over twice that of a pixel: faint points are rare
-_SPAN, _SHIFTS, _LIT = 7, 4, 0.05  # pixels of such an image, positions of the axis in one, bright share of the peak
-_DARK = 0.02  # quantile of the pixels of a window that are dark: below its sky or hardly above
-_LONGEST = 8  # passes in which tracks grow
-_MOST = 0.06  # of the pixels of a window: more are not rays
-_AROUND, _SIDES = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))  # of a pixel, which is one of them
-_OTHERS = [place for place in product(range(3), range(3)) if place != (1, 1)]
+# Threshold in standard deviations for a pixel of a track, and for a pixel adjacent to one that is already found.
+_SIGMA, _SIGMA_ADJACENT = 6.0, 3.0
+_RATIO_FACTOR = (
+    2.0  # threshold of the ratio to neighbours, over that of an unaberrated star; half of it beside a track
+)
+_MIN_RATIO = 8.0  # smallest threshold of the ratio: with pixels far below lambda*N images have narrow dark lines
+# Assumed standard deviation of the median of neighbours over that of a pixel: about half of it for equal pixels,
+# since faint points are rare.
+_NEIGHBOUR_SIGMA = 0.25
+# Star from which the ratio is computed: side in pixels, positions of the axis within a pixel along either side, and
+# the least brightness of the pixels that count, over the peak.
+_SPAN, _SHIFTS, _BRIGHT = 7, 4, 0.05
+_DARK_QUANTILE = 0.02  # fraction of pixels of a window that is assumed to contain sky only
+_MAX_PASSES = 8  # in each of which tracks grow by a pixel
+_MAX_FRACTION = 0.06  # of the pixels of a window: more are not due to cosmic rays
+# The eight neighbours of a pixel, and its four edge neighbours, both with the pixel itself.
+_EIGHT, _FOUR = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))
+_OFFSETS = [offset for offset in product(range(3), range(3)) if offset != (1, 1)]
 
 
 def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
-    """Return the largest ratio of a pixel to the middle one of its neighbours, for a point in focus."""
-    # The ratio depends on where the axis is in a pixel.
+    """Return the largest ratio of a pixel to the median of its neighbours, for an unaberrated star in focus."""
+    # The ratio depends on the position of the axis within a pixel.
     side = _SPAN * _SHIFTS
     fine = np.asarray(psf(pupil.unaberrated(), side, pixel / _SHIFTS, tol=1e-4, integrate=integrate).values, float)
-    found = 1.0
-    for row, column in product(range(_SHIFTS), range(_SHIFTS)):  # where the axis is in a pixel
+    largest = 1.0
+    for row, column in product(range(_SHIFTS), range(_SHIFTS)):
         if integrate:
             part = fine[row : side - _SHIFTS + row, column : side - _SHIFTS + column]
             image = part.reshape(_SPAN - 1, _SHIFTS, _SPAN - 1, _SHIFTS).sum(axis=(1, 3))
         else:
             image = fine[row::_SHIFTS, column::_SHIFTS]
-        near = _middle(image[None], np.ones((1, *image.shape), dtype=bool))[0]
-        bright = image > _LIT * image.max()
-        found = max(found, float((image / np.maximum(near, 1e-6 * image.max()))[bright].max()))
-    return found
+        median = _neighbour_median(image[None], np.ones((1, *image.shape), dtype=bool))[0]
+        bright = image > _BRIGHT * image.max()
+        largest = max(largest, float((image / np.maximum(median, 1e-6 * image.max()))[bright].max()))
+    return largest
 
 
 def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
-    """Return which pixels of images (..., height, width) are struck, and the rims of tracks.
+    """Return a mask of pixels of images (..., height, width) in tracks of cosmic rays and at their edges.
 
-    `variance` is that of the noise beside Poisson's, `sharpest` as of :func:`sharpness`. Where more pixels are found
-    than rays would strike, it is the star that is sharp, and none is left out.
+    `variance` is that of the noise besides Poisson noise (electrons^2), `sharpest` the result of :func:`sharpness`.
+    In a window with more such pixels than cosmic rays would leave the star itself is sharp, and none is returned.
     """
     height, width = electrons.shape[-2:]
     known = valid.reshape(-1, height, width)
     light = np.where(known, electrons.reshape(known.shape), np.nan)
     read = variance.reshape(known.shape)
-    # The sky is no brighter than the darkest pixels beside their noise: light of a star may fill a window.
-    dark = np.nanquantile(light, _DARK, axis=(1, 2), method="lower", keepdims=True)
-    noisy = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
-    # Noise alone puts the quantile that many standard deviations below the sky.
-    level = dark - norm.ppf(_DARK) * np.sqrt(noisy)
-    excess, noisy = light - level, read + np.maximum(level, 0.0)
-    found, steepest = np.zeros(known.shape, dtype=bool), max(_SHARPER * sharpest, _LEAST)
-    for _ in range(_LONGEST):
-        near = np.maximum(_middle(excess, known & ~found), 0.0)
-        beside = ndimage.binary_dilation(found, _AROUND)
-        most = np.where(beside, 0.5, 1.0) * steepest
-        spread = noisy + most * near + (_NEIGHBOUR * most) ** 2 * (noisy + near)
-        over = excess - most * near
-        # Bernstein's bound of Poisson's tail.
-        off = over / np.sqrt(np.maximum(spread + np.maximum(over, 0.0) / 3.0, 1e-3))
-        more = known & ~found & (off > np.where(beside, _BESIDE, _SURE))
+    # The sky is estimated from the darkest pixels, because the star may fill most of a window.
+    dark = np.nanquantile(light, _DARK_QUANTILE, axis=(1, 2), method="lower", keepdims=True)
+    noise = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
+    # Noise alone puts this quantile below the sky, by the quantile of a normal distribution.
+    sky = dark - norm.ppf(_DARK_QUANTILE) * np.sqrt(noise)
+    excess, noise = light - sky, read + np.maximum(sky, 0.0)
+    tracks, ratio = np.zeros(known.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)
+    for _ in range(_MAX_PASSES):
+        median = np.maximum(_neighbour_median(excess, known & ~tracks), 0.0)
+        adjacent = ndimage.binary_dilation(tracks, _EIGHT)
+        threshold = np.where(adjacent, 0.5, 1.0) * ratio
+        # Variance of the pixel and of the threshold times the median of its neighbours.
+        spread = noise + threshold * median + (_NEIGHBOUR_SIGMA * threshold) ** 2 * (noise + median)
+        over = excess - threshold * median
+        # Bernstein's bound on the tail of a Poisson distribution.
+        sigmas = over / np.sqrt(np.maximum(spread + np.maximum(over, 0.0) / 3.0, 1e-3))
+        more = known & ~tracks & (sigmas > np.where(adjacent, _SIGMA_ADJACENT, _SIGMA))
         if not more.any():
             break
-        found |= more
-    # Windows of a sharp star lose no pixel.
-    few = found.sum(axis=(1, 2)) <= _MOST * known.sum(axis=(1, 2))
-    found &= few[:, None, None]
-    return np.asarray(known & ndimage.binary_dilation(found, _SIDES)).reshape(valid.shape)
+        tracks |= more
+    plausible = tracks.sum(axis=(1, 2)) <= _MAX_FRACTION * known.sum(axis=(1, 2))
+    tracks &= plausible[:, None, None]
+    return np.asarray(known & ndimage.binary_dilation(tracks, _FOUR)).reshape(valid.shape)
 
 
-def _middle(images: Array, known: Mask) -> Array:
-    """Return the middle one of each pixel's known neighbours, of an even number the brighter."""
+def _neighbour_median(images: Array, known: Mask) -> Array:
+    """Return the median of the known neighbours of each pixel; of an even number the brighter middle one."""
     padded = np.pad(np.where(known, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
     _, height, width = images.shape
-    around = [padded[:, y : y + height, x : x + width] for y, x in _OTHERS]
-    near = np.sort(np.stack(around), axis=0)[::-1]
-    count = np.isfinite(near).sum(axis=0)
-    found = np.take_along_axis(near, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
-    return np.where(count > 0, found, 0.0)
+    neighbours = [padded[:, y : y + height, x : x + width] for y, x in _OFFSETS]
+    descending = np.sort(np.stack(neighbours), axis=0)[::-1]
+    count = np.isfinite(descending).sum(axis=0)
+    median = np.take_along_axis(descending, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
+    return np.where(count > 0, median, 0.0)

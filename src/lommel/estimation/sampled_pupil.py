@@ -221,8 +221,9 @@ class UnevenLight:
                     _plane_waves(positions, radius * function(angles))
                     for positions, function in zip(self._positions, (np.sin, np.cos), strict=True)
                 ]
-                length = radius * (angles[1] - angles[0])  # of the edge between points
-                edge_amplitude = scale * length * float(pupil.illumination.at(np.array(radius**2)))
+                illumination = float(pupil.illumination.at(np.array(radius**2)))
+                # radius * (angles[1] - angles[0]) is the length of the edge between points.
+                edge_amplitude = scale * radius * (angles[1] - angles[0]) * illumination
                 edge_terms = _zernike_values(terms, np.full(angles.shape, radius), angles)
                 self._edges.append((edge_terms, waves, edge_amplitude * np.stack(movements)))
 

@@ -1,4 +1,4 @@
-"""The lens and the camera of a file."""
+"""Lens and camera as described by a lens file."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Camera:
     pixel : float or (float, float)
         Pixel pitch in metres; height and width of pixels that are not square.
     read : float or None
-        Read noise, rms electrons; None where the file does not state it, like all that follows.
+        Read noise, rms electrons. This and the following are None if the file does not state them.
     full_well : float or None
         Electrons at which a pixel saturates.
     gain : float or None
@@ -62,7 +62,7 @@ class Camera:
         return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}{excess}>"
 
     def to_dict(self) -> Json:
-        """Return what is known of the camera besides its pixels as plain data.
+        """Return the properties of the camera, except for its pixel pitch, as plain data.
 
         Returns
         -------
@@ -79,7 +79,7 @@ class Camera:
 
     @property
     def noise(self) -> Noise:
-        """Noise of images in counts: gain (1 where it is not stated), read noise, offset (0), excess.
+        """Noise of images in counts: gain (1 if not stated), read noise, offset (0 if not stated), excess.
 
         Returns
         -------
@@ -95,11 +95,11 @@ class Camera:
         return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)
 
 
-_LARGEST = 129  # largest side, in pixels, of the window that notebooks show
+_MAX_SHOWN = 129  # largest side in pixels of the PSF shown in notebooks
 
 
 class PixelOptions(TypedDict):
-    """Arguments of :func:`lommel.psf` about the pixels besides their pitch."""
+    """Arguments of :func:`lommel.psf` on pixels, other than the pitch."""
 
     integrate: bool | None
     fill: tuple[float, float]
@@ -115,19 +115,19 @@ class Instrument:
         Name, and source of the numbers.
     lens : Lens
     object_distance : float
-        Metres.
+        Object distance in metres.
     pixel : float or (float, float)
-        Metres; height and width of pixels that are not square.
+        Pixel pitch in metres; height and width of pixels that are not square.
     shape : tuple of int, or None
         Height and width of the window in pixels, if the file states them; see :attr:`window`.
     radii : dict of str to float
-        Radii on the sensor (metres) for encircled energies, by their texts in the file.
+        Radii on the sensor (metres) for encircled energies; keys are the texts in the file.
     sensor : tuple of float, or None
         Height and width of the whole sensor, metres, if the file has a section [field].
     aberrations_of_field : FieldMap, or None
         Aberrations of the field, added to those of the lens.
     integrate : bool or None
-        Pixel-integrated or point-sampled values, as of :func:`lommel.psf`; None if the file does not say.
+        Pixel-integrated or point-sampled values, as in :func:`lommel.psf`; None if not stated.
     fill : (float, float)
         Active fractions of the height and the width of a pixel.
     channels : Channels or None
@@ -154,12 +154,12 @@ class Instrument:
 
     def __repr__(self) -> str:
         pixel = " x ".join(format_length(side) for side in dict.fromkeys(self.pitch))
-        seen = format_length(self.object_distance)
-        return f"<Instrument {self.name!r}: {self.lens!r}, object at {seen}, pixels of {pixel}>"
+        distance = format_length(self.object_distance)
+        return f"<Instrument {self.name!r}: {self.lens!r}, object at {distance}, pixels of {pixel}>"
 
     def _repr_html_(self) -> str:
         lens = self.lens
-        obscured = f", obscuration {lens.obscuration:.4g}" if lens.obscuration else ""
+        obscuration = f", obscuration {lens.obscuration:.4g}" if lens.obscuration else ""
         pixel = " × ".join(length_in_words(side) for side in dict.fromkeys(self.pitch))
         sensor = None if self.sensor is None else " × ".join(length_in_words(side) for side in self.sensor)
 
@@ -168,7 +168,7 @@ class Instrument:
             return true_minus(", ".join(f"{name} = {float(value):.4g}" for name, value in first))
 
         rows: list[notebook.Row] = [
-            ("lens", f"f = {length_in_words(lens.focal_length)}, f/{lens.f_number:.4g}{obscured}"),
+            ("lens", f"f = {length_in_words(lens.focal_length)}, f/{lens.f_number:.4g}{obscuration}"),
             ("wavelength", length_in_words(lens.wavelength)),
             ("focused at", length_in_words(lens.focus_distance)),
             ("object at", length_in_words(self.object_distance)),
@@ -183,8 +183,8 @@ class Instrument:
 
         def image() -> PSF:
             height, width = self.window
-            middle = min(height, _LARGEST), min(width, _LARGEST)
-            return psf(self.pupil(), middle, self.pixel, **self.sensor_options)
+            shown = min(height, _MAX_SHOWN), min(width, _MAX_SHOWN)
+            return psf(self.pupil(), shown, self.pixel, **self.sensor_options)
 
         return notebook.device(f"Instrument: {name_in_words(self.name)}", rows, image)
 
@@ -202,12 +202,12 @@ class Instrument:
 
     @property
     def sensor_options(self) -> PixelOptions:
-        """Arguments of :func:`lommel.psf` about the pixels besides their pitch."""
+        """Arguments of :func:`lommel.psf` on pixels, other than the pitch."""
         return {"integrate": self.integrate, "fill": self.fill}
 
     @property
     def window(self) -> tuple[int, int]:
-        """Height and width of the window: `shape`, or a square for about 98 % of the light."""
+        """Height and width of the window: `shape`, or a square with about 98 % of the light."""
         return self.shape or (max(33, min(wide_enough(self.pupil(), min(self.pitch)), 1025)),) * 2
 
     def pupil(self) -> Pupil:
@@ -225,7 +225,7 @@ class Instrument:
         return self.lens.pupil(self.object_distance)
 
     def field(self) -> FieldMap:
-        """Return the aberrations of the field and of the lens for the object of the file.
+        """Return the aberrations over the field, including those of the lens, for the object of the file.
 
         Returns
         -------
@@ -244,8 +244,8 @@ class Instrument:
 
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:
-    """Return the odd side, in pixels, of a square around the axis that holds about 98 % of the light."""
-    # Diffraction spreads 2 / pi^2 of the light per lambda*N of distance from the edge of the geometric blur, and more
-    # for an annulus, whose edge is long for its area.
+    """Return the odd side, in pixels, of a square around the axis that contains about 98 % of the light."""
+    # At x lambda*N from the edge of the geometric blur 2 / (pi^2 x) of the light is still outside, by diffraction;
+    # more for an annulus, whose edges are long for its area.
     tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
     return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1

@@ -1,9 +1,10 @@
 r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and spot radius from the wavefront.
 
-All are integrals over the clear aperture. On discs and annuli these are in polar coordinates, by Gauss-Legendre nodes
-in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`, where segments add
-their phases. An average over theta is even in rho, hence smooth in t: convergence is spectral. Polynomials of the
-phase are exact with finitely many nodes; oscillating integrands are refined until the result converges.
+All are integrals over the clear aperture. Discs and annuli are integrated in polar coordinates, with Gauss-Legendre
+nodes in ``t = rho^2`` and equal steps in theta; other apertures with the nodes of :meth:`lommel.Pupil.rule`, and with
+the phases of segments. An average over theta is even in rho and therefore smooth in t, so that convergence is
+spectral. Integrals of polynomials are exact with a finite number of nodes; for the Strehl ratio the number of nodes
+is increased until the result converges.
 """
 
 from __future__ import annotations
@@ -40,12 +41,12 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Exact but for rounding. Tilt counts like every other term, though it only moves the image.
+        Exact except for rounding. Tilt is included like every other term, although it only shifts the image.
 
     Raises
     ------
     TypeError, ValueError
-        If `pupil` is neither, or `unit` is unknown.
+        If `pupil` is neither a pupil nor a wavefront, or `unit` is unknown.
 
     Examples
     --------
@@ -54,29 +55,29 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
     0.5
     """
     validation.choice("unit", unit, ("radians", "waves"))
-    of = Pupil(pupil) if isinstance(pupil, Wavefront) else checked(pupil)
-    return numbers(np.sqrt(_variance(of)) / (1.0 if unit == "radians" else 2.0 * math.pi), of.shape)
+    averaged = Pupil(pupil) if isinstance(pupil, Wavefront) else checked(pupil)
+    return numbers(np.sqrt(_variance(averaged)) / (1.0 if unit == "radians" else 2.0 * math.pi), averaged.shape)
 
 
 def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]) -> Array:
     """Return the coefficients (radians) of the least-squares fit of functions of (rho, theta) to a pupil's phase.
 
-    A constant is fitted too, over the clear aperture weighted by amplitude: without these terms the rms is least.
-    Exact but for rounding for polynomials of no higher degree and order than tilt, defocus and the phase.
+    The fit is over the clear aperture, weighted by amplitude, and includes a constant, whose coefficient is not
+    returned. Without the fitted terms the rms phase is smallest. The result is exact except for rounding if the
+    functions are polynomials of no higher degree and order than tilt, defocus and the phase.
     """
-    at = _polynomial_rule(checked(pupil), 1.0)
-    columns = np.stack([np.ones(at.rho.shape), *(term(at.rho, at.theta) for term in terms)], axis=-1)
-    # A constant among the columns: a piston changes no image, and its coefficient is dropped.
-    root, phase = np.sqrt(at.weight), at.phase(pupil)
+    nodes = _polynomial_rule(checked(pupil), 1.0)
+    columns = np.stack([np.ones(nodes.rho.shape), *(term(nodes.rho, nodes.theta) for term in terms)], axis=-1)
+    root, phase = np.sqrt(nodes.weight), nodes.phase(pupil)
     return np.asarray(np.linalg.lstsq(columns * root[:, None], phase * root, rcond=1e-12)[0][1:])
 
 
 def marechal(pupil: Pupil) -> Numbers:
     """Return the extended Marechal estimate of the Strehl ratio, ``exp(-sigma^2)``.
 
-    sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). It agrees with
-    :func:`lommel.strehl` to second order in the phase, and within 10 % for Strehl ratios above 0.38 for defocus, and
-    above 0.3 for a Zernike term of astigmatism, coma or spherical aberration.
+    Here sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). The estimate agrees with
+    :func:`lommel.strehl` to second order in the phase. It is within 10 % for Strehl ratios above 0.38 for defocus,
+    and above 0.3 for a Zernike term of astigmatism, coma or spherical aberration.
 
     Parameters
     ----------
@@ -97,8 +98,9 @@ def marechal(pupil: Pupil) -> Numbers:
 def strehl(pupil: Pupil) -> Numbers:
     """Return the Strehl ratio: intensity on the axis relative to the same aperture without aberration.
 
-    ``abs(mean of exp(i phase))^2``, weighted by the amplitude. The brightest point of the image may lie elsewhere:
-    a tilt moves it away (:func:`lommel.measures.spot.peak_strehl`). :attr:`lommel.PSF.strehl` is that of an image.
+    It is ``abs(mean of exp(i phase))^2``, weighted by the amplitude. The brightest point of the image may lie off the
+    axis, for example by a tilt: see :func:`lommel.measures.spot.peak_strehl`. The Strehl ratio of a computed image is
+    :attr:`lommel.PSF.strehl`.
 
     Parameters
     ----------
@@ -107,7 +109,8 @@ def strehl(pupil: Pupil) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Refined until two quadratures differ by less than 1e-12; the finer one is then correct to about rounding.
+        The number of nodes is increased until two results differ by less than 1e-12; the last one is then accurate to
+        about rounding.
 
     Raises
     ------
@@ -117,18 +120,18 @@ def strehl(pupil: Pupil) -> Numbers:
         If the phase needs more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
-    # One by one: the number of nodes depends on the blur of each.
-    single = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
-    return numbers([_strehl(one) for one in single], pupil.shape)
+    # One pupil at a time, since each needs another number of nodes.
+    pupils = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
+    return numbers([_strehl(single) for single in pupils], pupil.shape)
 
 
 def centroid(pupil: Pupil) -> Array:
     """Return the centroid of the light, from the wavefront: the mean gradient of the phase, weighted by intensity.
 
-    The centroids of the rays and of the light are the same. That of the values in a window,
-    :func:`lommel.measures.energy.window_centroid`, approaches it as the window grows. With a complex mask, whose
-    phase has no gradient, it is that of the image: of one period around the axis, or of all of it for
-    ``squares=True``, as the limit of windows about the axis.
+    The centroids of the rays and of the light are the same. The centroid of the values in a window,
+    :func:`lommel.measures.energy.window_centroid`, approaches it as the window grows. The phase of a complex mask has
+    no gradient: the result is then the centroid of the image, over one period around the axis or, for
+    ``squares=True``, in the limit of large windows around the axis.
 
     Parameters
     ----------
@@ -138,22 +141,22 @@ def centroid(pupil: Pupil) -> Array:
     -------
     ndarray, shape ``pupil.shape + (2,)``
         x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
-        Exact but for rounding.
+        Exact except for rounding.
     """
     if checked(pupil).phase_mask:
         assert pupil.mask is not None
-        found = np.array([one.centroid(squares=pupil.mask.squares) for one in cells_of_stack(pupil)])
-        return found.reshape(*pupil.shape, 2) * pupil.scale
-    at = _polynomial_rule(pupil, 2.0)
-    mean = (at.rays(pupil) * at.weight).sum(axis=-1)
+        centroids = np.array([cells.centroid(squares=pupil.mask.squares) for cells in cells_of_stack(pupil)])
+        return centroids.reshape(*pupil.shape, 2) * pupil.scale
+    nodes = _polynomial_rule(pupil, 2.0)
+    mean = (nodes.rays(pupil) * nodes.weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 
 
 def spot_radius(pupil: Pupil) -> Numbers:
     """Return the rms radius of the rays on the sensor about their centroid, weighted by intensity.
 
-    Rays meet the sensor at the gradient of the phase. Diffraction is ignored: the rms radius of a diffraction PSF is
-    infinite for any hard-edged aperture.
+    The position of a ray on the sensor is proportional to the gradient of the phase. Diffraction is ignored: the rms
+    radius of a diffraction PSF is infinite for any hard-edged aperture.
 
     Parameters
     ----------
@@ -162,90 +165,93 @@ def spot_radius(pupil: Pupil) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres if the pupil has a wavelength, else units of lambda*N. Exact but for rounding.
+        Metres if the pupil has a wavelength, else units of lambda*N. Exact except for rounding.
     """
-    at = _polynomial_rule(checked(pupil), 2.0)
-    rays = at.rays(pupil)
-    away = rays - (rays * at.weight).sum(axis=-1, keepdims=True)
-    variance = (away**2 * at.weight).sum(axis=(-2, -1))
+    nodes = _polynomial_rule(checked(pupil), 2.0)
+    rays = nodes.rays(pupil)
+    deviation = rays - (rays * nodes.weight).sum(axis=-1, keepdims=True)
+    variance = (deviation**2 * nodes.weight).sum(axis=(-2, -1))
     return numbers(np.sqrt(variance) * (pupil.scale / math.pi), pupil.shape)
 
 
 def slopes(pupil: Pupil, rho: Array, theta: Array) -> Array:
-    """Return the gradient of the phase of the wavefront and of the segments, shape (n, 2, points)."""
-    found = gradient(pupil.wavefront, rho, theta)
+    """Return the gradient of the phase of wavefront and segments at points of the pupil, shape (n, 2, points)."""
+    slope = gradient(pupil.wavefront, rho, theta)
     if pupil.segmented:
-        found = found + pupil.opening.tilted(rho * np.cos(theta), rho * np.sin(theta))[1:]
-    return found
+        slope = slope + pupil.opening.tilted(rho * np.cos(theta), rho * np.sin(theta))[1:]
+    return slope
 
 
 def _variance(pupil: Pupil) -> Array:
     """Return the variance of the phase, weighted by amplitude, shape ``pupil.shape``."""
-    at = _polynomial_rule(pupil, 1.0)
-    phase = at.phase(pupil)
-    # About the mean: a piston changes no image.
-    away = phase - (phase * at.weight).sum(axis=-1, keepdims=True)
-    return np.asarray((away**2 * at.weight).sum(axis=-1))
+    nodes = _polynomial_rule(pupil, 1.0)
+    phase = nodes.phase(pupil)
+    deviation = phase - (phase * nodes.weight).sum(axis=-1, keepdims=True)
+    return np.asarray((deviation**2 * nodes.weight).sum(axis=-1))
 
 
 class _Nodes(NamedTuple):
-    """Nodes of an aperture, weights of sum 1, and the phase and slopes of segments and mask at the nodes."""
+    """Quadrature nodes of an aperture, with weights of sum 1.
+
+    `added` (3, points) are the phase of segments and mask at the nodes, and its derivatives with respect to x and y.
+    """
 
     rho: Array
     theta: Array
     weight: Array
-    added: Array | None = None  # (3, points)
+    added: Array | None = None
 
     def phase(self, pupil: Pupil) -> Array:
-        """Return the phase, shape ``pupil.shape + (points,)``."""
-        found = pupil.wavefront.phase(self.rho, self.theta)
-        return found if self.added is None else found + self.added[0]
+        """Return the phase at the nodes, shape ``pupil.shape + (points,)``."""
+        phase = pupil.wavefront.phase(self.rho, self.theta)
+        return phase if self.added is None else phase + self.added[0]
 
     def rays(self, pupil: Pupil) -> Array:
-        """Return the gradient of the phase, shape (n, 2, points) for the flattened stack."""
-        found = gradient(pupil.wavefront, self.rho, self.theta)
-        return found if self.added is None else found + self.added[1:]
+        """Return the gradient of the phase at the nodes, shape (n, 2, points) for the flattened stack."""
+        slope = gradient(pupil.wavefront, self.rho, self.theta)
+        return slope if self.added is None else slope + self.added[1:]
 
 
 def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
-    """Return nodes that are exact for squares of the phase or of its gradient, weighted by amplitude^power."""
-    # Angles of complex samples are known modulo 2 pi: neither their mean nor their slope is defined.
+    """Return nodes that integrate squares of the phase and of its gradient exactly, weighted by amplitude^power."""
+    # The phase of complex samples is known modulo 2 pi, so that neither its mean nor its slope is defined.
     if pupil.phase_mask:
         raise ValueError(
             "mask must be real for measures of the wavefront, since the phase of a complex one is known up to whole "
             "waves at its samples only; give that phase as Zernike terms (lommel.fit_opd), or take lommel.strehl"
         )
     terms = pupil.wavefront.nonradial
-    # Squares of the phase have twice its degree in rho, which is its degree in t.
+    # The square of a phase of degree n in rho has the degree n in t.
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
-    # n nodes are exact to the degree 2 n - 1 in t; a varying amplitude takes some more.
-    fall = power * pupil.illumination.slope
+    # n Gauss nodes are exact to the degree 2 n - 1 in t; a varying amplitude needs some more.
+    slope = power * pupil.illumination.slope
     if not pupil.circular:
-        return _clear_rule(pupil, power, 2 * degree + 2 + (0 if fall == 0.0 else 48 + math.ceil(fall)))
-    radial = degree // 2 + 2 + (0 if fall == 0.0 else 24 + math.ceil(0.5 * fall))
+        return _clear_rule(pupil, power, 2 * degree + 2 + (0 if slope == 0.0 else 48 + math.ceil(slope)))
+    radial = degree // 2 + 2 + (0 if slope == 0.0 else 24 + math.ceil(0.5 * slope))
     return _rule(pupil, power, radial, 2 * order + 2)
 
 
 def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
+    """Return a rule for discs and annuli of radial Gauss-Legendre nodes times `around` angles."""
     low = pupil.obscuration**2
     t, weight = gauss_legendre(radial, low, 1.0)
-    # Relative to the brightest zone: a strong apodization underflows otherwise.
-    fall = pupil.illumination.exponent_at(t)
-    weight = weight * np.exp(-power * (fall - fall.min()))
+    # Relative to the brightest zone, so that a strong apodization does not underflow.
+    exponent = pupil.illumination.exponent_at(t)
+    weight = weight * np.exp(-power * (exponent - exponent.min()))
     theta = np.arange(around) * (2.0 * math.pi / around)
     rho = np.repeat(np.sqrt(t), around)
     return _Nodes(rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around))
 
 
 def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
-    """Return the rule over the clear parts of any aperture, exact to a degree in x and y."""
+    """Return a rule over the clear parts of any aperture, exact for polynomials of a degree in x and y."""
     x, y, weight = pupil.rule(degree)
-    # The rule of a mask has the amplitude of its cells in the weights: a power p of the amplitude needs p - 1 more.
-    carried = 1.0 if pupil.mask is None else weight ** (power - 1.0)
-    # At the centre of a mask rho is 0, where the slope over rho exists as a limit only.
+    # The weights of a mask contain the amplitude of its cells once: for amplitude^power the power - 1 is missing.
+    mask_factor = 1.0 if pupil.mask is None else weight ** (power - 1.0)
+    # A mask may have a node at rho = 0, where (1 / rho) d/dtheta exists as a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
-    weight = weight * carried * pupil.illumination.at(rho**2, power)
+    weight = weight * mask_factor * pupil.illumination.at(rho**2, power)
     added = None
     if pupil.segmented:
         added = pupil.opening.tilted_nodes(degree) if pupil.mask is None else pupil.opening.tilted(x, y)
@@ -258,17 +264,17 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
 def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
-    # dPhi/drho and (1/rho) dPhi/dtheta, turned to x and y.
-    outward = ray_height(flat.edge[:, : flat.symmetric], rho)
-    # One Zernike term c R(rho) cos(m theta): radial and tangential derivatives.
-    sideways = np.zeros_like(outward)
+    # dPhi/drho and (1/rho) dPhi/dtheta: first of the radial terms, then of c R(rho) cos(m theta) or sin(m theta).
+    radial = ray_height(flat.edge[:, : flat.symmetric], rho)
+    tangential = np.zeros_like(radial)
     for (n, m), c in flat.nonradial.items():
         k = abs(m)
-        value, turn = (np.cos, -np.sin(k * theta)) if m > 0 else (np.sin, np.cos(k * theta))
-        outward = outward + c[:, None] * (_radial_slope(n, k, rho) * value(k * theta))
-        sideways = sideways + c[:, None] * (zernike.radial(n, k, rho) / rho * k * turn)
+        function, derivative = (np.cos, -np.sin(k * theta)) if m > 0 else (np.sin, np.cos(k * theta))
+        radial = radial + c[:, None] * (_radial_slope(n, k, rho) * function(k * theta))
+        tangential = tangential + c[:, None] * (zernike.radial(n, k, rho) / rho * k * derivative)
+    # Rotated to x and y.
     cos, sin = np.cos(theta), np.sin(theta)
-    return np.stack([outward * cos - sideways * sin, outward * sin + sideways * cos], axis=1)
+    return np.stack([radial * cos - tangential * sin, radial * sin + tangential * cos], axis=1)
 
 
 def _radial_slope(n: int, m: int, rho: Array) -> Array:
@@ -285,17 +291,17 @@ def _radial_slope(n: int, m: int, rho: Array) -> Array:
 def _strehl(pupil: Pupil) -> float:
     """Return the Strehl ratio of a single pupil."""
     if not pupil.circular:
-        # Error below 1e-12: the rule has positive weights and is exact to the proven degree.
-        terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
-        # Tilts of segments count as a shift of the window.
-        steepest = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
-        at = _clear_rule(pupil, 1.0, degree_needed(terms_of, steepest, pupil.illumination, 1e-13))
-        mean = np.sum(at.weight * np.exp(1j * at.phase(pupil)))
+        # The error is below 1e-12: the rule has positive weights and the degree that a proven bound requires.
+        sizes = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
+        # The tilt of a segment has the same effect on the degree as a shift of the window.
+        largest_tilt = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
+        nodes = _clear_rule(pupil, 1.0, degree_needed(sizes, largest_tilt, pupil.illumination, 1e-13))
+        mean = np.sum(nodes.weight * np.exp(1j * nodes.phase(pupil)))
         return float(mean.real**2 + mean.imag**2)
     blur = float(pupil.v(pupil.geometric_radius()))
     terms = pupil.wavefront.nonradial
     order = max([0, *(abs(m) for _, m in terms)])
-    # Half a node a radian of the geometric blur resolves exp(i phase); the loop below checks it.
+    # Half a node per radian of the geometric blur (in v) resolves exp(i phase), as the loop below checks.
     radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.illumination.slope)
     around = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
 
@@ -304,15 +310,15 @@ def _strehl(pupil: Pupil) -> float:
             raise ToleranceError(
                 f"the Strehl ratio of a phase with a blur of v = {blur:.3g} takes more than {_MAX_NODES} nodes"
             )
-        at = _rule(pupil, 1.0, radial, around)
-        field = np.sum(at.weight * np.exp(1j * at.phase(pupil)))
-        return float(field.real**2 + field.imag**2)
+        nodes = _rule(pupil, 1.0, radial, around)
+        mean = np.sum(nodes.weight * np.exp(1j * nodes.phase(pupil)))
+        return float(mean.real**2 + mean.imag**2)
 
     value = quadrature(radial, around)
     while True:
         radial = math.ceil(1.4 * radial)
         around = 2 * math.ceil(0.7 * around) if terms else around
         before, value = value, quadrature(radial, around)
-        # Phases of many radians are known to their rounding only: 1e-15 of the blur.
+        # Large phases have a rounding error of about 1e-15 of the blur.
         if abs(value - before) <= 1e-12 + 1e-15 * blur:
             return value

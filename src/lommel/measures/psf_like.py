@@ -1,4 +1,4 @@
-"""Values and pixels of a PSF, of PSFs in colour channels and of a PSF grid, for measures, files and plots."""
+"""Base classes of a PSF, of PSFs in colour channels and of a PSF grid, as measures, files and plots need them."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Recorded:
-    """Base of PSFs on pixels, held in one array."""
+    """Base class of PSFs with values on pixels in one array."""
 
     values: Values
     grid: Grid
@@ -67,14 +67,14 @@ class PSFLike(Recorded):
 
     @property
     def undersampled(self) -> bool:
-        """Whether values are point-sampled at more than lambda*N/2, the Nyquist interval of an intensity."""
+        """True for point samples more than lambda*N/2 apart, the Nyquist interval of an intensity."""
         return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
 
     @property
     def sum_is_light(self) -> bool:
-        """Whether all values sum to the light: averages over pixels, and samples at most lambda*N apart."""
-        # The Fourier transform of an intensity vanishes from the frequency 1 / (lambda*N) on; a sum of samples adds
-        # its values at multiples of 1 / pixel (Poisson's formula), of which only that at 0 is left.
+        """True if all values sum to the light: pixel averages, and point samples at most lambda*N apart."""
+        # By Poisson's formula a sum of samples is the sum of the Fourier transform at multiples of 1 / pixel. That of
+        # an intensity vanishes from the frequency 1 / (lambda*N) on, so that only the value at 0, the light, remains.
         return self.grid.integrate or max(self.grid.pitch) <= (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:
@@ -92,9 +92,9 @@ class PSFLike(Recorded):
         Parameters
         ----------
         radius : array_like, optional
-            Radii at which the method is evaluated, as point samples; by default the pixels from the central one,
-            ``(height // 2, width // 2)``, to the right, with radii of the shape of the values if each pupil has its
-            own axis.
+            Radii at which the method is evaluated, as point samples. By default the pixels from the central one,
+            ``(height // 2, width // 2)``, to the right; if each pupil has its own axis, radii have the shape of the
+            values.
 
         Raises
         ------
@@ -107,23 +107,23 @@ class PSFLike(Recorded):
             return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
         method = self.radial_method
         if method is None:
-            what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
-            what = "light that is spread by blur" if self.blur else what
-            raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
+            reason = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
+            reason = "light that is spread by blur" if self.blur else reason
+            raise ValueError(f"radius must be None for {reason}, whose values are on the grid only")
         at = validation.real_array("radius", radius, least=0.0)
         far = float(at.max(initial=0.0))
         validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
-        # Methods take rising radii, each once.
-        v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
-        intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
+        # Methods expect distinct radii in ascending order.
+        v, index = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
+        intensity = method.profile(self.pupil, v).values[:, index].reshape(self.pupil.shape + at.shape)
         return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
 
     def __getitem__(self, index: Index) -> Self:
-        """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
+        """Return part of a stack; indices are those of NumPy into an array of the shape of the pupils."""
         if self.pupil.shape == ():
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
-        # Indices into the flattened stack, by which all arrays are indexed alike.
+        # Indices into the flattened stack, which apply to all arrays.
         which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(
             self,
@@ -149,7 +149,7 @@ class ColourPSFLike(Recorded):
 
 
 class PSFGridLike:
-    """PSFs at positions over a sensor."""
+    """PSFs at a grid of positions on a sensor."""
 
     psf: PSFLike | ColourPSFLike
     x: Array
@@ -175,19 +175,19 @@ class PSFGridLike:
         return self.psf.unit
 
 
-Found = TypeVar("Found")
+Measured = TypeVar("Measured")
 
 
 @runtime_checkable
 class Measurable(Protocol):
-    """A PSF or several, each of which a function can measure."""
+    """A PSF or several PSFs to which a measure can be applied."""
 
-    def measured(self, measure: Callable[[PSFLike], Found]) -> Found:
-        """Return the `measure` of each PSF."""
+    def measured(self, measure: Callable[[PSFLike], Measured]) -> Measured:
+        """Return the result of `measure` for each PSF."""
 
 
 def is_psf(thing: object) -> TypeGuard[PSFLike]:
-    """Return whether an object is a PSF or a stack of them, with pixels and a method."""
+    """Return whether an object is a PSF or a stack of PSFs, with pixels and a method."""
     return isinstance(getattr(thing, "grid", None), Grid) and isinstance(getattr(thing, "method", None), Method)
 
 
@@ -203,9 +203,9 @@ def colours(psf: ColourPSFLike) -> Array:
     names = psf.channels.names
     if len(names) not in (1, 3):
         raise ValueError(f"a picture takes three channels, or one, got {len(names)}: {', '.join(names)}")
-    # Values may be slightly negative within the error bound; colours may not.
+    # Colours must not be negative; values may be, within the error bound.
     light = np.maximum(np.moveaxis(psf.values, -3, -1).astype(np.float64), 0.0)
-    top = light.max(axis=(-3, -2, -1), keepdims=True)
-    if not top.min() > 0.0:
+    peak = light.max(axis=(-3, -2, -1), keepdims=True)
+    if not peak.min() > 0.0:
         raise ValueError("a picture needs a positive value; every value of this PSF is 0")
-    return np.asarray(np.broadcast_to(light / top, (*light.shape[:-1], 3)))
+    return np.asarray(np.broadcast_to(light / peak, (*light.shape[:-1], 3)))

@@ -152,7 +152,8 @@ class DepthModel:
         plane_light = self._collected_light / self._collected_light.sum()
         samples = _SAMPLES_PER_NODE * side
         spacing = pitch / _SAMPLES_PER_NODE  # pixels
-        sampled = psf(self._emission(depth), samples, self.pixel * spacing, integrate=False, tol=_TOL)
+        sample_pixel = self.pixel * pitch / _SAMPLES_PER_NODE
+        sampled = psf(self._emission(depth), samples, sample_pixel, integrate=False, tol=_TOL)
         at = np.asarray((np.arange(samples) - samples // 2) * spacing, np.float64)
         values = sampled.values * (1.0 - taper(self.window[1], pitch, at)) * (_SAMPLES_PER_NODE / pitch) ** 2
         means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))

@@ -155,7 +155,7 @@ def test_where_rounding_is_too_much_the_reference_answers(monkeypatch):
     pupil = planes(2)
     monkeypatch.setattr(stratified, "layered_images", lambda *_, **__: None)
     assert not asked_of_the_engine(pupil, Grid(9, PIXEL), 1e-6)
-    monkeypatch.setattr(stratified, "_settled", lambda *_: None)
+    monkeypatch.setattr(stratified, "_refined", lambda *_: None)
     alone = lm.psf(pupil, 9, PIXEL, method=lm.Stratified(), integrate=False, dtype=np.float64).values
     assert np.array_equal(
         alone, lm.psf(pupil, 9, PIXEL, method=lm.DebyeWolf(), integrate=False, dtype=np.float64).values
@@ -189,7 +189,7 @@ def test_like_stacks_share_their_angles():
 def test_angles_are_found_for_all_planes():
     depth, z = RNG.uniform(0.0, 80e-6, 30), RNG.uniform(-1e-6, 1e-6, 30)
     pupil = OIL.pupil(depth=depth, z=z, wavelength=WAVE, origin="paraxial")
-    layers, _, depths, foci, *_ = stratified._question(pupil, 20.0, 1e-6)
+    layers, _, depths, foci, *_ = stratified._angles_key(pupil, 20.0, 1e-6)
     at, focus = stratified._corners(layers, depths, foci)
     share = (depth - at[0]) / (at[2] - at[0])
     low, high = ((1.0 - share) * focus[k] + share * focus[2 + k] for k in (0, 1))
@@ -205,11 +205,11 @@ def test_profiles_far_from_the_peak_are_exact_to_what_is_there():
 
 def test_ranges_are_widened_little():
     for values in (RNG.uniform(-1, 1, 5), np.array([3e-6]), np.array([0.0, 1e-6])):
-        low, high = stratified._outwards(values)
+        low, high = stratified._rounded_range(values)
         assert low <= values.min() <= values.max() <= high
         assert high - low <= 1.25 * (values.max() - values.min()) + 2e-7
     for reach in (0.0, 0.3, 20.0, 317.0):
-        assert reach <= stratified._above(reach) <= 1.126 * max(reach, 1.0)
+        assert reach <= stratified._rounded_up(reach) <= 1.126 * max(reach, 1.0)
 
 
 def test_threads_do_not_change_values():

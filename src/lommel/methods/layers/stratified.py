@@ -1,7 +1,7 @@
-r"""Stacks through the layers of a microscope, interpolated with a proven error bound: the default.
+r"""Stacks through the layers of a microscope by matrix products, with a proven error bound: the default method.
 
-All planes share their angles and radii, so that their fields are products of matrices; tables that depend only on
-the objective and the pixels are cached. The proof is in docs/certificate.md, section 15.
+All planes share the angles of integration and the radii, so that their fields are matrix products. Tables that depend
+only on the objective and the pixels are cached. The error bound is derived in docs/certificate.md, section 15.
 """
 
 from __future__ import annotations
@@ -25,24 +25,25 @@ from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layers
 
-# Shares of the tolerance: fields over the root of the peak, and interpolation between radii over the peak.
-_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
-_LEAST = 2.0**-52
-_TURNS = 2  # highest order of the azimuth that the core supports
+# Fractions of the tolerance: for fields, over the root of the peak; for interpolation between radii, over the peak.
+_FIELD_SHARE, _INTERPOLATION_SHARE = 1.0 / 32.0, 1.0 / 8.0
+_LEAST = 2.0**-52  # smallest error that is requested, a rounding error
+_MAX_ORDER = 2  # highest azimuthal order that the core supports
 
 T = TypeVar("T")
-_Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
+# Key of the cached angles: layers, model of the emitter, ranges of depths and of foci, largest v, error of fields.
+_AnglesKey = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
 
 
 @dataclass(frozen=True)
 class Stratified(DebyeWolf):
     r"""Certified stacks through plane layers by matrix products: the default for an :class:`lommel.Objective`.
 
-    Supports what :class:`lommel.DebyeWolf` does, with the same contract. Fields are summed over angles whose
-    number is proven to suffice, at few radii; between these the intensity, which is of exponential type 2 in v, is
-    interpolated with a proven error. For light that depends on the azimuth, samples are computed around any axis, and
-    pixel integrals from them. Windows off the axis that reach beyond v = 110, and tolerances near the limit of
-    rounding, are computed as by `DebyeWolf`.
+    Supports the same pupils as :class:`lommel.DebyeWolf`, with the same error bound. Fields at few radii are sums
+    over angles, whose number follows from a proven error bound. Between these radii the intensity, which is of
+    exponential type 2 in v, is interpolated with a proven error. For images that depend on the azimuth, samples are
+    computed around any axis, and pixel integrals from samples. Windows off the axis that extend beyond v = 110, and
+    tolerances near rounding, are computed by the method of `DebyeWolf`.
 
     Parameters
     ----------
@@ -56,8 +57,8 @@ class Stratified(DebyeWolf):
 
     Notes
     -----
-    Angles and Bessel functions are kept for stacks of the same objective, wavelength, emitter and pixels, with depths
-    and foci in about the same range.
+    Angles and Bessel functions are cached for stacks of the same objective, wavelength, emitter and pixels, with
+    depths and foci in about the same range.
 
     References
     ----------
@@ -66,23 +67,24 @@ class Stratified(DebyeWolf):
     """
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
-        """Return I at rising v; its bound is checked against the peak that was found."""
-        made = profiles(pupil, v, self.tol) if v.size else None
-        if made is None:
+        """Return I at ascending v, with errors relative to the computed peak."""
+        result = profiles(pupil, v, self.tol) if v.size else None
+        if result is None:
             return super().profile(pupil, v)
-        values, off = made
-        peak = values[:, 0].max(axis=1) - off
-        return Intensities(values[:, 0], off / peak, peak)
+        values, error = result
+        least_peak = values[:, 0].max(axis=1) - error
+        return Intensities(values[:, 0], error / least_peak, least_peak)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         plain = not (wanted.terms or wanted.powers) and (pupil.radial or not grid.integrate)
-        made = differentiated(pupil, grid, (), self.tol, wanted) if plain else None
-        return super().images(pupil, grid, wanted) if made is None else made
+        images = differentiated(pupil, grid, (), self.tol, wanted) if plain else None
+        return super().images(pupil, grid, wanted) if images is None else images
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = differentiated(pupil, grid, (), tol, wanted)
-        return super()._samples(pupil, grid, tol, wanted) if made is None else made
+        """Return point samples at the centres of the pixels of `grid`, to `tol` of the peak."""
+        images = differentiated(pupil, grid, (), tol, wanted)
+        return super()._samples(pupil, grid, tol, wanted) if images is None else images
 
 
 class By(NamedTuple):
@@ -94,43 +96,50 @@ class By(NamedTuple):
 
 
 class _Accuracy(NamedTuple):
-    """Errors of fields and of interpolation (in I)."""
+    """Requested errors of fields, and of the interpolation of I between radii."""
 
     field: float
-    between: float
+    interpolation: float
 
 
-def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
-    """Return the first result with a bound of at most `tol`; None if there is none or an attempt returns none."""
+def _refined(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
+    """Refine until the relative error bound is at most `tol`; None if it cannot be, or if an attempt returns None.
+
+    `attempt` returns a result and the largest error bound over the peak.
+    """
     peak = likely_peak(pupil)
     while True:
-        # Powers of two, so that angles and tables are shared by similar tolerances.
-        field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD * tol * math.sqrt(peak))))
-        made, worst = attempt(_Accuracy(field, max(_LEAST, 2.0 ** math.floor(math.log2(_BETWEEN * tol * peak)))))
-        if made is None or worst <= tol:
-            return made
+        # Powers of two, so that similar tolerances share angles and tables.
+        field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD_SHARE * tol * math.sqrt(peak))))
+        interpolation = max(_LEAST, 2.0 ** math.floor(math.log2(_INTERPOLATION_SHARE * tol * peak)))
+        result, worst = attempt(_Accuracy(field, interpolation))
+        if result is None or worst <= tol:
+            return result
         if field <= _LEAST:
             return None
-        # The next estimate of the peak, at most a quarter of the previous one.
+        # The bound was too large because the peak was estimated too high.
         peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
 
 
 def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array] | None:
-    """Return orders of the azimuth of I at rising v, and the error of their sum, proven to be `tol` of the peak."""
+    """Return the azimuthal orders of I (n, orders, radii) at ascending v, and the error bound of their sum (n,).
+
+    The bound is at most `tol` of the peak; None if the core does not support the emitter or the tolerance.
+    """
 
     def attempt(accuracy: _Accuracy) -> tuple[tuple[Array, Array], float]:
-        values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
-        peak = values[:, 0].max(axis=1) - off
-        relative = np.divide(off, peak, out=np.full(peak.shape, np.inf), where=peak > 0.0)
-        return (values, off), float(relative.max())
+        values, error = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
+        least_peak = values[:, 0].max(axis=1) - error
+        relative = np.divide(error, least_peak, out=np.full(least_peak.shape, np.inf), where=least_peak > 0.0)
+        return (values, error), float(relative.max())
 
-    return _settled(attempt, pupil, tol) if pupil.light.model.orders[0] == 0 else None
+    return _refined(attempt, pupil, tol) if pupil.light.model.orders[0] == 0 else None
 
 
 def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted) -> Images | None:
-    """Return images accurate to `tol`, and their derivatives.
+    """Return images with errors of at most `tol` of the peak, and their derivatives `by`.
 
-    None if the engine does not support such windows or this accuracy; see :func:`lommel.core.engine.layered_images`.
+    None if the engine does not support the window or the tolerance; see :func:`lommel.core.engine.layered_images`.
     """
     if not known(pupil.light):
         return None
@@ -138,72 +147,76 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
     def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
-        # Averages sum over more values of fields than samples do.
+        # Pixel averages are sums over more values of fields than samples are.
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None
         if by:
-            errors, turned = _slopes(_question(pupil, reach, field))
-            each = np.array([(one.which, one.factor) for one in by])
-            own = np.stack([np.broadcast_to(one.own, pupil.power.shape) for one in by])
-            slopes = LayeredSlopes(each, own, errors, *turned)
-        asked = layered(pupil, reach, field)
-        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate, slopes=slopes)
-        return made, 0.0 if made is None else float(made.bound.max())
+            errors, turning = _slopes(_angles_key(pupil, reach, field))
+            pairs = np.array([(derivative.which, derivative.factor) for derivative in by])
+            own = np.stack([np.broadcast_to(derivative.own, pupil.power.shape) for derivative in by])
+            slopes = LayeredSlopes(pairs, own, errors, *turning)
+        stack = layered(pupil, reach, field)
+        images = layered_images(
+            stack, window, accuracy.interpolation, wanted, integrate=grid.integrate, slopes=slopes
+        )
+        return images, 0.0 if images is None else float(images.bound.max())
 
-    return _settled(attempt, pupil, tol)
+    return _refined(attempt, pupil, tol)
 
 
 def known(light: Light) -> bool:
-    """Return whether the core supports such light: no vortices, and orders of the azimuth up to 2."""
-    return light.model.orders[0] == 0 and max(h.order for h in light.harmonics) <= _TURNS
+    """Return whether the core supports the light of an emitter: no vortices, and azimuthal orders up to 2."""
+    return light.model.orders[0] == 0 and max(h.order for h in light.harmonics) <= _MAX_ORDER
 
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
-    """Return a flattened stack in the layout of the core, with fields accurate to `tol` up to `reach` in v."""
-    # One rule serves all planes between two depths and two foci: certificate, section 15.
-    found, parts, rates = _angles(_question(pupil, reach, tol))
+    """Return a flattened stack in the layout of the core, with errors of fields below `tol` for v up to `reach`."""
+    # One quadrature rule serves all planes in a range of depths and foci: certificate, section 15.
+    rule, parts, rates = _angles(_angles_key(pupil, reach, tol))
     planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
     harmonics = pupil.light.harmonics
     turns = np.array([[h.order, h.cosine, h.sine] for h in harmonics], dtype=np.float64)
-    return Layered(found.rho, parts, rates, found.error, planes, np.stack([h.form for h in harmonics]), turns)
+    return Layered(rule.rho, parts, rates, rule.error, planes, np.stack([h.form for h in harmonics]), turns)
 
 
-def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
-    """Return the key of a rule for angles: a range of depths, and of foci counted from the paraxial ones."""
+def _angles_key(pupil: ObjectivePupil, reach: float, tol: float) -> _AnglesKey:
+    """Return the key of the cached angles, with ranges of depths and of foci less the paraxial focus."""
     depth, layers = pupil.depth.ravel(), pupil.layers
-    # The parallelogram of section 15: the focus less that of paraxial rays.
-    away = pupil.focus.ravel() - layers.immersion / layers.sample * depth
-    return layers, pupil.light.model, _outwards(depth), _outwards(away), _above(reach), tol
+    # The parallelogram of section 15: focus less paraxial focus.
+    defocus = pupil.focus.ravel() - layers.immersion / layers.sample * depth
+    return layers, pupil.light.model, _rounded_range(depth), _rounded_range(defocus), _rounded_up(reach), tol
 
 
-def _outwards(values: Array) -> tuple[float, float]:
-    """Return a range around values that others like them have too: multiples of an eighth of their width or less."""
+def _rounded_range(values: Array) -> tuple[float, float]:
+    """Return a range that contains values, rounded outward to at most an eighth of its width, for cache hits."""
     low, high = float(values.min()), float(values.max())
     unit = 2.0 ** math.floor(math.log2(max(high - low, 4e-7) / 8.0))
     return unit * math.floor(low / unit), unit * math.ceil(high / unit)
 
 
-def _above(reach: float) -> float:
-    """Return a reach that others like it have too, at most an eighth larger."""
+def _rounded_up(reach: float) -> float:
+    """Return a reach rounded up by at most an eighth, for cache hits."""
     unit = 2.0 ** math.floor(math.log2(max(reach, 1.0) / 8.0))
     return unit * math.ceil(reach / unit)
 
 
 def _corners(layers: Layers, depths: tuple[float, float], foci: tuple[float, float]) -> tuple[Array, Array]:
+    """Return depth and focus at the four corners of the parallelogram of section 15."""
     depth = np.repeat(np.maximum(depths, 0.0), 2)
     return depth, layers.immersion / layers.sample * depth + np.tile(foci, 2)
 
 
 @lru_cache(maxsize=32)
-def _angles(asked: _Question) -> tuple[Rule, Complex, Complex]:
-    layers, model, depths, foci, reach, tol = asked
-    found = debye.rule(layers, model, *_corners(layers, depths, foci), reach, tol)
-    return found, np.stack(found.parts), np.stack(found.rates)
+def _angles(key: _AnglesKey) -> tuple[Rule, Complex, Complex]:
+    """Return the quadrature rule over angles, and its parts and rates as arrays."""
+    layers, model, depths, foci, reach, tol = key
+    rule = debye.rule(layers, model, *_corners(layers, depths, foci), reach, tol)
+    return rule, np.stack(rule.parts), np.stack(rule.rates)
 
 
 @lru_cache(maxsize=32)
-def _slopes(asked: _Question) -> tuple[Array, Turning]:
-    """Return what derivatives of fields err by with these angles, and what these change by with the wavenumber."""
-    (layers, model, depths, foci, reach, tol), (found, _, _) = asked, _angles(asked)
-    errors = debye.slope_errors(found, layers, model, *_corners(layers, depths, foci), reach, tol)
-    return np.array(errors), debye.turning(found, layers, model)
+def _slopes(key: _AnglesKey) -> tuple[Array, Turning]:
+    """Return the errors of derivatives of fields by these angles, and factors of the derivatives by ln k."""
+    (layers, model, depths, foci, reach, tol), (rule, _, _) = key, _angles(key)
+    errors = debye.slope_errors(rule, layers, model, *_corners(layers, depths, foci), reach, tol)
+    return np.array(errors), debye.turning(rule, layers, model)

@@ -1,4 +1,4 @@
-"""Spectra and the channels of a sensor: weighted sums over wavelengths."""
+"""Spectra, and colour channels of a sensor, as weighted sums over wavelengths."""
 
 from __future__ import annotations
 
@@ -19,16 +19,17 @@ from lommel.special.legendre import gauss_legendre
 
 
 class Component(NamedTuple):
-    """One of the fields whose intensities add up incoherently.
+    """One wavelength of an incoherent sum of intensities.
 
     Attributes
     ----------
     share : float
         Fraction of the light.
     stretch : float
-        Reference wavelength divided by that of this field: the factor from v of the reference to v of this field, so
-        that the image of a shorter wavelength is smaller.
+        Reference wavelength over the wavelength of this component. Multiplied by `stretch`, v of the reference
+        becomes v of this component: the image at a shorter wavelength is smaller.
     pupil : Pupil
+        Pupil at the wavelength of this component.
     """
 
     share: float
@@ -37,7 +38,7 @@ class Component(NamedTuple):
 
     @property
     def weight(self) -> float:
-        """Unaberrated peak over that of the reference."""
+        """Unaberrated peak of this component over that of all light at the reference wavelength."""
         return self.share * self.stretch**2
 
 
@@ -50,12 +51,13 @@ class Spectrum:
     wavelengths : sequence of float
         Metres.
     weights : sequence of float, optional
-        Share of the light at each wavelength, >= 0; made to sum to 1. By default all are equal.
+        Share of the light at each wavelength, >= 0; normalised to sum 1. By default all are equal.
 
     Raises
     ------
     TypeError, ValueError
-        If there is no valid wavelength, or the weights are not one for each, negative or all 0.
+        If there is no wavelength or one is invalid; if the number of weights is not that of the wavelengths; or if a
+        weight is negative or all are 0.
     """
 
     wavelengths: tuple[float, ...]
@@ -69,11 +71,11 @@ class Spectrum:
                 f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
                 f"got {validation.shown(weights)}"
             )
-        shares = shares / shares.max()  # whose sum cannot overflow
+        shares = shares / shares.max()  # so that their sum does not overflow
         vars(self).update(wavelengths=waves, weights=tuple((shares / shares.sum()).tolist()))
 
     def components(self, pupil: BasePupil) -> list[Component]:
-        """Return the weighted pupil at each wavelength; ValueError if `pupil`, the reference, has no wavelength."""
+        """Return the component for each wavelength; ValueError if `pupil`, at the reference wavelength, has none."""
         if pupil.wavelength is None:
             raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
         return [
@@ -84,59 +86,66 @@ class Spectrum:
 
 def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
     """Return wavelengths in metres; TypeError or ValueError if one is out of range or there are none."""
-    given = np.atleast_1d(validation.array("wavelengths", wavelengths))
-    if given.ndim > 1:
-        raise ValueError(f"wavelengths must be a number or a sequence of them, got shape {given.shape}")
-    if not given.size:
+    waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
+    if waves.ndim > 1:
+        raise ValueError(f"wavelengths must be a number or a sequence of them, got shape {waves.shape}")
+    if not waves.size:
         raise ValueError("wavelengths must not be empty")
-    return tuple(validation.wavelength(w) for w in given)
+    return tuple(validation.wavelength(w) for w in waves)
 
 
-# The intensity at a point of the sensor is a sum of ``exp(2 pi i L / lambda) / lambda^2`` over pairs of points of the
-# pupil, times factors without the wavelength; L is the difference of the optical paths from the pair to the point. So
-# a sum over wavelengths in place of the integral over a spectrum q is in error, relative to the unaberrated peak, by
-# no more than the largest of
+# Error of replacing the integral over a spectrum by a sum over few wavelengths. The intensity at a point of the
+# sensor is a sum over pairs of points of the pupil: of ``exp(2 pi i L / lambda) / lambda^2`` times factors that do
+# not depend on the wavelength, where L is the difference of the optical paths from the two points to the sensor.
+# Relative to the unaberrated peak the error is therefore at most the largest of
 #
 # ``E(L) = | sum_k u_k exp(2 pi i L s_k) - int q(s) exp(2 pi i L s) ds |``,  s = 1 / lambda,
 #
-# over all paths that occur, where u and q hold the factor 1 / lambda^2 and q has the integral 1. The s_k are Gauss
-# nodes all over the spectrum; the u_k >= 0 are those of least squares over L.
+# over all path differences L that occur. Here q is the spectrum times 1 / lambda^2, with integral 1, and u_k are the
+# weights of the wavelengths including the same factor. The s_k are Gauss nodes over the spectrum, and the u_k >= 0
+# are fitted by least squares over L.
 
-_MOST = 256  # wavelengths
-_AT_ONCE = 2**20  # waves
-_SLACK = 0.1  # of the tolerance: how much |E| may rise between the paths at which it is computed
+_MAX_WAVELENGTHS = 256
+_MAX_BLOCK = 2**20  # largest number of complex values computed in one call
+_SLACK = (
+    0.1  # fraction of the tolerance: bound on the increase of |E| between the values of L at which it is computed
+)
 
 
 def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
     """Return few wavelengths, weights of each channel that sum to 1, and a bound on the PSF error they cause.
 
-    `paths` is the largest optical path difference in the pupil, metres. ValueError beyond 256 wavelengths.
+    `wavelengths` (n,) and `curves` (channels, n) are measured responses, and `paths` is the largest optical path
+    difference in the pupil, metres. ValueError beyond 256 wavelengths.
     """
-    # Curves are linear between their wavelengths, so light reaches to the first dark wavelength on either side.
+    # Curves are linear between their wavelengths: light extends to the first dark wavelength on either side.
     lit = np.flatnonzero(curves.any(axis=0))
     first, last = max(lit[0] - 1, 0), min(lit[-1] + 1, wavelengths.size - 1)
     low, high = 1.0 / wavelengths[last], 1.0 / wavelengths[first]
     phase = math.pi * (high - low) * paths  # half the range of 2 pi L / lambda over the spectrum
     count = max(1, int(0.5 * phase / math.pi))
-    if 0.5 * count > _MOST:
+    if 0.5 * count > _MAX_WAVELENGTHS:
         raise _too_many(paths, tol)
-    at, light = _dense(wavelengths, curves, paths)
+    dense, light = _dense(wavelengths, curves, paths)
     path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
-    # E is a mean of waves whose phases change by up to phase / (path.size - 1) = Bh between two paths at which it is
-    # computed, and at most 2 (plus its error at L = 0, which is below tol): linear interpolation between them errs by
-    # (Bh)^2 / 8 times that (Bernstein's inequality for the second derivative).
+    # E is a mean of waves and at most 2 (plus its error at L = 0, which is below tol). Their phases change by up to
+    # phase / (path.size - 1) = Bh between two values of L at which E is computed. By Bernstein's inequality for the
+    # second derivative, E between these exceeds the larger of both by at most (Bh)^2 / 8 times that.
     slack = (1.0 + tol) * (0.5 * phase / (path.size - 1)) ** 2
     middle = 0.5 * (low + high)
-    bright = light / at**2
-    bright /= bright.sum(axis=1, keepdims=True)
-    blocks = np.array_split(path, math.ceil(path.size * at.size / _AT_ONCE))
-    exact = np.concatenate([bright @ _waves(at, block, middle).T for block in blocks], axis=1)
-    while count <= _MOST:
+    spectrum = light / dense**2  # q, times the weights of the quadrature
+    spectrum /= spectrum.sum(axis=1, keepdims=True)
+    blocks = np.array_split(path, math.ceil(path.size * dense.size / _MAX_BLOCK))
+    exact = np.concatenate([spectrum @ _waves(dense, block, middle).T for block in blocks], axis=1)
+    mean_squares = spectrum @ dense**2  # of the wavelength
+    while count <= _MAX_WAVELENGTHS:
         nodes = 1.0 / (low + (high - low) * gauss_legendre(count, 0.0, 1.0)[0][::-1])
         waves = _waves(nodes, path, middle)
-        weights = np.stack([_fitted(waves, one, nodes, row @ at**2) for one, row in zip(exact, bright, strict=True)])
-        bright_nodes = weights / nodes**2 * (bright @ at**2)[:, None]
-        error = float(np.abs(bright_nodes @ waves.T - exact).max()) + slack
+        weights = np.stack(
+            [_fitted_weights(waves, row, nodes, q @ dense**2) for row, q in zip(exact, spectrum, strict=True)]
+        )
+        u = weights / nodes**2 * mean_squares[:, None]
+        error = float(np.abs(u @ waves.T - exact).max()) + slack
         if error <= tol:
             used = np.flatnonzero(weights.any(axis=0))
             return nodes[used], weights[:, used], error
@@ -146,13 +155,16 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
 
 def _too_many(paths: float, tol: float) -> ValueError:
     return ValueError(
-        f"tol={tol:g} takes more than {_MOST} wavelengths where paths differ by up to {paths:g} m; give a "
+        f"tol={tol:g} takes more than {_MAX_WAVELENGTHS} wavelengths where paths differ by up to {paths:g} m; give a "
         "larger tol or smaller paths"
     )
 
 
 def _dense(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Array]:
-    """Return the nodes of a quadrature over the curves, to about 1e-10, and light times weight at each node."""
+    """Return the nodes (m,) of a quadrature over the spectrum, exact to about 1e-10, and light times weight there.
+
+    The latter has the shape (channels, m).
+    """
     nodes, weights = gauss_legendre(4, 0.0, 1.0)
     ends = [wavelengths[:1]]
     for a, b in pairwise(wavelengths):
@@ -160,9 +172,9 @@ def _dense(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Arra
         ends.append(a + (b - a) * np.arange(1, pieces + 1) / pieces)
     edges = np.concatenate(ends)
     step = np.diff(edges)
-    at = (edges[:-1, None] + step[:, None] * nodes).ravel()
-    light = np.stack([np.interp(at, wavelengths, curve) for curve in curves])
-    return at, light * (step[:, None] * weights).ravel()
+    dense = (edges[:-1, None] + step[:, None] * nodes).ravel()
+    light = np.stack([np.interp(dense, wavelengths, curve) for curve in curves])
+    return dense, light * (step[:, None] * weights).ravel()
 
 
 def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
@@ -170,24 +182,29 @@ def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
     return np.asarray(np.exp(2j * math.pi * np.outer(path, 1.0 / wavelengths - middle)))
 
 
-def _fitted(waves: Array, exact: Array, nodes: Array, mean_square: float) -> Array:
-    """Return the nonnegative least-squares weights of the nodes, of sum 1, for E over the paths."""
+def _fitted_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -> Array:
+    """Return the weights of the nodes that minimise E over the paths by nonnegative least squares, of sum 1.
+
+    `exact` (paths,) are the integrals in E, and `mean_square` is the mean squared wavelength of the spectrum q.
+    """
     from scipy.optimize import nnls
 
-    # Least squares need some rows for each unknown; `few` computes the bound at all paths.
-    thin = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
-    goal = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
-    scale = mean_square / nodes**2  # u_k over the weight of a node; mean_square: of the wavelength
-    rows = np.concatenate([thin.real * scale, thin.imag * scale, math.sqrt(len(thin)) * np.ones((1, nodes.size))])
+    # A few paths for each unknown suffice for the fit; `few` computes the error at all of them.
+    sampled = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
+    target = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
+    scale = mean_square / nodes**2  # u_k over the weight of a node
+    # One more row: the sum of the weights is 1.
+    sum_row = math.sqrt(len(sampled)) * np.ones((1, nodes.size))
+    rows = np.concatenate([sampled.real * scale, sampled.imag * scale, sum_row])
     try:
-        found = np.asarray(nnls(rows, np.concatenate([goal.real, goal.imag, [math.sqrt(len(thin))]]))[0])
-    except RuntimeError as error:  # of iterations without end
+        weights = np.asarray(nnls(rows, np.concatenate([target.real, target.imag, [math.sqrt(len(sampled))]]))[0])
+    except RuntimeError as error:  # too many iterations
         raise ValueError(f"the weights of {nodes.size} wavelengths are not found: {error}") from None
-    return np.asarray(found / found.sum())
+    return np.asarray(weights / weights.sum())
 
 
 def checked_paths(paths: float, tol: float) -> tuple[float, float]:
-    """Return both in range; TypeError or ValueError otherwise."""
+    """Return the arguments `paths` and `tol` if both are in range; TypeError or ValueError otherwise."""
     return (
         validation.real("paths", paths, above=0.0, below=1e-2, unit="metres"),
         validation.real("tol", tol, least=1e-6, below=0.5),
@@ -195,7 +212,7 @@ def checked_paths(paths: float, tol: float) -> tuple[float, float]:
 
 
 RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
-"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
+"""Default wavelengths (metres) of the channels of a colour image."""
 
 _RGB = ("red", "green", "blue")
 
@@ -223,7 +240,7 @@ class Channels:
         Total response of each channel relative to the largest.
     error : float
         Bound on the PSF error due to sampling measured curves at these wavelengths, relative to the unaberrated peak;
-        0 if not made by :meth:`from_curves`.
+        0 for channels that are not from :meth:`from_curves`.
     paths : float or None
         Largest optical path difference in the pupil for which `error` holds, metres; else None.
 
@@ -256,11 +273,11 @@ class Channels:
                 f"weights must be of shape (channels, {len(waves)}), one for each of the wavelengths, with light in "
                 f"every channel, got {validation.shown(weights)}"
             )
-        rows = rows / rows.max()  # whose sums cannot overflow
+        rows = rows / rows.max()  # so that their sums do not overflow
         if names is None:
             names = _RGB if len(rows) == 3 else [str(k) for k in range(1, len(rows) + 1)]
-        listed = isinstance(names, Sequence) and not isinstance(names, str)
-        if not listed or not all(isinstance(name, str) and name for name in names):
+        is_list = isinstance(names, Sequence) and not isinstance(names, str)
+        if not is_list or not all(isinstance(name, str) and name for name in names):
             raise TypeError(f"names must be texts, one for each channel, got {validation.shown(names)}")
         if len(set(names)) != len(rows) or len(names) != len(rows):
             raise ValueError(f"names must be {len(rows)} that differ, got {validation.shown(names)}")
@@ -298,7 +315,7 @@ class Channels:
     def bands(
         cls, centers: Sequence[float], width: float, *, names: Sequence[str] | None = None, count: int = 5
     ) -> Channels:
-        """Return channels with a uniform response over a band each.
+        """Return channels that each have a uniform response over a band of wavelengths.
 
         Parameters
         ----------
@@ -331,9 +348,9 @@ class Channels:
     def of_wavelengths(cls, wavelengths: ArrayLike) -> Channels:
         """Return a channel for each of `wavelengths` (metres), named ``"550 nm"``; TypeError or ValueError."""
         waves = checked_wavelengths(wavelengths)
-        # The fewest digits that tell the wavelengths apart.
-        spelled = ([format_length(w, digits=n) for w in waves] for n in range(4, 18))
-        names = next((each for each in spelled if len({*each}) == len(waves)), [repr(w) for w in waves])
+        # The smallest number of digits for which all names differ.
+        candidates = ([format_length(w, digits=n) for w in waves] for n in range(4, 18))
+        names = next((texts for texts in candidates if len({*texts}) == len(waves)), [repr(w) for w in waves])
         return cls(waves, np.eye(len(waves)), names)
 
     @classmethod
@@ -351,20 +368,20 @@ class Channels:
         Parameters
         ----------
         wavelengths : array_like, shape (n,)
-            Metres, rising, at least two.
+            Metres, ascending, at least two.
         curves : array_like, shape (channels, n)
             Response of each channel, >= 0: quantum efficiency times filter times light, interpolated linearly.
         names : sequence of str, optional
         tol : float, default 1e-3
             Bound on the PSF error of the spectral sampling, relative to the unaberrated peak, 1e-6 to 0.5.
         paths : float, default 5e-6
-            Largest optical path difference in the pupil for which that holds, metres: ``lambda C_d / pi`` of defocus,
-            ``r / N`` at the distance r from the axis of the sensor.
+            Largest optical path difference in the pupil for which the bound holds, metres. Defocus causes
+            ``lambda C_d / pi``, and the distance r from the axis on the sensor ``r / N``.
 
         Returns
         -------
         Channels
-            With the bound as ``error``.
+            Channels with the bound as their ``error``.
 
         Raises
         ------
@@ -381,9 +398,9 @@ class Channels:
                 f"got {validation.shown(curves)}"
             )
         nodes, weights, error = few(waves, light / light.max(), *checked_paths(paths, tol))
-        made = cls(tuple(nodes.tolist()), weights * np.trapezoid(light, waves, axis=1).reshape(-1, 1), names)
-        vars(made).update(error=error, paths=float(paths))
-        return made
+        channels = cls(tuple(nodes.tolist()), weights * np.trapezoid(light, waves, axis=1).reshape(-1, 1), names)
+        vars(channels).update(error=error, paths=float(paths))
+        return channels
 
     def __len__(self) -> int:
         """Return the number of channels."""
@@ -391,7 +408,7 @@ class Channels:
 
     @property
     def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
-        """Pairs of wavelength and nonzero weight for each channel, as the argument `wavelengths` of photographs."""
+        """Pairs of wavelength and nonzero weight for each channel, as in the option `wavelengths` of photographs."""
         return tuple(
             tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
             for row in self.weights
@@ -402,7 +419,7 @@ class Channels:
         return iter(zip(self.names, self.spectra, strict=True))
 
     def to_dict(self) -> Json:
-        """Return everything in plain types."""
+        """Return the attributes in plain types; :meth:`from_dict` is the inverse."""
         return asdict(self)
 
     @classmethod
@@ -411,16 +428,16 @@ class Channels:
         parts = dict(description)
         light = validation.real_array("light", parts["light"], least=0.0)
         rows = validation.real_array("weights", parts["weights"]) * light[:, None]
-        made = cls(parts["wavelengths"], rows, parts["names"])
+        channels = cls(parts["wavelengths"], rows, parts["names"])
         paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
-        # Not divided again by sums that are 1 but for rounding.
+        # The stored weights, since a second normalisation would change their last digits.
         weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
-        vars(made).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
-        return made
+        vars(channels).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
+        return channels
 
 
 def checked(channels: object) -> Channels:
-    """Return channels, or one for each of some wavelengths; TypeError or ValueError if it is neither."""
+    """Return `channels`, converted from a sequence of wavelengths if necessary; TypeError or ValueError otherwise."""
     if isinstance(channels, Channels):
         return channels
     if isinstance(channels, Sequence | np.ndarray) and not isinstance(channels, str):

@@ -1,4 +1,7 @@
-"""The search for stacks of beads: Fisher scoring with the light of each plane eliminated, starts, beads left out."""
+"""Maximum-likelihood search for stacks of beads: Fisher scoring, starts, and beads that are left out.
+
+Flux and background of each plane are eliminated: for given other parameters they have closed-form estimates.
+"""
 
 from __future__ import annotations
 
@@ -20,34 +23,43 @@ from lommel.fit.scoring import Policy, Report, Rows, Scores, damped_steps, fishe
 
 OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
-_FAR = 1.0  # radians rms: largest change of the wavefront in a step
-_ALIKE = 1.0  # of log-likelihood: starts that end this close have found the same minimum
-_LEFT = 1.5  # times the median chi2: beads above it are left out
-ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)  # metres of the stage: foci that starts are shifted by
-_REACH = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
+_MAX_WAVE_STEP = 1.0  # radians rms: largest change of the wavefront in a step
+_SAME_MAXIMUM = 1.0  # difference of log-likelihood below which two starts have found the same maximum
+_MAX_CHI2_RATIO = 1.5  # beads with a larger chi2 over the median of all beads are left out
+ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)
+"""Shifts of the focus, metres of the stage, of successive starts."""
+# Largest changes in a step: metres, and pixels of rows and columns.
+_MAX_STEPS = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "drift_column": 1.0, "depth": 0.3e-6}
 
 
 def lowest(setup: Setup) -> float:
-    """Return the least depth of a bead on the glass, within the uncertainty of its size and of the glass."""
+    """Return the smallest allowed depth (m) of a bead, half of that of a bead that touches the glass.
+
+    The margin is for the uncertainties of the bead's diameter and of the position of the glass.
+    """
     return 0.25 * setup.diameter
 
 
 class Prior(NamedTuple):
-    """Prior knowledge of a constant: its value and standard error, inf if unknown."""
+    """Normal prior of a constant: value and standard error, inf if unknown."""
 
     value: float
     error: float
 
     def pull(self, at: float) -> tuple[float, float, float]:
-        """Return the deviance, the slope towards the value, and the information, of a normal prior."""
+        """Return the deviance of the prior at a value, minus its slope, and its information."""
         square = 1.0 / self.error**2
-        away = self.value - at
-        return 0.5 * away * away * square, away * square, square
+        difference = self.value - at
+        return 0.5 * difference * difference * square, difference * square, square
 
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """A set of parameters: waves (radians rms), constants in a setup, place and light of each bead."""
+    """A set of parameters of a model.
+
+    `waves` are the coefficients of the wavefront (radians rms), `setup` has the constants of the microscope, `places`
+    and `light` are the position of each bead, and flux and background of its planes.
+    """
 
     setup: Setup
     waves: Array
@@ -57,9 +69,10 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class Evaluated:
-    """A state with its images, what stacks and priors say there, and how a search came to it.
+    """A state with its images and scores, and the course of the search that led to it.
 
-    `scores`, arrays of one, are of the shared parameters, then of those of each bead; the deviance is with priors.
+    `values` are the PSFs of each stack and `parts` its contributions to the scores. In `scores`, for a single set of
+    parameters, those that all beads share come first, then those of each bead; priors are included.
     """
 
     state: State
@@ -71,7 +84,7 @@ class Evaluated:
 
     @property
     def log_posterior(self) -> float:
-        """Logarithm of the likelihood and of the priors."""
+        """Logarithm of the likelihood times the priors."""
         return -float(self.scores.deviance[0])
 
     @property
@@ -82,33 +95,36 @@ class Evaluated:
 
 @dataclass(eq=False)
 class BeadModel:
-    """Several stacks of beads as functions of shared and own parameters, for `fisher_scoring`."""
+    """A model of several stacks of beads with shared parameters and parameters of each bead, for `fisher_scoring`.
+
+    `names` are the shared parameters (terms of the wavefront and constants with a prior), `own` those of each bead.
+    """
 
     images: BeadImages
     stacks: tuple[Stack, ...]
     priors: dict[str, Prior]
     depths: tuple[Prior, ...]
-    drifts: bool
+    drifts: bool  # estimate lateral drift
     own: tuple[str, ...] = field(init=False)
     names: tuple[object, ...] = field(init=False)
-    size: int = field(init=False)
-    tested: int = field(init=False)
-    alternatives, rms = False, None  # as of a `Problem`: one set of parameters, and steps that do not stretch
+    size: int = field(init=False)  # number of parameters
+    tested: int = field(init=False)  # degrees of freedom
+    alternatives, rms = False, None  # see `scoring.Problem`: one set of parameters, and steps are not lengthened
 
     def __post_init__(self) -> None:
         depth = ("depth",) if self.depths[0].error > 0.0 else ()
         self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)
-        # Degrees of freedom: two for the light of each plane.
+        # Flux and background of each plane are parameters, too.
         self.tested = sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
 
     def alone(self, k: int) -> BeadModel:
-        """Return the model of one bead, with fixed constants and depth."""
+        """Return the model of a single bead, with constants and depth fixed."""
         return replace(self, stacks=self.stacks[k : k + 1], priors={}, depths=(Prior(self.depths[k].value, 0.0),))
 
     def having(self, kept: Sequence[int]) -> BeadModel:
-        """Return the model of some of the beads."""
+        """Return the model of the beads with these indices."""
         return replace(self, stacks=tuple(self.stacks[k] for k in kept), depths=tuple(self.depths[k] for k in kept))
 
     def columns(self, bead: int, shared: int) -> range:
@@ -116,7 +132,7 @@ class BeadModel:
         return range(shared + bead * len(self.own), shared + (bead + 1) * len(self.own))
 
     def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
-        """Yield the priors, each with its column and the present value of its constant."""
+        """Yield column, prior and present value of each parameter with a prior, given the shared names."""
         for name, prior in self.priors.items():
             yield names.index(name), prior, state.setup.value(name)
         if "depth" in self.own:
@@ -125,10 +141,11 @@ class BeadModel:
                 yield self.columns(j, len(names))[at], prior, place.depth
 
     def evaluated(self, state: State, most: float = math.inf) -> Evaluated:
-        """Return a state evaluated: its deviance, priors included, with flux and background of maximum likelihood.
+        """Return a state with its images and scores, and with maximum-likelihood flux and background.
 
-        Declined or ValueError where its deviance is not below `most`, before slopes, which take far longer than
-        images; where the aberrations are too strong; or where there is no such microscope.
+        Raises Declined or ValueError if the deviance is not below `most`, if the aberrations are too strong, or if
+        the constants are impossible. The first is tested before slopes are computed, which takes far longer than
+        images.
         """
         light, values = [], []
         total = sum(prior.pull(at)[0] for _, prior, at in self._prior_terms(state, self.names))
@@ -146,9 +163,9 @@ class BeadModel:
         return Evaluated(state, values, parts, scores)
 
     def normal(self, state: State, values: list[Array], more: Sequence[str] = ()) -> tuple[list[Part], Array, Array]:
-        """Return the parts of all stacks, and information and slope of all parameters, priors included.
+        """Return the contributions of all stacks, and information and slope of all parameters, priors included.
 
-        Constants `more`, of all beads alike, follow what is shared.
+        Constants `more` follow the shared parameters `names`, before those of each bead.
         """
         names, parts = (*self.names, *more), list[Part]()
         k, size = len(names), self.size + len(more)
@@ -166,48 +183,54 @@ class BeadModel:
         return parts, information, slope
 
     def _slopes(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
-        """Return derivatives of images, and the matrix from these to parameters in each plane."""
+        """Return derivatives of the images of a bead, and the matrices by which parameters change these, per plane.
+
+        The matrices have the shape (planes, parameters, derivatives).
+        """
         images, setup, waves = self.images, state.setup, state.waves
         stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
         amplitudes, k = [str(name) for name in names if name in AMPLITUDES], len(images.solved)
-        found, ones = [*images.slopes(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
+        slopes, ones = [*images.slopes(setup, waves, place, stack, amplitudes)], np.ones(len(stack.z))
         order = (*images.solved, "focus", "row", "column", *amplitudes)
-        at: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
+        # Index of the derivative for each parameter, and its factor in each plane.
+        chain_rule: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
         # Drift moves rows and columns in proportion to time, a longer step the focus in proportion to z.
-        at |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
+        chain_rule |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
         for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in names:
-                at[name] = len(found), 1.0 / light[0]  # no part of the light, which slopes are multiplied by
-                found.append(_of_camera(name, bead_images.expected(light, psf)).astype(found[0].dtype))
+                # Divided by the flux, because `part_of` multiplies all derivatives by it: these are in electrons.
+                chain_rule[name] = len(slopes), 1.0 / light[0]
+                slopes.append(_camera_slope(name, bead_images.expected(light, psf)).astype(slopes[0].dtype))
         for name in map(str, (*names, *self.own)):
-            if name in CONSTANTS and name not in at:
-                at[name] = len(found), ones
-                found.append(images.differences(setup, waves, place, stack, name).astype(found[0].dtype))
-        chain = np.zeros((len(stack.z), len(names) + len(self.own), len(found)))
+            if name in CONSTANTS and name not in chain_rule:
+                chain_rule[name] = len(slopes), ones
+                slopes.append(images.differences(setup, waves, place, stack, name).astype(slopes[0].dtype))
+        chain = np.zeros((len(stack.z), len(names) + len(self.own), len(slopes)))
         for row, parameter in enumerate((*names, *self.own)):
-            column, factor = at[parameter]
+            column, factor = chain_rule[parameter]
             chain[:, row, column] = factor
-        return np.stack(found), chain
+        return np.stack(slopes), chain
 
     def step(self, x: Evaluated, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
         """Return a damped step, (1, parameters), and its predicted gain."""
         scores, state = now, x.state
-        found = damped_steps(scores, damping)
+        step = damped_steps(scores, damping)
         if "depth" in self.own:
             depth, least = self.own.index("depth"), lowest(state.setup)
             for j, place in enumerate(state.places):
                 column = self.columns(j, len(self.names))[depth]
-                # The bead would sink into the glass: its depth goes to the least one, and the others follow it.
-                if place.depth + found[0][0, column] < least:
+                # A bead that would sink into the glass is set to the smallest depth; the step of the other parameters
+                # is then computed for this depth.
+                if place.depth + step[0][0, column] < least:
                     scores = _holding(scores, column, least - place.depth)
-            found = damped_steps(scores, damping)
-        return found
+            step = damped_steps(scores, damping)
+        return step
 
     def attempt(
         self, x: Evaluated, now: Scores, at: Rows, step: Array, factor: Array
     ) -> tuple[Evaluated, Scores | None]:
         """Return the state after a step and its scores, if these are better than before."""
-        with suppress(Declined, ValueError):  # a step too long: aberrations too strong, or no such microscope
+        with suppress(Declined, ValueError):  # the step is too long: aberrations too strong, or constants impossible
             tried = self.evaluated(self.moved(x.state, step[0]), float(now.deviance[0]))
             return tried, tried.scores
         return x, None
@@ -215,21 +238,24 @@ class BeadModel:
     def moved(self, state: State, step: Array) -> State:
         """Return the parameters after a step, shortened to the largest allowed change."""
         k, shared, setup = len(self.images.solved), len(self.names), state.setup
-        each = step[shared:].reshape(-1, len(self.own))
-        given = [CONSTANTS[name] for name in self.priors]
+        bead_steps = step[shared:].reshape(-1, len(self.own))
+        kinds = [CONSTANTS[name] for name in self.priors]
         constants = np.array([setup.value(name) for name in self.priors])
-        reach = [one.reach * (at if one.relative else 1.0) for one, at in zip(given, constants, strict=True)]
-        longest = [math.sqrt(float(step[:k] @ step[:k])) / _FAR, *(np.abs(step[k:shared]) / reach)]
-        longest += [*(np.abs(each) / [_REACH[name] for name in self.own]).ravel()]
-        # One factor for all parameters keeps the direction of the step.
-        cut = 1.0 / max(1.0, *longest)
+        limits = [
+            kind.reach * (value if kind.relative else 1.0) for kind, value in zip(kinds, constants, strict=True)
+        ]
+        # Changes over the largest allowed ones.
+        ratios = [math.sqrt(float(step[:k] @ step[:k])) / _MAX_WAVE_STEP, *(np.abs(step[k:shared]) / limits)]
+        ratios += [*(np.abs(bead_steps) / [_MAX_STEPS[name] for name in self.own]).ravel()]
+        # A common factor for all parameters keeps the direction of the step.
+        cut = 1.0 / max(1.0, *ratios)
         for name, value in zip(self.priors, (constants + cut * step[k:shared]).tolist(), strict=True):
             setup = setup.having(name, value)
         # Noise may make the estimated blur a little negative.
         if setup.blur < -0.2 or setup.diameter < 0.0:
             raise Declined("no such blur or bead")
         places = []
-        for stack, place, own in zip(self.stacks, state.places, cut * each, strict=True):
+        for stack, place, own in zip(self.stacks, state.places, cut * bead_steps, strict=True):
             to = place._replace(**{n: getattr(place, n) + by for n, by in zip(self.own, own.tolist(), strict=True)})
             half = 0.5 * np.array(stack.shape)
             row, column = np.clip([to.row, to.column], -half, half).tolist()
@@ -237,7 +263,7 @@ class BeadModel:
         return replace(state, setup=setup, waves=state.waves + cut * step[:k], places=tuple(places))
 
     def chi2_of(self, parts: Sequence[Part]) -> tuple[float, float]:
-        """Return Pearson's chi2 per degree of freedom of what stacks say, and its standard deviation."""
+        """Return Pearson's chi2 per degree of freedom from the parts of all stacks, and its standard deviation."""
         total, expected, spread = np.sum([(part.chi2, part.expected, part.spread) for part in parts], axis=0).tolist()
         pixels = self.tested + self.size + 2 * sum(len(s.z) for s in self.stacks)
         chi2, width = reduced_chi2(total, expected, spread, max(self.tested, 1) / pixels)
@@ -245,7 +271,7 @@ class BeadModel:
 
 
 def _holding(scores: Scores, at: int, step: float) -> Scores:
-    """Return the scores with the step of one parameter fixed."""
+    """Return scores from which damped steps have a prescribed `step` of the parameter with index `at`."""
     information, slope = scores.information.copy(), scores.slope - scores.information[:, at] * step
     information[:, at] = information[:, :, at] = 0.0
     information[:, at, at], slope[:, at] = 1.0, step
@@ -255,10 +281,13 @@ def _holding(scores: Scores, at: int, step: float) -> Scores:
 _POLICY = Policy(max_damping=1e7, patience=math.inf)
 
 
-def _of_camera(name: str, mean: Array) -> Array:
-    """Return the derivative of electrons (planes, height, width) by a property of the camera or the background."""
+def _camera_slope(name: str, mean: Array) -> Array:
+    """Return the derivative of electrons (planes, height, width) by the camera's nonlinearity or a background slope.
+
+    `mean` are the expected electrons.
+    """
     if name == bead_images.NONLINEAR:
-        # Counts lack the share x m / 10^4 of m electrons.
+        # A nonlinearity x lowers m electrons by the fraction x m / 10^4.
         return -(mean**2) / 1e4
     axis = 1 + GRADIENT.index(name)
     along = np.linspace(-0.5, 0.5, mean.shape[axis])
@@ -266,7 +295,7 @@ def _of_camera(name: str, mean: Array) -> Array:
 
 
 def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
-    """Return the end of damped steps from a start, when they settle."""
+    """Take at most so many damped steps from a start until they converge, and return the end."""
     begin = model.evaluated(start)
     end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
     best: Evaluated = end.x
@@ -275,84 +304,86 @@ def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_:
 
 @dataclass(eq=False)
 class Search:
-    """Searches for the answer of a model from several starts, first for single beads."""
+    """Search for the maximum likelihood of a model: for single beads from several starts, then for all beads."""
 
     model: BeadModel
     setup: Setup
-    waves: Array
-    starts: int
-    most: int
-    progress: Callable[[float, float], object] | None
-    steps: int = 0
+    waves: Array  # start of the wavefront
+    starts: int  # largest number of starts
+    most: int  # largest number of steps of a search
+    progress: Callable[[float, float], object] | None  # called with the fraction done and chi2
+    steps: int = 0  # of all searches so far
     _done: float = 0.0
 
     def all(self) -> tuple[Evaluated, list[bool]]:
-        """Return the best fit of all beads, and which beads are part of it."""
+        """Return the best joint fit of the beads that fit, and for each bead whether it is part of it."""
         model, count = self.model, len(self.model.stacks)
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
-        middle = float(np.median([one.quality[0] for one in singles]))
-        most = [max(_LEFT * middle, float(goodness_of_fit.most(one.quality[1]))) for one in singles]
-        used = [one.quality[0] < limit for one, limit in zip(singles, most, strict=True)]
+        median = float(np.median([single.quality[0] for single in singles]))
+        limits = [max(_MAX_CHI2_RATIO * median, float(goodness_of_fit.most(one.quality[1]))) for one in singles]
+        used = [single.quality[0] < limit for single, limit in zip(singles, limits, strict=True)]
         kept = [k for k in range(count) if used[k]]
         if count == 1 and not model.priors and "depth" not in model.own:
             return singles[0], used
-        # A median: a bead that found another minimum does not shift it.
+        # A median, so that a bead in another local maximum does not shift it.
         waves = np.median([singles[k].state.waves for k in kept], axis=0)
         start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
         return self.climb(model.having(kept), start, 0.4), used
 
     def one(self, model: BeadModel, share: float) -> Evaluated:
-        """Return the best fit of one stack."""
+        """Return the best fit of a single stack over the starts; the first takes a `share` of the progress."""
         best: Evaluated | None = None
         for origin in ORIGINS[: self.starts]:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
-            found = self.climb(model, State(self.setup, self.waves, (place,)), share)
-            alike = best is not None and abs(found.log_posterior - best.log_posterior) < _ALIKE
-            if best is None or found.log_posterior > best.log_posterior:
-                best = found
+            end = self.climb(model, State(self.setup, self.waves, (place,)), share)
+            same = best is not None and abs(end.log_posterior - best.log_posterior) < _SAME_MAXIMUM
+            if best is None or end.log_posterior > best.log_posterior:
+                best = end
             fits = best.quality[0] < goodness_of_fit.most(best.quality[1], goodness_of_fit.SURE)
-            if best.settled and (alike or fits):
+            if best.settled and (same or fits):
                 break
-            # Only the first start counts for the progress.
             share = 0.0
         assert best is not None
         return best
 
     def climb(self, model: BeadModel, start: State, share: float) -> Evaluated:
-        """Return the end of one search; it takes a `share` of the progress."""
+        """Return the end of one search, which takes a `share` of the progress."""
         before = self._done
 
         def report(step: int, chi2: float) -> None:
-            # The number of steps is not known before: each takes a fifth of what is left.
+            # The number of steps is not known in advance: each is reported as a fifth of the remaining share.
             if self.progress is not None:
                 self.progress(min(before + share * (1.0 - 0.8**step), 1.0), chi2)
 
-        found = climb(model, start, self.most, report)
-        self.steps += found.steps
+        end = climb(model, start, self.most, report)
+        self.steps += end.steps
         self._done = before + share
-        return found
+        return end
 
 
 def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
-    """Return the start: the centroid of the sharpest planes, and the focus at the mean of squared light."""
+    """Return the start for a bead: its centroid in the sharpest planes, and the mean focus weighted by sharpness.
+
+    `origin` is added to the focus (m).
+    """
     counted, _, valid = stack.planes
     images = np.where(valid, counted, np.nan)
     light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
-    # Squares with their sign: noise adds nothing on average.
-    sharp = (light * np.abs(light)).sum(axis=(1, 2))
-    sharp = np.clip(sharp - np.median(sharp), 0.0, None)
-    total = float(sharp.sum())
-    middle = float(sharp @ stack.z) / total if total > 0.0 else float(stack.z.mean())
-    best = light[np.argsort(-sharp)[:5]].mean(axis=0)
-    # Pixels of noise would pull the centroid to the middle of the window.
-    best = np.where(best > 0.2 * best.max(), best, 0.0)
+    # Squares with their sign, to which noise adds nothing on average.
+    sharpness = (light * np.abs(light)).sum(axis=(1, 2))
+    sharpness = np.clip(sharpness - np.median(sharpness), 0.0, None)
+    total = float(sharpness.sum())
+    focus = float(sharpness @ stack.z) / total if total > 0.0 else float(stack.z.mean())
+    sharpest = light[np.argsort(-sharpness)[:5]].mean(axis=0)
+    # Noise in dark pixels would shift the centroid to the middle of the window.
+    sharpest = np.where(sharpest > 0.2 * sharpest.max(), sharpest, 0.0)
     row, column = (
-        float((best.sum(axis=1 - axis) * (np.arange(side) - side // 2)).sum() / max(best.sum(), 1e-300))
+        float((sharpest.sum(axis=1 - axis) * (np.arange(side) - side // 2)).sum() / max(sharpest.sum(), 1e-300))
         for axis, side in enumerate(stack.shape)
     )
-    return Place(row, column, brightest(setup, depth) - setup.step * middle + origin, depth)
+    return Place(row, column, brightest(setup, depth) - setup.step * focus + origin, depth)
 
 
 def brightest(setup: Setup, depth: float) -> float:
-    """Return the position of the stage at which an emitter at a depth is brightest, without aberrations."""
+    """Return the stage position (m) at which an emitter at a depth (m) is brightest, without aberrations."""
     return float(setup.pupil(None, depth).focus)

@@ -440,7 +440,7 @@ def test_what_cannot_be_restored_is_refused_with_the_way_out(changes, kind, said
 
 def test_a_spherical_aberration_is_found_from_the_stack(monkeypatch):
     monkeypatch.setattr(refinement, "_STEPS", 8)
-    monkeypatch.setattr(refinement, "_MORE", 8)
+    monkeypatch.setattr(refinement, "_FINE_STEPS", 8)
     monkeypatch.setattr(refinement, "_NARROWEST", 21)
     monkeypatch.setattr(refinement, "_ROUNDS", 1)
     model = DepthModel(OIL_60X, WAVE, PIXEL, STEP, 3e-6, 8, (15, 21))

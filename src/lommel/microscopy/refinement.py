@@ -1,4 +1,7 @@
-"""What a stack shows of its recording: the direction of z, depth, index of the sample, spherical aberration."""
+"""Estimation of recording parameters from a stack: direction of z, depth, sample index, spherical aberration.
+
+Trial deconvolutions of a part of the stack with different PSFs are compared by their discrepancy after equal steps.
+"""
 
 from __future__ import annotations
 
@@ -20,22 +23,22 @@ from lommel.recorded.counts import Stack, plane_of
 from lommel.recorded.noise import Noise
 
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
-"""What can be estimated from a stack, and its name."""
+"""Parameters that can be estimated from a stack, with their names in words."""
 
 Tell = Callable[[float, str], object]
-"""Called with the share of the work that is done, 0 to 1, and its name."""
+"""Progress callback: fraction of the work that is done, 0 to 1, and its description."""
 
-_STEPS = 40  # steps of each trial of the search: after fewer, sharper PSFs look better than they are
-_MORE = 100  # steps of trials around the answer: of dim points, 40 leave too much, and 160 follow the noise
-_SIDES = 48, 64  # pixels: smallest and largest side of the part that is used
+_STEPS = 40  # steps of trials in a search: with fewer, too sharp PSFs have the lower discrepancy
+_FINE_STEPS = 100  # steps of trials near the minimum: with 40 dim points are not restored, with 160 noise is fitted
+_SIDES = 48, 64  # pixels: smallest and largest side of the part of the stack that is used
 _NARROWEST, _WIDEST = 33, 49  # pixels: smallest and largest side of PSFs
-_ROUGH = 40  # pixels a side of the part in which values are searched, with the narrowest PSFs
-_LEAST_PLANES = 8  # least margin in planes
-_FAR = 3  # depths of light far from its emitter, which changes slowly
-_REACH = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}
-_APART = 1 / 6  # of the reach: distance of values around the answer; twice that in the search
-_ROUNDS = 3  # largest number of rounds, where the least value is not between the tried ones
-# What is tried where a stack does not follow its PSF: first changes, which are doubled while that is better.
+_ROUGH_SIDE = 40  # pixels: side of the part in a first search, with the narrowest PSFs
+_MIN_MARGIN = 8  # planes
+_FAR_DEPTHS = 3  # number of depths of the tails of PSFs, which change slowly
+_RANGE = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}  # of the search on either side of the start
+_SPACING = 1 / 6  # of the range: distance of trials near the minimum; twice that in the first search
+_ROUNDS = 3  # largest number of times that the trials are moved if the minimum is not between them
+# Alternatives if a stack does not follow its PSF: first change of each parameter, doubled while the fit improves.
 _OTHERS = {
     "sample": (6e-3, "index of the sample"),
     "NA": (0.02, "NA"),
@@ -43,50 +46,51 @@ _OTHERS = {
     "wavelength": (0.03, "wavelength"),
     "step": (0.03, "step of z"),
 }
-_DOUBLED = 5  # largest number of changes of one value
-_USUAL = 2.6  # usual number of these
-_SIGNIFICANT = 9.0  # of the deviance: three standard deviations, by which another PSF is better
-_EXPLAINED = 0.03  # of the misfit left after these steps, that a better PSF explains at least
-_AS_GOOD = 0.5  # of what the best PSF explains: others that explain as much are reported beside it
+_MAX_CHANGES = 5  # largest number of changes of a parameter in one direction
+_USUAL_CHANGES = 2.6  # average number of trials of a parameter, for the progress
+_SIGNIFICANT = 9.0  # least decrease of the deviance by a better PSF: three standard deviations
+_MIN_EXPLAINED = 0.03  # least fraction of the misfit that a better PSF explains
+_COMPARABLE = 0.5  # PSFs that explain this fraction of what the best PSF explains are reported, too
 
 
 def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
-    """Return rows and columns around the brightest detail, of a part as wide as PSFs of a `side`, within limits."""
+    """Return rows and columns of a part around the brightest detail, of the `side` of PSFs within limits."""
     return brightest(stack, max(_SIDES[0], min(side, _SIDES[1])), saturation)
 
 
 def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]:
-    """Return rows and columns of a part of this size around the brightest detail, as far as voxels are known."""
+    """Return rows and columns of a part of this side (pixels) around the brightest detail of the stack."""
     from scipy.ndimage import uniform_filter
 
     planes, height, width = stack.shape
-    whole = np.zeros((height, width))
+    detail = np.zeros((height, width))  # maximum over planes
     for plane in np.unique(np.linspace(0, planes - 1, min(planes, 16)).astype(int)):
         values = np.asarray(plane_of(stack, int(plane)), np.float64)
         known = np.isfinite(values) & (values < saturation)
         values = np.where(known, values, np.median(values[known]) if known.any() else 0.0)
-        # A difference of two means: details of a few pixels, without the background.
-        np.maximum(whole, uniform_filter(values, 3) - uniform_filter(values, 15), out=whole)
+        # A difference of two means is detail of a few pixels, without the background.
+        np.maximum(detail, uniform_filter(values, 3) - uniform_filter(values, 15), out=detail)
     # The root keeps one bright spot from outweighing many dim ones.
-    bright = uniform_filter(np.maximum(whole, 0.0) ** 0.5, min(size, height, width))
+    bright = uniform_filter(np.maximum(detail, 0.0) ** 0.5, min(size, height, width))
     row, column = np.unravel_index(int(bright.argmax()), bright.shape)
     return _window_around(int(row), size, height), _window_around(int(column), size, width)
 
 
 def _window_around(middle: int, size: int, side: int) -> slice:
+    """Return the slice of `size` pixels around a middle, moved to lie within `side` pixels."""
     start = min(max(middle - size // 2, 0), max(side - size, 0))
     return slice(start, min(start + size, side))
 
 
 def estimated_steps(direction: bool, names: int) -> tuple[float, float]:
-    """Return the approximate numbers of steps for the direction of z, and for `names` values."""
-    return 2.0 * _STEPS * direction, (_MORE + 0.5 * _STEPS) * _places(names) if names else 0.0
+    """Return approximate numbers of steps: for the direction of z (if `direction`), and for `names` parameters."""
+    return 2.0 * _STEPS * direction, (_FINE_STEPS + 0.5 * _STEPS) * _trials(names) if names else 0.0
 
 
-def _places(names: int) -> int:
-    """Return the number of trials that determine a quadratic function."""
+def _trials(parameters: int) -> int:
+    """Return the number of trials that determine a quadratic function of n parameters."""
     # Its constant, n slopes, n curvatures and n (n - 1) / 2 mixed terms.
-    return 1 + 2 * names + names * (names - 1) // 2
+    return 1 + 2 * parameters + parameters * (parameters - 1) // 2
 
 
 class StackContext(NamedTuple):
@@ -100,40 +104,40 @@ class StackContext(NamedTuple):
 
 
 class Work:
-    """Progress of several trials of about `steps` steps together."""
+    """Progress of several trials with a total of about `steps` steps."""
 
     def __init__(self, tell: Tell, steps: float) -> None:
         self._tell, self._steps, self._done = tell, steps, 0.0
 
     def __call__(self, words: str, steps: int) -> Callable[[int, float, float], None]:
-        """Begin a trial, and return the function to call after each of its steps."""
-        begun, self._done = self._done, self._done + steps
+        """Begin a trial of so many steps, and return the function to be called after each step."""
+        before, self._done = self._done, self._done + steps
 
-        def told(step: int, *_: float) -> None:
-            share = (begun + step) / max(self._steps, self._done)
+        def report(step: int, *_: float) -> None:
+            share = (before + step) / max(self._steps, self._done)
             self._tell(min(share, 1.0), words)
 
-        told(0)
-        return told
+        report(0)
+        return report
 
 
 class TrialDeconvolution:
-    """A part of a stack that is restored in a few steps, again and again, with other PSFs.
+    """Deconvolution of a part of a stack in a few steps, repeated with different PSFs.
 
-    Light is spread as B-splines, and a background is estimated: points between planes, and noise, would else be
-    taken for longer PSFs.
+    Voxels of the specimen are B-splines, and a background is estimated. Otherwise points between planes, and noise,
+    would favour PSFs that are too long.
     """
 
     def __init__(self, context: StackContext, crop: tuple[slice, slice], *, widest: int = _WIDEST) -> None:
         rows, columns = crop
         stack, camera = context.stack, context.camera
         self._values = np.stack([np.asarray(stack[plane, rows, columns]) for plane in range(stack.shape[0])])
-        maps = {name: each if np.ndim(each) == 0 else each[rows, columns] for name, each in vars(camera).items()}
+        maps = {name: value if np.ndim(value) == 0 else value[rows, columns] for name, value in vars(camera).items()}
         self._camera = Noise(**maps)
         self._counted = PoissonCounts(self._values, self._camera, context.saturation)
         self._threads, self._widest = context.threads, widest
-        self._degrees: tuple[int, int] | None = None  # those of the first model
-        self._courses: dict[int, list[StepSettings]] = {}  # those of the first walk, of each number of steps
+        self._degrees: tuple[int, int] | None = None  # of the B-splines of the first model
+        self._courses: dict[int, list[StepSettings]] = {}  # of the first trial with each number of steps
 
     @property
     def slack(self) -> float:
@@ -142,46 +146,49 @@ class TrialDeconvolution:
 
     @property
     def known(self) -> int:
-        """Number of voxels."""
+        """Number of known voxels."""
         return int(self._counted.known.sum())
 
     def course(
-        self, model: DepthModel, steps: int, told: Callable[[int, float, float], object], *, turned: bool = False
+        self, model: DepthModel, steps: int, report: Callable[[int, float, float], object], *, turned: bool = False
     ) -> list[float]:
-        """Return the discrepancy after each step, as far extrapolated as those of the first model."""
+        """Return the discrepancy after each step with the PSFs of a model; `turned`: with the planes reversed.
+
+        Extrapolation factors are those of the first model, so that differences are due to the PSFs alone.
+        """
         counted = self._counted
         if turned:
             counted = counted.reversed()
         blur = self.blur(model, len(self._values))
-        walk = Iteration(blur, counted, self._courses.get(steps), background=Background(None))
-        found: list[float] = []
+        iteration = Iteration(blur, counted, self._courses.get(steps), background=Background(None))
+        discrepancies: list[float] = []
 
-        def each(step: int, discrepancy: float, left: float) -> None:
-            found.append(discrepancy)
-            told(step, discrepancy, left)
+        def record(step: int, discrepancy: float, remaining: float) -> None:
+            discrepancies.append(discrepancy)
+            report(step, discrepancy, remaining)
 
-        walk.solve(RichardsonLucy(steps=steps, target=0.0), each)
-        self._courses.setdefault(steps, walk.course)
-        return found
+        iteration.solve(RichardsonLucy(steps=steps, target=0.0), record)
+        self._courses.setdefault(steps, iteration.course)
+        return discrepancies
 
     def blur(self, model: DepthModel, planes: int) -> PlaneOperator:
-        """Return the blur of the part, with smaller PSFs, and the B-splines of the first model."""
+        """Return the blur of the part by narrower PSFs of a model, with the B-splines of the first model."""
         side = min(max(model.window[1], _NARROWEST), self._widest)
-        deep = model.window[0]
-        small = replace(model, window=(deep, side), planes=planes, degrees=self._degrees)
-        # The same splines for all models: others would change the discrepancy by themselves.
+        window_planes = model.window[0]
+        small = replace(model, window=(window_planes, side), planes=planes, degrees=self._degrees)
+        # All models have the same splines, since others would change the discrepancy.
         self._degrees = small.splines
-        margin = min(deep // 2, max(_LEAST_PLANES, planes // 4)), side // 2
+        margin = min(window_planes // 2, max(_MIN_MARGIN, planes // 4)), side // 2
         psfs = small.psfs(margin[0])
         if psfs.radial is not None:
-            far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR, len(psfs.nodes))).astype(int)
+            far = np.linspace(0, len(psfs.nodes) - 1, min(_FAR_DEPTHS, len(psfs.nodes))).astype(int)
             psfs = psfs._replace(nodes=psfs.nodes[far])
         shape = self._values.shape
         return small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
 
 
 def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
-    """Return "up" or "down", whichever the stack follows better, and a sentence on it."""
+    """Return "up" or "down", the direction of z with the lower discrepancy, and a sentence on the result."""
     trial, work = TrialDeconvolution(context, crop), Work(tell, 2.0 * _STEPS)
     up, down = (
         trial.course(context.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
@@ -202,27 +209,29 @@ def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], tell:
 
 
 def rank_alternatives(context: StackContext, tell: Tell, *, turned: bool) -> list[str]:
-    """Return in words which other PSFs the stack follows better, the best first, each with one other value.
+    """Return descriptions of PSFs with one changed parameter that the stack follows better, the best first.
 
-    Points between voxels leave a misfit whatever the PSF; they hardly change which PSF is the best. Planes in the
-    other order are tried if `turned` says so. Spherical aberration is like another index of the sample. Those that
-    explain half of what the best one does are named, too: errors of an index, a depth or a step are much alike.
+    Points between voxels leave a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
+    tried if `turned`. Spherical aberration is not tried, as its effect is like that of another sample index. All PSFs
+    that explain at least half of what the best one does are named, because errors of index, depth and step have
+    similar effects.
     """
     model, steps = context.model, _STEPS
-    trial = TrialDeconvolution(context, brightest(context.stack, _ROUGH, context.saturation), widest=_NARROWEST)
-    work = Work(tell, steps * (1.0 + turned + _USUAL * len(_OTHERS)))
+    crop = brightest(context.stack, _ROUGH_SIDE, context.saturation)
+    trial = TrialDeconvolution(context, crop, widest=_NARROWEST)
+    work = Work(tell, steps * (1.0 + turned + _USUAL_CHANGES * len(_OTHERS)))
 
     def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
-        found = trial.course(changed, steps, work(words, steps), turned=turned)
-        # Single steps depend on how far they are extrapolated, which is the same for all PSFs.
-        return float(np.mean(found[steps // 2 :]))
+        discrepancies = trial.course(changed, steps, work(words, steps), turned=turned)
+        # A mean over steps, since the discrepancy of a single step depends on its extrapolation.
+        return float(np.mean(discrepancies[steps // 2 :]))
 
-    given = cost(model, "the PSF as given")
-    explained: dict[str, float] = {}
+    start_cost = cost(model, "the PSF as given")
+    explained: dict[str, float] = {}  # decrease of the cost
     if turned:
         words = "planes in reverse order"
-        explained[words] = given - cost(model, words, turned=True)
-    for name, (apart, words) in _OTHERS.items():
+        explained[words] = start_cost - cost(model, words, turned=True)
+    for name, (first_change, words) in _OTHERS.items():
 
         def changed(value: float, name: str = name, words: str = words) -> float:
             try:
@@ -232,43 +241,46 @@ def rank_alternatives(context: StackContext, tell: Tell, *, turned: bool) -> lis
             return cost(other, f"another {words}: {_value_in_words(model, name, value)}")
 
         start = _start(model, name)
-        value, found = _line_search(changed, start, apart, given)
+        value, lowest = _line_search(changed, start, first_change, start_cost)
         if value != start:
             change = "smaller" if value < start else "larger"
-            explained[f"a {change} {words} (about {_value_in_words(model, name, value)})"] = given - found
-    most = max(explained.values(), default=0.0)
-    least = max(_SIGNIFICANT * given / trial.known, _EXPLAINED * (given - 1.0), _AS_GOOD * most)
-    return sorted((each for each in explained if explained[each] > least), key=lambda each: -explained[each])
+            explained[f"a {change} {words} (about {_value_in_words(model, name, value)})"] = start_cost - lowest
+    best = max(explained.values(), default=0.0)
+    least = max(_SIGNIFICANT * start_cost / trial.known, _MIN_EXPLAINED * (start_cost - 1.0), _COMPARABLE * best)
+    return sorted((words for words in explained if explained[words] > least), key=lambda words: -explained[words])
 
 
-def _line_search(cost: Callable[[float], float], start: float, apart: float, given: float) -> tuple[float, float]:
-    """Return the place of the least cost on a line and that cost, from that `given` at the start; costs are few.
+def _line_search(
+    cost: Callable[[float], float], start: float, first_change: float, start_cost: float
+) -> tuple[float, float]:
+    """Return the value with the lowest cost, and that cost, with few evaluations.
 
-    Changes are doubled while the cost falls. It is infinite where a value is out of range, which ends the line.
+    From `start` the change is doubled while the cost falls, first in one direction, then in the other. An infinite
+    cost marks a value out of range and ends a direction.
     """
-    for way in (apart, -apart):
-        places, costs = [start], [given]
-        for doubled in range(_DOUBLED):
-            place = start + 2**doubled * way
-            if math.isinf(found := cost(place)):
+    for step in (first_change, -first_change):
+        values, costs = [start], [start_cost]
+        for doublings in range(_MAX_CHANGES):
+            value = start + 2**doublings * step
+            if math.isinf(value_cost := cost(value)):
                 break
-            places.append(place)
-            costs.append(found)
-            if found >= costs[-2]:
+            values.append(value)
+            costs.append(value_cost)
+            if value_cost >= costs[-2]:
                 break
-        if len(costs) > 1 and costs[1] < given:
+        if len(costs) > 1 and costs[1] < start_cost:
             at = int(np.argmin(costs))
             if at == len(costs) - 1:
-                return places[at], costs[at]
-            # The parabola through three of them.
+                return values[at], costs[at]
+            # Minimum of the parabola through the lowest three.
             near = slice(at - 1, at + 2)
-            bend, slope, height = np.polyfit(np.array(places[near]) - places[at], costs[near], 2)
-            return float(places[at] - 0.5 * slope / bend), float(height - 0.25 * slope**2 / bend)
-    return start, given
+            curvature, slope, height = np.polyfit(np.array(values[near]) - values[at], costs[near], 2)
+            return float(values[at] - 0.5 * slope / curvature), float(height - 0.25 * slope**2 / curvature)
+    return start, start_cost
 
 
 def _value_in_words(model: DepthModel, name: str, value: float) -> str:
-    """Return the value of a parameter in words."""
+    """Return the value of a parameter in words; those of wavelength, step and NA are factors of the model's."""
     if name == "depth":
         return format_length(value, digits=3)
     if name in ("wavelength", "step"):
@@ -279,101 +291,113 @@ def _value_in_words(model: DepthModel, name: str, value: float) -> str:
 def refined(
     context: StackContext, crop: tuple[slice, slice], names: Sequence[str], tell: Tell
 ) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
-    """Return the model whose PSFs the stack follows best, the values of its parameters, and their standard errors."""
+    """Estimate parameters of a stack; return the model with these, their values and their standard errors."""
     model = context.model
     start = np.array([_start(model, name) for name in names])
-    apart = np.array([_REACH[name] * _APART for name in names])
-    least, most = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    rough = TrialDeconvolution(context, brightest(context.stack, _ROUGH, context.saturation), widest=_NARROWEST)
+    spacing = np.array([_RANGE[name] * _SPACING for name in names])
+    lower, upper = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
+    rough_crop = brightest(context.stack, _ROUGH_SIDE, context.saturation)
+    rough = TrialDeconvolution(context, rough_crop, widest=_NARROWEST)
     fine = TrialDeconvolution(context, crop)
-    faster = rough.known / fine.known
-    work = Work(tell, _places(len(names)) * (_STEPS * faster + _MORE))
+    rough_cost = rough.known / fine.known  # of a step, over that of a fine trial
+    work = Work(tell, _trials(len(names)) * (_STEPS * rough_cost + _FINE_STEPS))
 
-    def course(trial: TrialDeconvolution, steps: int, much: float) -> Callable[[Array], list[float]]:
-        def made(values: Array) -> list[float]:
+    def course(trial: TrialDeconvolution, steps: int, cost: float) -> Callable[[Array], list[float]]:
+        """Return a function from values of the parameters to the discrepancy after each step."""
+
+        def discrepancies(values: Array) -> list[float]:
             pairs = zip(names, values.tolist(), strict=True)
             words = ", ".join(f"{PARAMETERS[name]} {_value_in_words(model, name, value)}" for name, value in pairs)
-            told = work(words, int(steps * much))
-            return trial.course(_with(model, names, values), steps, lambda step, *rest: told(int(step * much), *rest))
+            report = work(words, int(steps * cost))
+            return trial.course(
+                _with(model, names, values), steps, lambda step, *rest: report(int(step * cost), *rest)
+            )
 
-        return made
+        return discrepancies
 
-    wide = 2.0 * apart
-    found, _ = _minimum(course(rough, _STEPS, faster), start, wide, (least + wide, most - wide), rough.known)
-    found, errors = _minimum(course(fine, _MORE, 1.0), found, apart, (least + apart, most - apart), fine.known)
-    found = np.clip(found, least, most)
-    values, own = (dict(zip(names, each.tolist(), strict=True)) for each in (found, errors))
-    return _with(model, names, found), values, own
+    wide = 2.0 * spacing
+    best, _ = _minimum(course(rough, _STEPS, rough_cost), start, wide, (lower + wide, upper - wide), rough.known)
+    limits = lower + spacing, upper - spacing
+    best, errors = _minimum(course(fine, _FINE_STEPS, 1.0), best, spacing, limits, fine.known)
+    best = np.clip(best, lower, upper)
+    values, standard_errors = (dict(zip(names, array.tolist(), strict=True)) for array in (best, errors))
+    return _with(model, names, best), values, standard_errors
 
 
 def _start(model: DepthModel, name: str) -> float:
-    """Return the value from which another one is searched; 1 for those that are factors."""
-    given = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
-    return given.get(name, 1.0)
+    """Return the value from which the search of a parameter starts: that of the model, or 1 for a factor."""
+    values = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
+    return values.get(name, 1.0)
 
 
 def _with(model: DepthModel, names: Sequence[str], values: Sequence[float] | Array) -> DepthModel:
-    """Return the model with other values of some parameters."""
+    """Return the model with changed values of some parameters."""
     for name, value in zip(names, values, strict=True):
         model = model.changed(name, float(value))
     return model
 
 
 def _minimum(
-    course: Callable[[Array], list[float]], start: Array, apart: Array, limits: tuple[Array, Array], known: int
+    course: Callable[[Array], list[float]], start: Array, spacing: Array, limits: tuple[Array, Array], known: int
 ) -> tuple[Array, Array]:
-    """Return where discrepancies of courses around a point are the least, and the standard error of that.
+    """Return the parameters with the lowest discrepancy after all steps, and their standard errors.
 
-    The deviance, `known` times the discrepancy, rises by 1 at a standard error. That of photons is joined with the
-    change since half of the steps: what more steps would change is unknown.
+    A quadratic function is fitted to trials at distances `spacing`. At one standard error the deviance, `known` times
+    the discrepancy, rises by 1. This error by photon noise is combined with the change of the minimum since half of
+    the steps, because the change by further steps is unknown.
     """
     count, centre = len(start), np.clip(start, *limits)
     unit = np.eye(count)
     pairs = [(i, k) for i in range(count) for k in range(i)]
-    # The points of a quadratic function: the centre, one step along each axis and back, and one along each pair.
-    places = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
-    found, errors = centre, np.full(count, np.inf)
+    # Trials, in units of the spacing: the centre, one forth and one back along each axis, and one for each pair.
+    offsets = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
+    best, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):
-        courses = np.array([course(centre + place * apart) for place in places])
+        courses = np.array([course(centre + offset * spacing) for offset in offsets])
         fits = [_quadratic(values, pairs) for values in (courses[:, courses.shape[1] // 2], courses[:, -1])]
-        bend, slope = fits[-1]
-        early, late = (bool(np.linalg.eigvalsh(each)[0] > 0.0) for each, _ in fits)
+        hessian, slope = fits[-1]
+        # Whether each quadratic function has a minimum.
+        early, late = (bool(np.linalg.eigvalsh(matrix)[0] > 0.0) for matrix, _ in fits)
         errors = np.full(count, np.inf)
         if not late:
-            least = places[int(courses[:, -1].argmin())]
-            found = centre + least * apart
-            if not least.any():
+            minimum = offsets[int(courses[:, -1].argmin())]
+            best = centre + minimum * spacing
+            if not minimum.any():
                 break
-            centre = np.clip(found + least * apart, *limits)
+            centre = np.clip(best + minimum * spacing, *limits)
             continue
-        least = -np.linalg.solve(bend, slope)
-        found = centre + least * apart
+        minimum = -np.linalg.solve(hessian, slope)
+        best = centre + minimum * spacing
         if early:
-            lowest = max(float(courses[0, -1] + 0.5 * slope @ least), 1.0)
-            variance = 2.0 * lowest * np.diag(np.linalg.inv(bend)) / known
-            errors = np.sqrt(variance + (least + np.linalg.solve(*fits[0])) ** 2) * apart
-        # Beyond one and a half steps the quadratic function is an extrapolation.
-        if np.abs(least).max() <= 1.5:
+            lowest = max(float(courses[0, -1] + 0.5 * slope @ minimum), 1.0)
+            variance = 2.0 * lowest * np.diag(np.linalg.inv(hessian)) / known
+            errors = np.sqrt(variance + (minimum + np.linalg.solve(*fits[0])) ** 2) * spacing
+        # Farther than 1.5 spacings the minimum is an extrapolation.
+        if np.abs(minimum).max() <= 1.5:
             break
-        centre = np.clip(centre + np.clip(least, -3.0, 3.0) * apart, *limits)
-    return found, errors
+        centre = np.clip(centre + np.clip(minimum, -3.0, 3.0) * spacing, *limits)
+    return best, errors
 
 
 def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, Array]:
-    """Return second and first derivatives at a point, from values there and one unit away, and away along pairs."""
+    """Return the matrix of second derivatives and the slope of a quadratic function, from its values.
+
+    `values` are those at the origin, at 1 and then at -1 along each axis, and at (1, 1) for each pair of axes.
+    """
     count = (len(values) - 1 - len(pairs)) // 2
     up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]
-    bend = np.diag(up + down)
+    hessian = np.diag(up + down)
     # f(x + y) - f(x) - f(y) + f(0) is the mixed derivative.
     for (i, k), value in zip(pairs, values[2 * count + 1 :] - values[0], strict=True):
-        bend[i, k] = bend[k, i] = value - up[i] - up[k]
-    return bend, (up - down) / 2.0
+        hessian[i, k] = hessian[k, i] = value - up[i] - up[k]
+    return hessian, (up - down) / 2.0
 
 
 def _limits(name: str, start: float) -> tuple[float, float]:
-    reach = _REACH[name]
+    """Return the limits of a parameter in the search."""
+    width = _RANGE[name]
     if name == "depth":
-        return max(0.0, start - max(reach, 0.5 * start)), start + max(reach, 0.5 * start)
+        return max(0.0, start - max(width, 0.5 * start)), start + max(width, 0.5 * start)
     if name == "sample":
-        return max(1.0, start - reach), start + reach
-    return -reach, reach
+        return max(1.0, start - width), start + width
+    return -width, width

@@ -1,4 +1,4 @@
-"""Recorded planes as Poisson counts, and how well the blurred image of a scene agrees with them."""
+"""Recorded planes as Poisson counts, and the discrepancy between these and the blurred image of a scene."""
 
 from __future__ import annotations
 
@@ -19,32 +19,33 @@ from lommel.recorded.noise import Noise
 
 SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
 TINY = 1e-30  # added to denominators: the ratio of a count of 0 to a model of 0 is then 0
-_MANY = 3.0  # mean electrons above which the deviance of the true scene is 1 and its first correction
-_MOST_RATIO = 1e3  # largest ratio of counts to model
-_BLOCK, _DARKEST = 8, 10.0  # pixels a side of block means, and their percentile that a background starts from
+_MANY = 3.0  # mean electrons above which the expected deviance of the true scene is taken as 1 + 1 / (6 m)
+_MAX_RATIO = 1e3  # largest ratio of counts to model
+_BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and the percentile of their means where a background starts
 
 
 class PoissonCounts:
     r"""Recorded planes as counts of a Poisson distribution, in units of light.
 
-    A pixel whose gain is g electrons a unit of light has ``g y + read^2`` close to ``Poisson(g (A x) + read^2)``
-    (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): counts are ``y + read^2 / g``, and `added` is ``read^2 / g``.
+    For a gain of g electrons per unit of light, ``g y + read^2`` of the recorded light y is distributed approximately
+    as ``Poisson(g (A x) + read^2)`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). Counts, in units of light, are
+    ``y + read^2 / g``; the term ``read^2 / g`` is called `added`.
 
     Parameters
     ----------
     recorded : ndarray, shape (planes, height, width)
-        Recorded light; NaN where it is unknown.
+        Recorded light; NaN where unknown.
     noise : Noise
     saturation : float
-        Value from which on pixels are left out.
+        Value from which on pixels are ignored.
     dtype : float32 or float64
         Type of the computation.
     full : ndarray of bool, optional
-        Pixels that counted at least so much: lower limits of the light.
+        Saturated pixels, whose values are lower limits of the light.
     """
 
-    weakest = 1.0 / 512.0  # total variation that a search tries, over the usual one
-    settles = True  # whether steps with a given total variation may end before their number
+    weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, over the usual one
+    settles = True  # steps with a prescribed strength end when they have converged, even before their largest number
 
     def __init__(
         self,
@@ -61,13 +62,12 @@ class PoissonCounts:
         offset = np.asarray(noise.offset, dtype=np.float64)
         gain = np.asarray(1.0 if noise.white is None else noise.white)
         read = np.asarray(noise.read, dtype=np.float64)
-        # read^2 more electrons, in units of light: a Poisson variable with that much more mean has the variance of
-        # shot
-        # and read noise together.
+        # read^2 electrons in units of light: a Poisson variable whose mean is larger by these has the variance of
+        # shot and read noise together.
         added = (read / gain) ** 2 * gain
         planes = len(recorded)
-        self.known = np.zeros(planes, dtype=np.int64)  # pixels of each plane that are neither unknown nor full
-        self._light, self._weights = [0.0] * planes, [0.0] * planes  # sums of each plane
+        self.known = np.zeros(planes, dtype=np.int64)  # pixels of each plane that are neither unknown nor saturated
+        self._light, self._weights = [0.0] * planes, [0.0] * planes  # sums over each plane
         counts = over = seen = 0.0
         for plane in range(planes):
             values = plane_of(recorded, plane)
@@ -86,33 +86,35 @@ class PoissonCounts:
         weights = sum(self._weights)
         self._all = seen == float(np.prod(recorded.shape))
         self.background: float | Values = 0.0  # light of each voxel, or of each pixel, that is not of the specimen
-        self.of_specimen = 1.0, np.inf  # discrepancy of the voxels that the specimen lights, and its slack
-        self.white = weights / seen  # mean gain, electrons a unit of light
-        # Maps have the sides of a plane, so that parts of them can be taken.
+        self.of_specimen = 1.0, np.inf  # discrepancy of the voxels lit by the specimen, and its slack
+        self.white = weights / seen  # mean gain, electrons per unit of light
+        # Numbers, or maps of the pixels of a plane.
         self._added, self._shift, self._weight = (
             np.asarray(each, dtype=self.dtype) for each in (added, added - offset, gain / self.white)
         )
         self.most_weight = float(self._weight.max())
         self.level = sum(self._light) / weights  # mean light
-        # Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too.
+        # Mean count in electrons, including the read variance. Below 1 the deviance of the true scene is below 1,
+        # too.
         self.electrons = self.white * counts / weights
         self.smallest = 1e-6 * max(counts / weights, TINY)
-        # The deviance of the true scene is 1 + 1/(6 m) of m electrons, and 1/m the mean of 1/(1 + those counted).
+        # The expected deviance of the true scene is 1 + 1/(6 m) for m electrons; 1/m is estimated by the mean of
+        # 1 / (1 + counted electrons).
         self.expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
 
     @property
     def start(self) -> Array:
-        """Light of each plane of a scene without detail, to be broadcast to the scene."""
+        """Light of each plane of a uniform scene, in a shape that broadcasts to that of the scene."""
         return np.asarray(self.level)
 
     @property
     def estimate(self) -> Values | None:
-        """Light that total variation starts from, in place of a flat scene: none, as stacks have a background."""
+        """Initial light for total variation; None for a uniform scene, as for stacks, which have a background."""
         return None
 
     @property
     def slack(self) -> float:
-        """Three standard deviations of the discrepancy of the true scene, by which it may exceed 1."""
+        """Three standard deviations of the discrepancy of the true scene, which may exceed 1 by as much."""
         # A term of the deviance is about chi-squared with one degree of freedom: variance 2, and 2 / n for a mean of
         # n.
         return 3.0 * math.sqrt(2.0 / float(self.known.sum()))
@@ -122,62 +124,69 @@ class PoissonCounts:
         return float((discrepancies * self.known).sum() / self.known.sum())
 
     def reversed(self) -> Self:
-        """Return the counts with the planes in the other order."""
-        made = copy.copy(self)
-        made.known, made._recorded = self.known[::-1], self._recorded[::-1]
-        return made
+        """Return the counts with the planes in reverse order."""
+        reverse = copy.copy(self)
+        reverse.known, reverse._recorded = self.known[::-1], self._recorded[::-1]
+        return reverse
 
     def finding(self, stopped: str, steps: int, discrepancy: float) -> Finding | None:
-        """Return what is wrong with a stack, of which a method stopped after so many steps."""
+        """Return the finding on a stack for which a method stopped with this reason, or None without a problem."""
         numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
         if stopped == MISFIT:
             parts = "aberrations, wavelength, depth, direction of z, steps of z, pixels"
             return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
-        # Below one electron the deviance of the true scene is itself below 1, so it says nothing about the noise.
+        # Below one electron the deviance of the true scene is itself below 1, and does not test the noise.
         if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
             text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"
             return Finding("too_quiet", "error", text, numbers)
         return None
 
     def per_pixel(self, sums: Array) -> Array:
-        """Return the Poisson deviance per known pixel, over that of the true scene, from sums over each plane.
+        """Return the discrepancy of each plane: the Poisson deviance per known pixel over that of the true scene.
 
-        Bertero et al. 2010, doi:10.1088/0266-5611/26/10/105004.
+        `sums` are those of ``w (m - y + y ln(y / m))`` over each plane. Bertero et al. 2010,
+        doi:10.1088/0266-5611/26/10/105004.
         """
-        # Twice: the deviance is twice the logarithm of a ratio of likelihoods.
+        # The deviance is twice the logarithm of a ratio of likelihoods.
         return np.asarray(2.0 * self.white * sums / np.maximum(self.known, 1)) / self.expected
 
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[Values, Values]:
-        """Return counts and weights; both are 0 where nothing is known."""
-        given = np.asarray(self._recorded[plane, rows, columns])
-        shift, weight = (_map_part(each, rows, columns) for each in (self._shift, self._weight))
-        if given.dtype.itemsize > 4:  # what is near an offset must not lose its digits
-            counts = (given + shift.astype(np.float64)).astype(self.dtype)
+        """Return the counts and weights of a part of a plane; both are 0 in unknown pixels."""
+        recorded = np.asarray(self._recorded[plane, rows, columns])
+        shift, weight = (_map_part(values, rows, columns) for values in (self._shift, self._weight))
+        if recorded.dtype.itemsize > 4:  # in double precision, as values near a large offset would lose their digits
+            counts = (recorded + shift.astype(np.float64)).astype(self.dtype)
         else:
-            counts = np.add(given, shift, dtype=self.dtype)
+            counts = np.add(recorded, shift, dtype=self.dtype)
         at_least(counts, 0.0)
         if self._all:
             return counts, weight
-        known = np.isfinite(given) & (given < self._saturation)
+        known = np.isfinite(recorded) & (recorded < self._saturation)
         zero = self.dtype.type(0.0)
         return np.where(known, counts, zero), np.where(known, weight, zero)
 
     def _added_at(self, rows: slice, columns: slice) -> Values:
-        """Return the variance of reading, in units of light, of a part."""
+        """Return `added`, the read variance in units of light, of a part of a plane."""
         return _map_part(self._added, rows, columns)
 
     def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
-        """Return recorded light, its difference from a model over the noise, and 1 of known voxels; else 0."""
+        """Return recorded light, its difference from the model over the noise, and 1 for known voxels (else 0).
+
+        `light` is the image of the specimen in this part of a plane.
+        """
         counts, weight = self.part(plane, rows, columns)
         added = _map_part(self._added, rows, columns)
         model = np.maximum(light + added + _map_part(np.asarray(self.background, np.float32), rows, columns), TINY)
         known = np.broadcast_to(weight > 0.0, counts.shape)
         # Over the standard deviation of a Poisson count, the root of its mean in electrons.
-        off = (counts - model) * np.sqrt(self.white * weight / model)
-        return np.where(known, np.maximum(counts - added, 0.0), 0.0), off, known.astype(np.float32)
+        residual = (counts - model) * np.sqrt(self.white * weight / model)
+        return np.where(known, np.maximum(counts - added, 0.0), 0.0), residual, known.astype(np.float32)
 
     def scene(self, planes: int, pixels: int) -> Part:
-        """Return the stack itself as a specimen, with these margins: as bright as its mean where nothing is known."""
+        """Return the recorded light as a specimen with margins of so many planes and pixels.
+
+        It is the mean light in the margins and in unknown voxels.
+        """
 
         def part(plane: int, rows: slice, columns: slice) -> Values:
             out = np.full((rows.stop - rows.start, columns.stop - columns.start), self.level, dtype=np.float32)
@@ -192,113 +201,122 @@ class PoissonCounts:
         return part
 
     def set_background(self, levels: Array) -> None:
-        """Take the background from its levels at points of a grid over the field."""
-        # Linear between the points along either axis.
+        """Set the background from its levels (points, points) on a grid over the field, linear in between."""
         down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
         self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
 
     def means(self, misfit: Values, count: int) -> Array:
-        """Return the mean of the weighted ratios less 1 around each of so many by so many points of a grid."""
+        """Return the weighted mean of a misfit around each point of a grid of `count` by `count` points.
+
+        `misfit` (planes, height, width) is the weighted ratio of counts to model less 1.
+        """
         down, across = (_between(side, count) for side in self._recorded.shape[1:])
-        given = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
-        return np.asarray(given / np.maximum(down.T @ self._pixel_weights @ across, TINY))
+        sums = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
+        return np.asarray(sums / np.maximum(down.T @ self._pixel_weights @ across, TINY))
 
     @cached_property
     def _pixel_weights(self) -> Array:
         """Sum over the planes of the weights of each pixel."""
         sides = self._recorded.shape[1:]
-        made = np.zeros(sides)
+        weights = np.zeros(sides)
         for plane in range(len(self.known)):
-            made += self.part(plane, slice(0, sides[0]), slice(0, sides[1]))[1]
-        return made
+            weights += self.part(plane, slice(0, sides[0]), slice(0, sides[1]))[1]
+        return weights
 
     def darkest(self) -> float:
-        """Return the light of the darkest parts, which hold a background and little else."""
-        found = [self.level]
+        """Return the light of the darkest blocks, which contain background and little else."""
+        means = [self.level]
         down, across = (max(side // _BLOCK, 1) for side in self._recorded.shape[1:])
         for plane in range(len(self.known)):
             counts, weight = self.part(plane, slice(None), slice(None))
             known = np.broadcast_to(weight > 0.0, counts.shape)
             light = np.where(known, counts - self._added, 0.0)
             for rows in zip(np.array_split(light, down), np.array_split(known, down), strict=True):
-                parts = (np.array_split(each, across, axis=1) for each in rows)
-                # Blocks with unknown pixels are left out.
-                found += [float(some.sum() / all_.sum()) for some, all_ in zip(*parts, strict=True) if all_.all()]
-        # A percentile: the least of many means is below the background by noise.
-        return max(float(np.percentile(found, _DARKEST)), 0.0)
+                blocks = (np.array_split(values, across, axis=1) for values in rows)
+                # Blocks with unknown pixels are ignored.
+                means += [
+                    float(block.sum() / count.sum()) for block, count in zip(*blocks, strict=True) if count.all()
+                ]
+        # A percentile, because the smallest of many means is below the background by noise.
+        return max(float(np.percentile(means, _DARKEST)), 0.0)
 
     def flat(self) -> float:
-        """Return the discrepancy of a scene without detail."""
+        """Return the discrepancy of a uniform scene."""
         sides = self._recorded.shape[1:]
-        found = np.zeros(len(self.known))
-        for plane in range(len(found)):
+        sums = np.zeros(len(self.known))
+        for plane in range(len(sums)):
             light = np.full(sides, self.level - self.background, np.float32)
-            found[plane] = self._compared(plane, slice(0, sides[0]), slice(0, sides[1]), light, None)[0]
-        return self.mean(self.per_pixel(found))
+            sums[plane] = self._deviance_sums(plane, slice(0, sides[0]), slice(0, sides[1]), light, None)[0]
+        return self.mean(self.per_pixel(sums))
 
     def discrepancies(self, blur: PlaneOperator, specimen: Part, misfit: Values | None = None) -> Array:
-        """Return the Poisson deviance per voxel of each plane; `misfit` becomes the weighted ratio less 1."""
+        """Return the discrepancy of each plane of the blurred specimen, and set `of_specimen`.
 
-        def compared(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, Array]:
-            return plane, self._compared(plane, rows, columns, light, misfit)
+        If given, `misfit` (planes, height, width) is overwritten by the weighted ratio of counts to model less 1.
+        """
+
+        def compare(plane: int, rows: slice, columns: slice, light: Values) -> tuple[int, Array]:
+            return plane, self._deviance_sums(plane, rows, columns, light, misfit)
 
         sums, of_specimen = np.zeros(len(self.known)), np.zeros(3)
-        for plane, found in blur.forward(specimen, compared):
-            sums[plane] += found[0]
-            of_specimen += found[1:]
+        for plane, part_sums in blur.forward(specimen, compare):
+            sums[plane] += part_sums[0]
+            of_specimen += part_sums[1:]
         if np.any(self.background):
-            lost, lit, spread = of_specimen
-            # Terms of the deviance have the variance 2: with weights w, 2 sum(w^2) / sum(w)^2 for their mean. The
-            # slack
-            # is three standard deviations.
-            self.of_specimen = 2.0 * self.white * lost / max(lit, TINY), 3.0 * np.sqrt(2.0 * spread) / max(lit, TINY)
+            deviance, weights, squares = of_specimen
+            # A term of the deviance has the variance 2, and their mean with weights w has 2 sum(w^2) / sum(w)^2. The
+            # slack is three standard deviations.
+            total = max(weights, TINY)
+            self.of_specimen = 2.0 * self.white * deviance / total, 3.0 * np.sqrt(2.0 * squares) / total
         return self.per_pixel(sums)
 
-    def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
-        """Return sums over a part, whose light becomes the model: of the deviance, and what `of_specimen` needs.
+    def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
+        """Return four sums over a part of a plane; its image `light` is overwritten by the model of the counts.
 
-        Voxels have there the square of the specimen's share of the model as their weight.
+        The first is that of ``w (m - y + y ln(y / m))``. The others, for `of_specimen`, have the square of the
+        specimen's share of the model as the weight of each voxel: sums of the weighted terms, of the weights and of
+        their squares.
         """
         counts, weight = self.part(plane, rows, columns)
-        beside = _map_part(np.asarray(self.background, self.dtype), rows, columns)
-        other = _map_part(self._added, rows, columns) + beside
-        # In place throughout: new memory costs more than what is done in it.
-        at_least(light, TINY)  # beside what is too bright for a moment, narrow kernels make it negative
-        share = light.copy() if np.any(beside) else None
+        background = _map_part(np.asarray(self.background, self.dtype), rows, columns)
+        other = _map_part(self._added, rows, columns) + background
+        # All in place, because allocating memory would take longer than the operations.
+        at_least(light, TINY)  # narrowed kernels have negative values, beside voxels that are too bright for a step
+        share = light.copy() if np.any(background) else None
         model = np.add(light, other, out=light)
         ratio = np.divide(counts, model, out=counts)
-        np.minimum(ratio, np.full(ratio.shape[-1:], _MOST_RATIO, ratio.dtype), out=ratio)
-        if self._full is not None:  # the model may exceed what a saturated pixel counted
+        np.minimum(ratio, np.full(ratio.shape[-1:], _MAX_RATIO, ratio.dtype), out=ratio)
+        if self._full is not None:  # the model may exceed the counts of a saturated pixel
             np.maximum(ratio, 1.0, out=ratio, where=self._full[plane, rows, columns])
         terms = at_least(ratio.copy(), TINY)
         np.log(terms, out=terms)
         terms *= ratio
         ratio -= 1.0
-        # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
+        # m - y + y ln(y/m) = m (q ln q - (q - 1)) with q = y/m: the difference q - 1 is exact where q is near 1.
         terms -= ratio
         if weight.ndim or self.most_weight != 1.0:
             terms *= weight
             ratio *= weight
         if misfit is not None:
             misfit[plane, rows, columns] = ratio
-        # Sums of rows in the type of the values, and of these in float64.
-        found = [np.einsum("yx,yx->y", terms, model)]
+        # Rows are summed in the type of the values, and their sums in float64.
+        row_sums = [np.einsum("yx,yx->y", terms, model)]
         if share is not None:
             share /= model
             share *= share
             terms *= model
             if weight.ndim:
                 share *= weight > 0.0
-            found += [np.einsum("yx,yx->y", one, share) for one in (terms, np.ones_like(share), share)]
-        sums = [float(each.sum(dtype=np.float64)) for each in found]
+            row_sums += [np.einsum("yx,yx->y", values, share) for values in (terms, np.ones_like(share), share)]
+        sums = [float(part.sum(dtype=np.float64)) for part in row_sums]
         return np.array(sums + [0.0] * (4 - len(sums)))
 
 
 def _between(side: int, count: int) -> Array:
-    """Return the weights of evenly spaced points at each pixel, linear between two."""
-    # Hat functions around the points; one point holds everywhere.
-    place = np.linspace(0.0, count - 1.0, side)
-    return np.asarray(np.maximum(1.0 - np.abs(place[:, np.newaxis] - np.arange(count)), 0.0 if count > 1 else 1.0))
+    """Return the weights of linear interpolation from `count` evenly spaced points to pixels, shape (side, count)."""
+    # Hat functions around the points; a single point has the weight 1 everywhere.
+    position = np.linspace(0.0, count - 1.0, side)
+    return np.asarray(np.maximum(1.0 - np.abs(position[:, np.newaxis] - np.arange(count)), 0.0 if count > 1 else 1.0))
 
 
 def at_least(values: Values, least: float) -> Values:
@@ -307,24 +325,24 @@ def at_least(values: Values, least: float) -> Values:
     return np.maximum(values, np.full(values.shape[-1:], least, values.dtype), out=values)
 
 
-def _map_part(each: Values, rows: slice, columns: slice) -> Values:
-    """Return a part of a map, or the number that holds for all pixels."""
-    return each[rows, columns] if each.ndim else each
+def _map_part(values: Values, rows: slice, columns: slice) -> Values:
+    """Return a part of a map, or the scalar that applies to all pixels."""
+    return values[rows, columns] if values.ndim else values
 
 
 class PhotographCounts(PoissonCounts):
-    """The counts of a photograph in memory, and the blur of its scene; its channels are planes.
+    """Counts of a photograph in memory, with the blur of its scene; channels are planes.
 
     Parameters
     ----------
     blur : LinearBlur
     light : ndarray of float, shape (height, width) or (height, width, channels)
-        Recorded light, NaN where it is unknown.
+        Recorded light, NaN where unknown.
     noise : Noise
     saturation : float
-        Light from which on pixels count at least so much.
+        Light from which on pixels are saturated: their values are lower limits.
     full : ndarray of bool, optional
-        The pixels that do, where `light` does not say so.
+        Saturated pixels, if these cannot be derived from `light`.
 
     Raises
     ------
@@ -332,7 +350,7 @@ class PhotographCounts(PoissonCounts):
         If no pixel is known.
     """
 
-    weakest = 1.0 / 8.0  # right depths take half to double of the usual strength
+    weakest = 1.0 / 8.0  # with correct depths the strength is 0.5 to 2 times the usual one
     settles = False
 
     def __init__(
@@ -353,12 +371,12 @@ class PhotographCounts(PoissonCounts):
         self.added = self._added[..., None] if self._added.ndim and light.ndim == 3 else self._added
 
     def replaced(self, light: Values) -> PhotographCounts:
-        """Return the counts of other light whose saturated pixels are the same."""
+        """Return the counts of other light with the same saturated pixels."""
         return PhotographCounts(self.blur, light, self.noise, full=self._saturated)
 
     @cached_property
     def operator(self) -> ImagePlanes:
-        """The blur by planes, with the weights of the pixels."""
+        """Blur of the planes, with the weights of the pixels."""
         return ImagePlanes(self.blur, self.weight)
 
     @property
@@ -368,28 +386,31 @@ class PhotographCounts(PoissonCounts):
 
     @property
     def start(self) -> Array:
-        """Mean light of each channel; of one that is unknown that of the others: steps that multiply keep a 0."""
+        """Mean light of each channel, (channels, 1, 1); of an unknown channel the mean of all.
+
+        A start of 0 would stay 0, since steps multiply the light.
+        """
         pairs = zip(self._light, self._weights, strict=True)
         levels = [light / weight if weight else self.level for light, weight in pairs]
         return np.array(levels)[:, np.newaxis, np.newaxis]
 
     def flat(self) -> float:
-        """Return the discrepancy of a scene without detail."""
+        """Return the discrepancy of a uniform scene."""
         return self.mean(self.discrepancies_of(self._flat))
 
     @cached_property
     def counts(self) -> Values:
-        """Counts of all pixels, 0 where they are unknown."""
+        """Counts of all pixels, 0 where unknown."""
         return self._image(0)
 
     @cached_property
     def weight(self) -> Values:
-        """Gain over its mean, 0 where a pixel is unknown."""
+        """Gain of each pixel over the mean gain, 0 where unknown."""
         return self._image(1)
 
     @property
     def certain(self) -> NDArray[np.bool_]:
-        """The pixels that are known and not full."""
+        """True for pixels that are known and not saturated."""
         known = self.weight > 0.0
         return known if self.full is None else known & ~self.full
 
@@ -399,13 +420,13 @@ class PhotographCounts(PoissonCounts):
         return np.where(self.weight > 0.0, np.maximum(self.counts - self.added, 0.0), self._flat)
 
     def model(self, light: Values) -> Values:
-        """Return the expected counts of a scene."""
-        made = self.blur.forward(light)
-        made += self.added
-        return np.maximum(made, TINY, out=made)
+        """Return the expected counts of a scene `light`."""
+        model = self.blur.forward(light)
+        model += self.added
+        return np.maximum(model, TINY, out=model)
 
     def discrepancies_of(self, light: Values) -> Array:
-        """Return the Poisson deviance per known pixel of each channel, of a scene."""
+        """Return the discrepancy of each channel for a scene `light`."""
         return self.discrepancies(self.operator, self.operator.parts(light))
 
     @property

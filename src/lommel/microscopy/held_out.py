@@ -61,8 +61,8 @@ class _Half(PoissonCounts):
         self._losses, self._electrons = (np.zeros(held.shape, np.float32) for _ in range(2))
         self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State(), [])
 
-    def _compared(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
-        found = super()._compared(plane, rows, columns, light, misfit)
+    def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
+        found = super()._deviance_sums(plane, rows, columns, light, misfit)
         if self._held is not None:
             at = plane, rows, columns
             _, weight = self.part(*at)

@@ -263,7 +263,7 @@ def test_what_a_file_states_is_not_stated_otherwise(tmp_path):
 
 
 def test_a_map_knows_its_mask_its_sign_and_its_double():
-    assert repr(MAP) == "<OPDMap 40x44, 70.7% measured, spacing 0.00015 m, wavelength 6.328e-07 m>"
+    assert repr(MAP) == "<OPDMap 40x44, 70.7 % measured, spacing 0.00015 m, wavelength 6.328e-07 m>"
     np.testing.assert_array_equal((2 * MAP).values, 2.0 * VALUES)
     np.testing.assert_array_equal(np.asarray(-MAP), -VALUES)
     assert (2 * MAP).spacing == 1.5e-4

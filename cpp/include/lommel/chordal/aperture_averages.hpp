@@ -20,13 +20,13 @@
 
 namespace lommel {
 
-// Rule with `size` chords of `size` nodes; weights in the layout of TermTable::own.
+// Chordal rule with `size` chords of `size` nodes each; its complex weights have the layout of TermTable::own.
 struct ApertureRule {
     std::size_t size;
     const double* weights;
 };
 
-// Terms at the nodes of the rule, cached for further images of the aperture.
+// Zernike terms at the nodes of the rule, cached for further images of the same aperture.
 struct ApertureTable : TermTable {
     std::vector<double> given;
 
@@ -47,8 +47,8 @@ class ApertureAverages {
    public:
     using More = ChordalDerivatives<Real>;
 
-    // Writes the brightest sample of each pupil and the averages of `nodes`; if `more` has terms, also derivatives, whose
-    // fields are off by at most `off`.
+    // Compute the pixel averages of `nodes` and the largest sample of each pupil (`brightest`); with derivative terms in
+    // `more`, also the derivatives, whose fields have the error bound `off`.
     ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
                      const More& more, double off)
         : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),

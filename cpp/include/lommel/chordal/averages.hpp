@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Sampling nodes of a window along rows and columns, and their weights in the average of each pixel: down[pixel][node],
+// Sampling nodes along the rows and columns of a window. Weights of the nodes in the average of each pixel: down[pixel][node],
 // across[pixel][node].
 struct PixelNodes {
     WindowAxis rows, columns;
@@ -24,8 +24,8 @@ struct PixelNodes {
     double *largest, *together;  // [pupil]: largest average, and sum of all averages
 };
 
-// Convert nodes in v about the middle of a window to nodes about the axis. If the axis is near the middle, it is moved there
-// by a tilt of the pupils: the symmetric nodes then share work.
+// Convert nodes in v relative to the middle of a window to nodes relative to the optical axis. An axis within `near` pixels of
+// the middle is moved there by a tilt of the pupils, so that symmetric nodes share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {
@@ -62,10 +62,10 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
             together};
 }
 
-// Samples are summed over blocks of this many nodes in their own precision; the block sums are added in double precision.
+// Block size of the sums over nodes: within a block in the precision of the samples, over blocks in double precision.
 constexpr std::size_t node_block = 8;
 
-// Weights in the precision of the samples, in the layouts that the kernels need.
+// Node weights in the precision of the samples, in the layouts that the kernels read.
 template <class Real>
 struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -107,7 +107,7 @@ struct NodeWeights {
     }
 };
 
-// Add a vector in the precision of the samples to sums in double precision.
+// Add a vector in the precision of the samples to double-precision sums.
 template <class I, class Real, class V>
 LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -118,8 +118,8 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// Add the contribution of a row of samples to the average along rows, sums[vector of pixels][lane]. Samples: [node][lane] for
-// pupils side by side, [node] for one pupil, whose pixels are then in the lanes.
+// Weighted sum of a row of samples, added to sums[vector of pixels][lane]. Samples are [node][lane] with one pupil per lane;
+// for a single pupil (`Lone`) they are [node], and the lanes are pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;
@@ -147,8 +147,7 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Add a block of averaged rows, lines[vector][node of the block] starting at node `from`, to sums[row of
-// pixels][vector][lane].
+// Add one block of row sums, lines[vector][node of the block] from node `from` on, to sums[row of pixels][vector][lane].
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -1,4 +1,4 @@
-// Batches of pupils, one per vector lane, or one pupil with chords in the lanes; with tables for the full disk and the
+// Batch of pupils, one per vector lane, or a single pupil with chords in the lanes; with the tables of the full disk and of the
 // obscuration.
 #pragma once
 
@@ -23,7 +23,7 @@ struct ChordalTables {
     std::shared_ptr<const KernelTable<Real>> kernel;
     std::shared_ptr<const FactorTable> factors;  // for derivatives only
 
-    // Tables for a disk of relative radius `radius` and pixels `step` apart in v, cached for further images.
+    // Cached tables for a disk of relative radius `radius` and a pixel pitch `step` in v.
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -33,7 +33,7 @@ struct ChordalTables {
     }
 };
 
-// Working memory for as many pupils as a vector of `Real` has lanes.
+// Working memory for one batch.
 template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -44,7 +44,7 @@ struct ChordalScratch {
     Doubles sums;
 };
 
-// A batch and its disks: the full one and, if area != 0, the obscuration, whose U is multiplied by `area` and subtracted.
+// A batch of pupils and its disks: U is that of the full disk minus, if area != 0, `area` times that of the obscuration.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -65,10 +65,10 @@ struct ChordalBatch {
     bool lone() const { return disks[0].kernel->lanes.side > 1; }
     // Vectors per row: one per column or, for one pupil, one per lanes() columns.
     std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
-    // Values per disk for a pair (or a vector of pairs) of chords: parities in y and x, re and im.
+    // Number of values for a pair (or a vector of pairs) of chords: 4 parities (in y and x), each re and im.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
-    // Copy the coefficients of a disk into lanes; spare lanes repeat the first pupils.
+    // Copy the Zernike coefficients of a disk into lanes; unused lanes repeat the first pupils.
     void gather(std::size_t disk) const {
         const TermTable& table = *disks[disk].terms;
         const std::size_t terms = stack.terms.size(), all = lone() ? 1 : lanes();
@@ -83,7 +83,7 @@ struct ChordalBatch {
         }
     }
 
-    // Compute U of one disk and hand it to `sink` row by row, [column][re, im].
+    // Compute U of one disk and pass it to `sink` row by row, as [column][re, im].
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
@@ -120,7 +120,7 @@ struct ChordalBatch {
         });
     }
 
-    // Compute U from the pupil functions; with `keep`, the nodes of all chords are kept for derivatives.
+    // Compute U from the pupil functions; `keep` keeps the pupil function at the nodes of all chords, for derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

@@ -29,21 +29,21 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
     return degree;
 }
 
-// For a pupil: sqrt(peak), error bound of U, error bound of the field of P times a term of the given degree.
+// Errors of a pupil: sqrt(peak), error bound of U, error bound of the field of P times a term of the given degree.
 using FoundErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
-// Policy: derivatives of the intensity, scaled like the images, [term][pupil], and their error bounds relative to the peak.
+// Policy: derivatives of the intensity, scaled like the images, as [term][pupil], with error bounds relative to the peak.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;
     std::vector<ZernikeTerm> terms;
     T* images;
     double* bounds;
-    double* averages = nullptr;  // or null; if set, pixel averages replace images, and bounds are absolute ones at the nodes
+    double* averages = nullptr;  // if not null: pixel averages instead of images; `bounds` are then absolute, at the nodes
     double* sizes = nullptr;     // with averages: bounds on the moduli of derivatives at the nodes
 
-    // Compute the derivatives of a batch whose U at each pixel, and whose nodes, are kept. scales[lane]: scale of the image.
-    // With `weights`, pixel averages are computed.
+    // Compute the derivatives of a batch from the kept U of each pixel and the kept nodes. scales[lane]: scale of the image.
+    // `weights`, if not null, asks for pixel averages.
     template <class Real>
     void follow(const ChordalBatch<Real>& batch, const double* scales, const FoundErrors& found,
                 const NodeWeights<Real>* weights) const {
@@ -87,7 +87,7 @@ struct ChordalDerivatives {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
                 const auto [u, error, wrong] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
-                // Rounding of two products and their difference, doubled, and of storing.
+                // Rounding of the two products and their difference (factor 2), and of storing.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
                 const double off = 2.0 * (u * wrong + d * error + wrong * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;

@@ -21,7 +21,7 @@
 
 namespace lommel {
 
-// line: error of one sum; curve: curve to be sampled for that sum; bend: bound C of the second derivatives of phase and window
+// Error of one sum. line: bound in use; curve: curve to be sampled; bend: bound C on the second derivatives of phase and kernel
 // on that curve.
 struct ChordSide {
     ChordLine line;
@@ -29,7 +29,7 @@ struct ChordSide {
     double bend = 0.0;
 };
 
-// Bounds for one disk with one phase.
+// Error bounds of one disk with one phase.
 struct ChordDisk {
     ChordSide chords, nodes;
     double rounding = 0.0;
@@ -42,7 +42,7 @@ struct ChordDisk {
 // Chooses curves and bounds for the pupils of a stack.
 class ChordLines {
    public:
-    // For a window whose rows (columns) at +v and -v are one entry of the axis.
+    // Rows (columns) at +v and -v share one entry of the axis.
     ChordLines(const DiskStack& stack, const WindowAxis& rows, const WindowAxis& columns, double step, int threads)
         : stack_(stack), terms_(stack.terms),
           box_{step * columns.low(), step * columns.high(), step * rows.low(), step * rows.high()},
@@ -57,7 +57,7 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // Find the lines of disk(p) with the fewest chords and nodes for error(p, bound), for all pupils p.
+    // For each pupil p, find the curves with the fewest chords and nodes for the error error(p, bound); result in disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Re-choose the curves for a smaller error.
@@ -71,14 +71,13 @@ class ChordLines {
         }
     }
 
-    // Rough cost of an image in vector operations per vector of pupils, counted rather than measured, in the unit of
-    // SharpTable::work().
+    // Estimated cost of an image in vector operations per vector of pupils, in the unit of SharpTable::work().
     double work(double chords, double nodes) const {
         return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
     }
 
    private:
-    // Usual ratio of the logarithm of the sampled mean to that of the largest value, for chords and nodes.
+    // Typical ratio log(sampled mean) / log(largest value) of the integrand, for chords and nodes.
     static constexpr double usual_share[2] = {0.4, 0.25};
 
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
@@ -114,7 +113,7 @@ class ChordLines {
             };
             room.resize(table.room() * lanes);
             float tops[2 * row_lanes], means[2 * row_lanes];
-            // Take pupils one by one if they would fill at most half of a vector.
+            // Take pupils one by one if they fill at most half of a vector.
             const bool lone = 2 * here <= lanes;
             for (std::size_t from = 0; from < here; from += lone ? 1 : here) {
                 laid(from, lone ? 1 : here, lone ? 1 : lanes);
@@ -132,8 +131,8 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The table's curve belongs to the first pupil, the one of least b; the others bend less there than on their
-                // own curves.
+                // The table's curve is that of the first pupil, which has the smallest b, so `bend` on their own curves bounds
+                // the others too.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

@@ -21,8 +21,8 @@
 
 namespace lommel {
 
-// Table for one curve of one sum: Zernike terms at samples of a quarter of the curve, and weights of the samples in the mean
-// for each corner of the window. A sample at (x, y) stands for (+-x, +-y) and their conjugates.
+// Table for one curve of one sum: Zernike terms at the samples of a quarter of the curve, and for each corner of the window the
+// weights of the samples in the mean. A sample at (x, y) also represents (+-x, +-y) and their conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
     static constexpr std::size_t tile = 16;  // samples per tile: a multiple of all vector lengths
@@ -36,28 +36,28 @@ struct SharpTable {
     TermClasses classes;
     std::size_t samples;
     double step;         // angle between samples
-    double scale = 0.0;  // logarithm of the divisor of the shares
+    double scale = 0.0;  // logarithm of the common divisor of `shares`
     Floats values;       // [tile][term][sample]
-    Floats shares;       // [tile][image][+ or - its phase][corner][sample]; 0 for padding
+    Floats shares;       // weights of the samples: [tile][image][sign of its phase][corner][sample]; 0 for padding
     std::vector<double> most;  // [term]: largest modulus
 
     SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
 
-    // Number of steps in a quarter turn.
+    // Number of sampling steps in a quarter turn.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
-    // Return whether the values of terms are well within the range of float.
+    // Return whether the terms on this curve are well within the range of float.
     static bool serves(std::size_t degree, std::size_t curve) {
         return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
-    // Minimum number of chords for which the sampled bound of sums over nodes holds.
+    // Minimum number of chords for which the sampled bound on the sums over nodes is valid.
     static constexpr std::size_t least_chords = 16;
 
     // Logarithm of a mean, from the results of sharp_means().
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Returns a bound on log(mean) minus its sampled value. It covers the change between samples, by second derivatives of at
-    // most `bend` along both angles, and the rounding of terms and sums in float.
+    // Bound on log(mean) minus its sampled value: change between samples, from second derivatives of at most `bend` in both
+    // angles, plus rounding of terms and sums in float.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -66,7 +66,7 @@ struct SharpTable {
         return 0.25 * step * step * bend + 1e-3 +
                single * (static_cast<double>(terms.size() + 10) * size + static_cast<double>(8 * samples));
     }
-    // Cost in vector operations per vector of doubles of pupils.
+    // Cost in vector operations, for one vector of pupils.
     static double work(const TermPairs& list) {
         const double side = static_cast<double>(quarter(list.degree) + 1);
         return 0.5 * side * side * (static_cast<double>(list.terms.size()) + 110.0);
@@ -76,15 +76,15 @@ struct SharpTable {
     }
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
     std::size_t room() const { return tiles() * tile * images; }  // vectors for all images of all samples
-    // Offset of the values of a sample, when each sample has `numbers` values, `tile` apart.
+    // Offset of a sample's first value in tiles with `numbers` values per sample, which lie `tile` apart.
     static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of the first angle: means of the hat functions around the samples, halved at symmetric points that stand for
-    // fewer images. For chords the angle is a, with the weight |sin(a + ib)|^2; for nodes, the maximum over all numbers of
-    // chords of the sums over chords.
+    // Weights along the first angle: means of the hat functions around the samples, halved at symmetric points, which represent
+    // fewer images. For chords the angle is a, with weight |sin(a + ib)|^2; for nodes it is phi, and the weight is the maximum
+    // over all numbers of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -111,7 +111,7 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of the second angle: position on a chord, eta = cos tau (chords), or a full turn of tau (nodes).
+    // Weights along the second angle tau: for chords eta = cos tau along a chord, for nodes a full turn of tau.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -172,9 +172,9 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For each pupil compute tops = max |Im Phi| over all samples, and means = the largest over corners of the mean of e^{-Im
-// (Phi - v r)}, divided by e^{top + scale}. Takes a vector of pupils, coefficients[term][pupil] in the order of the table;
-// with `Lone` one pupil, with samples in the lanes. `room`: table.room() vectors.
+// For each pupil: tops = max |Im Phi| over all samples; means = the mean of e^{-Im (Phi - v r)} at the worst corner, divided by
+// e^{top + scale}. Lanes are pupils, coefficients[term][pupil] in the order of the table; with `Lone`, lanes are samples of a
+// single pupil. `room`: working memory of table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;
@@ -190,7 +190,7 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
     };
     const std::size_t terms = table.terms.size(), vectors = Lone ? table.tiles() * SharpTable::tile / lanes : table.samples;
     V top = splat<V>(0.0f);
-    // Enough chains of multiply-adds to hide their latency.
+    // Six independent chains of multiply-adds hide their latency.
     for_fixed_tiles<6>(vectors, [&](std::size_t first, auto size_of) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size_of)::value;
         const float* value[R];
@@ -228,8 +228,7 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
         top = splat<V>(*std::max_element(tops, tops + lanes));
         store(tops, top);
     }
-    // Sum samples in the same order for one pupil as for a vector of pupils: bounds must not depend on how pupils are
-    // grouped.
+    // Sum in the same order for one pupil as for a vector of pupils: bounds must not depend on the grouping of pupils.
     V all[SharpTable::corners] = {};
     const std::size_t apart = Lone ? 1 : lanes;
     for (std::size_t lane = 0; lane < apart; ++lane) {

@@ -16,7 +16,7 @@ namespace lommel {
 struct FactorTable {
     ChordCount count;
     std::vector<ZernikeTerm> terms;
-    double radius;  // of this disk, relative to the disk on whose edge terms are 1
+    double radius;  // radius of this disk over that of the disk at whose edge terms are 1
     TermClasses classes;
     Doubles values;  // [term, ordered by classes][chord][node]
 
@@ -37,7 +37,7 @@ struct FactorTable {
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over) const {
         return count == n && radius == over && terms == list;
     }
-    // Values of a term (index in the order of classes) at the nodes of a pair of chords.
+    // Values of a term (by its index in class order) at the nodes of a pair of chords.
     const double* at(std::size_t term, std::size_t chord) const {
         return values.data() + (term * count.half_chords() + chord) * count.half_nodes();
     }
@@ -45,7 +45,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Assignment of lanes: each lane is one pupil times one term; a batch takes as many terms, in the order of classes, as fit.
+// Assignment of lanes: each lane is one pupil times one term. A batch takes as many terms as fit, in class order.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -54,7 +54,7 @@ struct FactorLanes {
         : table(factors), here(pupils), lanes(all), first(from), count(std::min(all / pupils, factors.terms.size() - from)) {}
 
     std::size_t used() const { return count * here; }
-    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in the order of classes
+    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in class order
     std::size_t parity(std::size_t at) const {
         std::size_t parity = 0;
         while (at >= table.classes.ends[parity]) {
@@ -64,8 +64,8 @@ struct FactorLanes {
     }
 };
 
-// Multiply the nodes of a pair of chords by the term of each lane. The class of a term says which parity (even or odd in x
-// and y) of the product each parity of the nodes goes to.
+// Multiply the nodes of a pair of chords by the term of each lane. Parities (even or odd in x and y) of node values and term
+// add modulo 2.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;
@@ -88,7 +88,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
         }
         return;
     }
-    // Lanes whose term is of another class have the factor 0, set once for all chords.
+    // Terms of another class are given the factor 0, set once for all chords.
     bool used[4] = {};
     for (std::size_t lane = 0; lane < given.used(); ++lane) {
         const std::size_t term = given.term(lane), parity = given.parity(term);
@@ -118,7 +118,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
     }
 }
 
-// Write -2 Im(conj(U) D) along a row to `values`; raise `top` to the largest |D|^2 of each lane.
+// Derivatives -2 Im(conj(U) D) along a row, to `values`; `top` becomes the maximum of |D|^2 in each lane.
 template <class I, class Real>
 LOMMEL_INLINE void slopes_of_row(I, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top) {
     using V = typename Waves<I, Real>::V;

@@ -18,17 +18,17 @@
 
 namespace lommel {
 
-// Results for each plane: the weighted sum of the light, its derivatives by the sets of fields after the first, then by
-// terms.
+// Results for each plane: the weighted sum of the intensity, its derivatives for each field set after the first, then for each
+// Zernike term.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;  // [plane][row][column]
     double* values;  // [plane][1 + sets - 1 + terms]
-    double* largest;  // [plane][1 + fields]: maximum of the light, and of the modulus of each field
+    double* largest;  // [plane][1 + fields]: maximum of the intensity, and of the modulus of each field
 };
 
-// Add Im(P G) at the nodes of a pair of chords to sums[parity][node][lane], by the parity of the product; P and G in the
-// layout of place_field().
+// Add Im(P G) at the nodes of a pair of chords to sums[parity of the product][node][lane]; P and G have the layout of
+// place_field().
 template <class I>
 LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, const double* adjoint, double* sums) {
     using V = typename Waves<I, double>::V;
@@ -49,8 +49,8 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field(): from the adjoint in one lane, add the factor of each part of the field's amplitudes in the sum
-// of P G over a pair of chords to sums[part][re, im][node], at the nodes of these chords.
+// Transpose of place_field(): adjoint G of one field (one lane) -> sums[part][re, im][node], the derivative of sum P G with
+// respect to each part of the field's amplitude, added at the nodes of a pair of chords.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -120,8 +120,8 @@ LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&ve
     }
 }
 
-// Calls found(j, c, product) for the inner products of all rows row(j) with all vectors vector(j, c), in blocks of rows that
-// stay in the cache.
+// For all rows j and vectors c, call found(j, c, product) with the inner product of row(j) and vector(j, c), in cache-sized
+// blocks of rows.
 template <class Row, class Of, class Found>
 void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_t count, int threads, const Row& row,
                   const Of& vector, const Found& found) {
@@ -164,8 +164,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // Contributions of a batch to each plane of which it has fields: the light, the sums that all terms share, the sums of
-    // the parts.
+    // Contribution of a batch to each plane that its fields belong to: intensity, sums shared by all terms, sums of the parts.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);
@@ -257,7 +256,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     if (rates == 0) {
         return;
     }
-    // Part of each term of a series; real and imaginary parts are separate rows.
+    // Part that each term of a series belongs to; real and imaginary parts are separate rows.
     std::vector<std::size_t> part_of(given.total);
     for (std::size_t part = 0, term = 0; part < given.ends.size(); ++part) {
         for (; term < given.ends[part]; ++term) {

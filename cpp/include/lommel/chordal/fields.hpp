@@ -23,19 +23,18 @@
 
 namespace lommel {
 
-// A summand of a field: a part of the amplitude times a factor. `parity` of the factor: 2 (odd in x) + (odd in y).
+// Term of a field: one part of the amplitude times a factor of given parity, 2 (odd in x) + (odd in y).
 struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// A set of fields: the series of their amplitudes, the Zernike term Z of a factor i Z (negative: none), and the kind of
-// waves.
+// Set of fields: series of its amplitudes; Zernike term Z of a factor i Z (negative: no factor); kind of wave.
 struct FieldSet {
     std::int32_t series, term, kind;
 };
 
-// Input at the nodes of a quadrant, [chord][node] as `count` says. The first set are the fields E; each other set are fields
-// F for one derivative, 2 Re conj(E) F, of sum |E|^2.
+// Input at the nodes of a quadrant, [chord][node]. The first set are the fields E; each further set are fields F for one
+// derivative of sum |E|^2, 2 Re conj(E) F.
 struct NodeSeries {
     ChordCount count;
     std::size_t planes, fields, total;  // total: terms of a series
@@ -48,8 +47,8 @@ struct NodeSeries {
     const double* terms;                 // [term][node], values of Z
     const std::int32_t* term_parity;
     std::size_t wave_count;
-    const std::complex<double>* waves;  // [kind][wave][parity][node]: weighted sums of a wave over the four images of a node
-    const std::int32_t* wave;           // [plane]: its wave
+    const std::complex<double>* waves;  // [kind][wave][parity][node]: weighted sums of a wave over the images of a node
+    const std::int32_t* wave;           // [plane]: index of its wave
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
@@ -57,7 +56,7 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity of the waves that contribute to `parity` of a field through a share: parities of products add modulo 2.
+    // Parity of the wave that a share needs for `parity` of its field: parities of products add modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -65,9 +64,9 @@ struct NodeSeries {
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
-// Waves exp(i W) at the four images of each node of a quadrant, times the weight of the node, combined by parity:
-// to[parity][node]. If largest > 0, also i W exp(i W) / largest, `apart` values further on. W is the sum of `count` terms,
-// terms[term][node], each of one parity.
+// Waves exp(i W) times the node weight, combined over the four images of each node of a quadrant to parities: to[parity][node].
+// If largest > 0, also i W exp(i W) / largest, `apart` values further on. W: sum of `count` terms[term][node], each of one
+// parity.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart);
 #if defined(LOMMEL_DEFINES)
@@ -77,7 +76,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
-        // Transform between four images and four parities, its own inverse up to a factor: the bit for y first, then that for
+        // Hadamard transform between four images and four parities, its own inverse but for a factor: first along y, then along
         // x.
         const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
             const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
@@ -124,8 +123,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
 }
 #endif
 
-// Evaluate the parts of the amplitudes of a plane for one series at the nodes first .. first + count - 1: to[part][re,
-// im][node].
+// Parts of the amplitudes of one series and plane at the nodes first .. first + count - 1: to[part][re, im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
                        std::size_t count, double* to) {
     const std::size_t nodes = given.nodes();
@@ -162,8 +160,8 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Parts of `planes` planes for the first `series` series, [series][plane][part][re, im][node]. Works on blocks of nodes whose
-// terms stay in the cache.
+// Parts of the amplitudes for `planes` planes and `series` series, [series][plane][part][re, im][node], in cache-sized blocks
+// of nodes.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -179,7 +177,7 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// One parity of the pupil function of a field at all nodes. `own`: parities that the plane's waves have; `parts` as from
+// One parity of a field's pupil function at all nodes. `own`: parities of the plane's wave that are not zero; `parts` from
 // sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
@@ -212,8 +210,8 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
     });
 }
 
-// Write the pupil function of one field into a vector lane, for a pair of chords: [even, odd in y][node][even, odd in x][re,
-// im]. `parts` as from sum_series().
+// Pupil function of one field at a pair of chords, into a vector lane: [parity in y][node][parity in x][re, im]. `parts` from
+// sum_series().
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -261,7 +259,7 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
     }
 }
 
-// Parities that waves have, [kind][wave]: wavefronts even along an axis have only half of the four.
+// Parities that are not zero, [kind][wave]: two of the four if a wavefront is even along an axis.
 using Parities = std::vector<std::array<bool, 4>>;
 
 inline Parities wave_parities(const NodeSeries& given) {
@@ -279,18 +277,18 @@ inline Parities wave_parities(const NodeSeries& given) {
     return waves;
 }
 
-// One parity of one field of one set in one plane.
+// One parity of one field, of one set in one plane.
 struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// All FieldParts of some planes that are not identically zero, ordered by parity and divided into batches that fill a vector.
+// All FieldParts of some planes that are not zero, sorted by parity, in batches of at most one vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
     const Parities& waves;
     std::size_t first, planes;
     std::vector<FieldPart> list;
-    // Parts list[first], ..., list[first + count - 1], in the lanes of a vector.
+    // Parts list[first] .. list[first + count - 1], one per vector lane.
     struct Batch {
         std::size_t first, count;
     };
@@ -327,10 +325,10 @@ struct FieldParts {
     }
 };
 
-// Number of distances along a row, padded to whole vectors.
+// Number of column distances, padded to whole vectors.
 inline std::size_t padded(const WindowAxis& columns) { return (columns.at.size() + row_lanes - 1) / row_lanes * row_lanes; }
 
-// Evaluate parts of fields at distances from the axes: to[part][row][re, im][column], zero padded.
+// Parts of fields at distances from the axes: to[part][row][re, im][column], zero padded.
 inline void part_fields(Level level, const NodeSeries& given, const FieldParts& wanted, const KernelTable<double>& kernel,
                         int threads, double* to) {
     using Kernels = ChordKernels<double>;
@@ -396,10 +394,10 @@ struct PlaneLight {
     const WindowAxis &rows, &columns;
     const double* parts;       // from part_fields()
     const std::size_t* place;  // [set][field][parity]
-    double *values, *largest;  // [set][plane][row][column] and [set][plane][field], from this plane on
+    double *values, *largest;  // [set][plane][row][column] and [set][plane][field], beginning at this plane
 
-    // Return whether the light is symmetric about an axis: it is if no field has both even and odd parts. `odd`: bit of the
-    // axis in a parity.
+    // Return whether the intensity is symmetric about an axis: no field has both even and odd parts. `odd`: parity bit of the
+    // axis.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -415,8 +413,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // Contribution of a part to a field along a row, on one side of either axis; odd parts carry a factor -i and the sign of
-    // the side.
+    // Contribution of a part to a field along a row, on one side of both axes; odd parts carry a factor -i and the sign of the
+    // side.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -435,8 +433,7 @@ struct PlaneLight {
         }
         return count;
     }
-    // Write the light along a row. Raises squares[set][field][lane] to the maximum of |E|^2 or |F|^2 over lanes with
-    // there[lane] = 1.
+    // Intensity along a row. squares[set][field][lane] becomes the maximum of |E|^2 or |F|^2 over lanes with there[lane] = 1.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {
@@ -515,7 +512,7 @@ struct PlaneLight {
     }
 };
 
-// Like the separate parities of PlaneLight, but for fields that have all four parities, which are then summed together.
+// Like PlaneLight, for fields with all four parities, which are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
@@ -583,8 +580,8 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
     });
 }
 
-// values[set][plane][row][column]: sum |E|^2 for the first set, derivatives for the others; largest[set][plane][field]:
-// maximum of |E| or |F| in the window.
+// values[set][plane][row][column]: sum |E|^2 for the first set, derivatives for the others; largest[set][plane][field]: maximum
+// of |E| or |F| in the window.
 void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
@@ -600,7 +597,7 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
         return full_light(given, window, threads, values, largest);
     }
     thread_local Doubles scratch;
-    // Eight planes at a time, so that their fields stay in the cache.
+    // Eight planes at a time, whose fields stay in the cache.
     for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
         const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
         scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));

@@ -1,6 +1,6 @@
-// Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all coefficients at once. With weights w, G
-// = sum w conj(U) e^(-i v r) at each node is the transpose of the transform, and d/dc = -2 Im sum Z P G (docs/certificate.md,
-// section 8).
+// Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all coefficients at once (docs/certificate.md,
+// section 8, "Derivatives"). With pixel weights w, G = sum w conj(U) e^(-i v r) is the transposed transform at the nodes, and
+// d/dc = -2 Im sum Z P G.
 #pragma once
 
 #include <algorithm>

@@ -33,33 +33,32 @@ namespace lommel {
 
 constexpr double max_table_bytes = 402653184.0;  // bytes of the kernel table of one window
 
-// Error budget: shares of the tolerance.
+// Error budget of the chordal rule: shares of the tolerance.
 struct ChordalBudget {
-    // Share of (tolerance x peak of |U|) for the error of U, which counts twice in I. The rest is a margin, as the peak is a
-    // guess.
+    // Error of U, as a share of (tolerance x peak of |U|); it counts twice in I. The rest is a margin for the estimate of the
+    // peak.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the error of U for the disk and, if there is an obscuration, for its disk.
+    // Shares of the error of U for the full disk and for the obscuration, if there is one.
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Largest share of the error of a disk for the sum over chords; the sum over nodes has the rest.
+    // Largest share of a disk's error for the sum over chords; the rest is for the sum over nodes.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision: share of (tolerance x guessed peak) for the error of U including rounding, and the largest share of
-    // that for rounding alone.
+    // Single precision: error of U including rounding, as a share of (tolerance x estimated peak); largest share of that for
+    // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Reduction of the allowed errors where the variance of the phase (rad^2) exceeds `some` or `large`: such images may be
-    // dimmer than guessed. A smaller error costs a few chords, a second attempt as much as the first.
+    // Factors on the allowed error where the variance of the phase (rad^2) exceeds `some` or `large`, as the peak may be below
+    // its estimate. A smaller error costs a few chords, a second attempt doubles the work.
     static constexpr double some = 4.0, some_dim = 0.75, large = 100.0, dim = 0.25, dim_single = 0.7;
-    // Second attempt: the requested error is the one that the peak found needs, between `least` and `again` times the first;
-    // `found`: share of (tolerance x peak found) for U including rounding, where single precision may still serve.
+    // Second attempt: error as the computed peak requires, between `least` and `again` times the first; `found`: error of U
+    // including rounding in single precision, as a share of (tolerance x computed peak).
     static constexpr double again = 0.3, least = 1e-3, found = 0.47;
-    // Share of the error of U for samples at nodes; a batch that shares tables has more rounding than each of its pupils
-    // alone.
+    // Share of the error of U for samples at nodes; the rest is for batches with shared tables, whose rounding is larger.
     static constexpr double of_nodes = 0.9;
 };
 
-// `More`: policy for what is computed with the images: NoDerivatives or ChordalDerivatives.
+// `More`: policy for derivatives, NoDerivatives or ChordalDerivatives.
 template <class T, class More = NoDerivatives>
 class ChordalRenderer {
    public:
@@ -69,7 +68,7 @@ class ChordalRenderer {
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
-    // Pixel averages from samples at nodes, which are not stored. `tol` and the bounds are then those of U.
+    // Pixel averages from samples at nodes, which are not stored. `tol` and the error bounds are absolute, for U.
     ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
@@ -78,13 +77,12 @@ class ChordalRenderer {
 
     void run();
 
-    // Run if that is likely to take less time than the series of section 7; otherwise throw LimitExceeded before any image is
-    // begun.
+    // Run if the estimated time is less than that of the Zernike series (section 7); otherwise throw LimitExceeded at once.
     void run_if_cheaper() {
         weighed_ = true;
         run();
     }
-    // Likely times of both methods in nanoseconds, without computing images.
+    // Estimated times of both methods in nanoseconds; computes no images.
     std::pair<double, double> costs() {
         only_costs_ = true;
         run();
@@ -92,17 +90,17 @@ class ChordalRenderer {
     }
 
    private:
-    // State of a pupil: requested error, error and peak found.
+    // State of a pupil: requested error, resulting error bound and peak.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
-        bool at_rounding = false;                  // no smaller error can be requested
-        bool again = false;                        // first attempt was not accurate enough
+        bool at_rounding = false;                  // a smaller error cannot be requested
+        bool again = false;                        // the first attempt missed the tolerance
         bool single = sizeof(T) == sizeof(float);  // sums are in single precision
-        double in_single = 0.0;                    // error of U allowed for these, including rounding
+        double in_single = 0.0;                    // allowed error of U in single precision, including rounding
         ChordDisk far, near;                       // full disk and obscuration
     };
 
-    // Requested error of U: a share of tolerance x peak, or for nodes most of the tolerance.
+    // Requested error of U: share x tolerance x peak, or for nodes `of_nodes` of the tolerance.
     double asked(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
@@ -117,7 +115,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Error to request for sums in single precision. Switches to double precision if rounding takes too much of it.
+    // Requested error of the sums in single precision; falls back to double precision if rounding takes too large a share.
     double singly(std::size_t p) {
         State& s = states_[p];
         const double chords = s.far.chords.line.times(degree_).needed(s.error);
@@ -156,7 +154,7 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Group of pupils computed side by side, or one pupil alone.
+    // Group of pupils computed together, or a single pupil.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -168,7 +166,7 @@ class ChordalRenderer {
             near.include(other.near);
         }
     };
-    // Let neighbouring groups share tables if no group then takes more than `more` times its number of nodes.
+    // Give neighbouring groups common tables, as long as no group's number of nodes grows by more than the factor `more`.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -201,7 +199,7 @@ class ChordalRenderer {
             groups.push_back(next);
         }
         share(groups, 1.12);
-        // If the tables would not all stay in the cache, use one common table.
+        // If the tables exceed the cache, use one common table.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
                 return grouped<Real>(pending, pupils, true);
@@ -230,7 +228,7 @@ class ChordalRenderer {
         return nodes;
     }
 
-    // Return whether the tables of these groups, and of a second attempt, fit in their caches together.
+    // Return whether the tables of these groups, with those of a second attempt, fit in their caches.
     template <class Real>
     bool kept(const std::vector<Group>& groups) const {
         const double nodes = 2.5 * nodes_of(groups);
@@ -238,7 +236,7 @@ class ChordalRenderer {
                KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
     }
 
-    // Pupils first .. first + here - 1 of the pending ones, with the tables of both disks.
+    // Batch of the pending pupils first .. first + here - 1, with the tables of both disks.
     template <class Real>
     struct Batch {
         std::size_t first, here;
@@ -249,7 +247,7 @@ class ChordalRenderer {
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
         const Level level = processor_level();
-        // Make tables before starting threads, so that no thread waits for another to make one.
+        // Prepare all tables before starting threads, so that no thread waits for a table.
         std::vector<Batch<Real>> batches;
         double work = 0.0;
         for (const Group& group : grouped<Real>(pending, pupils)) {
@@ -338,15 +336,15 @@ class ChordalRenderer {
         }
     }
 
-    // Likely CPU time in nanoseconds of these images, with all tables cached; the coefficients are fitted by
-    // benchmarks/choice.py. The time per vector hardly depends on its width.
+    // Estimated CPU time in nanoseconds with all tables cached, by coefficients fitted with benchmarks/choice.py. The time per
+    // vector hardly depends on the vector width.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
         const std::vector<Group> groups = grouped<Real>(pending, pupils);
-        // Row tables are read from the shared cache, or from memory if they are larger.
+        // Row tables are read from the shared cache, or from memory if they exceed it.
         const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
         const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
@@ -367,7 +365,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate the costs of both methods, once the numbers of chords and nodes are known.
+    // Estimate the costs of both methods from the numbers of chords and nodes.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -387,7 +385,7 @@ class ChordalRenderer {
             return;
         }
         DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
-        if (nodes_ != nullptr) {  // a filter of samples would need about this many more along each axis
+        if (nodes_ != nullptr) {  // the filter of finer samples would need about this factor more samples along each axis
             constexpr double more = 1.3;
             const double width = rows_.high() - rows_.low();
             window.height = static_cast<std::size_t>(more * static_cast<double>(rows_.count));
@@ -417,7 +415,7 @@ class ChordalRenderer {
                (area_ > 0.0 ? area_ * wrong(s.near, batch.disks[1].terms->count, single, degree) : 0.0);
     }
 
-    // Store the image bound of a pupil; returns whether it is within the tolerance.
+    // Store the error bound of a pupil's image; returns whether it meets the tolerance.
     template <class Real>
     bool finish(const ChordalBatch<Real>& batch, std::size_t p, double peak) {
         State& s = states_[p];
@@ -449,7 +447,7 @@ class ChordalRenderer {
     ChordLines lines_;
     std::vector<State> states_;
     const PixelNodes* nodes_ = nullptr;  // for pixel averages
-    bool weighed_ = false, only_costs_ = false;  // weigh costs first; only weigh
+    bool weighed_ = false, only_costs_ = false;  // compare the costs first; only compare them
     std::pair<double, double> costs_;
 };
 
@@ -458,7 +456,7 @@ void ChordalRenderer<T, More>::run() {
     const double bright = stack_.amplitude.integral(stack_.obscuration);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
-        // Most PSFs have max |U| above this estimate; for others, the error is reduced once the peak is known.
+        // The peak |U| of most PSFs exceeds this estimate; otherwise the error is reduced after the first attempt.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large, some = bound.variance() > ChordalBudget::some;
@@ -524,7 +522,7 @@ void ChordalRenderer<T, More>::run() {
             State& s = states_[p];
             more = more && !s.at_rounding;
             const double wanted = (nodes_ != nullptr ? ChordalBudget::again : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
-            // Double precision alone may suffice; at first, also single precision for the peak found.
+            // Double precision alone may suffice; the first retry also tries single precision with the computed peak.
             s.error =
                 std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
             s.in_single = asked(ChordalBudget::found, std::sqrt(s.peak));

@@ -12,14 +12,14 @@
 
 namespace lommel {
 
-constexpr std::size_t most_pupils = 2 * row_lanes;  // in the lanes of a vector
+constexpr std::size_t most_pupils = 2 * row_lanes;  // capacity of a vector, in pupils
 
-// Entry points for lanes() pupils side by side or for chords of one pupil; each is described at the template of its name.
+// Entry points for one pupil per lane, or one pupil with chords in the lanes; each is described at the template of that name.
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;
     static constexpr std::size_t lanes(Level level) { return widest_lanes(level) * sizeof(double) / sizeof(Real); }
-    // Return whether so few pupils are faster one at a time, with chords in the lanes.
+    // Return whether a few pupils are faster one at a time, with chords in the lanes.
     static bool lone(Level level, std::size_t pupils) { return 2 * pupils <= lanes(level); }
     static ChordLanes chord_lanes(Level level, bool lone) { return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float)}; }
 
@@ -44,10 +44,10 @@ struct ChordKernels {
     static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                              Real share, Real* room, Real* sums);
 
-    // Store a row of one pupil, times `by`.
+    // Store a row of one pupil, scaled by `by`.
     template <class T>
     static void store_row(Level level, const Real* values, double by, std::size_t columns, T* to);
-    // Store the first `used` lanes of a row, each times its factor by[lane], to a row to[lane] each.
+    // Store the first `used` lanes of a row, lane k scaled by by[k], to row to[k].
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
                             T* const* to);

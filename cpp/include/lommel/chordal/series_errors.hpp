@@ -15,25 +15,24 @@
 
 namespace lommel {
 
-// Bounds of the amplitudes of all planes for `series` series with `parts` parts each, on `curves` curves.
+// Bounds on the amplitudes of `series` series in all planes, each with `parts` parts, on `curves` curves.
 struct SeriesSizes {
     std::size_t series, parts, curves;
-    double *on_curves, *moduli;  // [series][part][curve], [series][part]: bounds on the curve, and at real angles
+    double *on_curves, *moduli;  // [series][part][curve]: bound on the curve; [series][part]: bound at real angles
 
-    // Compute the bounds from `powers`, the bound of each term on each curve. Returns the least over the curves of half the
-    // number of chords (0) or nodes (1) needed: log(largest part) x rate + chosen.
+    // Compute the bounds from `powers`, the bound of each term on each curve. needed[0] (chords) and needed[1] (nodes): half
+    // the number required, log(largest part) x rate + chosen on the best curve.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // wrong[set][plane][field]: errors of the sums over chords and over nodes as proven by one curve each, plus `left`, and
-    // `rounding` times the moduli. A field is a sum of parts with the factors `shares`, each part being off by at most
-    // `error`.
+    // wrong[set][plane][field]: error bounds of the sums over chords and nodes, each on its best curve, plus `left`, plus
+    // `rounding` times the moduli. A field is a sum of parts with factors `shares`; `error`: additional error of each part.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* wrong) const;
 };
 
-// errors[set][plane]: error bounds of sum |E|^2 (first set) and of the derivatives (other sets), from error bounds and
+// errors[set][plane]: error bounds of sum |E|^2 (first set) and of its derivatives (other sets), from the error bounds and
 // largest moduli of the fields, [set][plane][field].
 void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
                   double* errors);
@@ -55,7 +54,7 @@ LOMMEL_ONCE void light_errors(const double* wrong, const double* largest, std::s
 }
 #endif
 
-// Divide `count` values by `by`; returns the largest modulus of the quotients.
+// Divide `count` values by `by`; return the largest modulus of the quotients.
 double divide(Level level, double by, std::size_t count, double* values);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* values) {

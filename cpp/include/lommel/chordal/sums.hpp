@@ -15,9 +15,8 @@
 
 namespace lommel {
 
-// Images of pupils as sums over chords, by the tables that the kernels of batch.hpp read; a caller bounds their error
-// (certificate, "By the core"). `More`: what is computed from the fields of a batch after its images: NoDerivatives or
-// ChordalGradient.
+// Images of pupils by a chordal rule of given size, with the kernels of batch.hpp. `More`: policy for derivatives,
+// NoDerivatives or ChordalGradient.
 template <class More = NoDerivatives>
 class ChordalSums {
    public:
@@ -32,7 +31,7 @@ class ChordalSums {
         }
     }
 
-    // Compute images[pupil][column][row]; null if only `more` is wanted.
+    // Compute images[pupil][column][row]; null if only derivatives are requested.
     void run(float* images, int threads) const {
         const std::size_t lanes = lone_ ? 1 : ChordKernels<float>::lanes(level_), batches = (stack_.count + lanes - 1) / lanes;
         std::vector<std::size_t> pupils(stack_.count);
@@ -74,7 +73,7 @@ class ChordalSums {
     const DiskStack& stack_;
     More more_;
     Level level_;
-    bool lone_;  // one pupil at a time
+    bool lone_;  // one pupil at a time, chords in the lanes
     double area_;
     std::array<ChordalTables<float>, 2> disks_;
 };

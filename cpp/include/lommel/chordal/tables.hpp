@@ -17,7 +17,7 @@
 
 namespace lommel {
 
-// Calls f(first, size) for tiles of at most `most`, whose sizes differ by at most one, that cover 0 .. count - 1.
+// Divide 0 .. count - 1 into tiles of at most `most`, of sizes that differ by at most one, and call f(first, size) for each.
 template <class F>
 LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
     const std::size_t tiles = (count + most - 1) / most;
@@ -30,7 +30,7 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
 
-// N chords with K nodes each, both even.
+// Rule size: N chords with K nodes each, both even.
 struct ChordCount {
     std::size_t chords = 0, nodes = 0;
     std::size_t half_chords() const { return chords / 2; }
@@ -43,8 +43,8 @@ struct ChordCount {
     }
 };
 
-// Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), in the quadrant x, y > 0. Weights rise along both
-// axes, so sums begin with the smallest terms (certificate, section 8, "The sums").
+// Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), in the quadrant x, y > 0. Weights increase along
+// both axes, so sums begin with the smallest terms (certificate, section 8, "In single precision").
 struct ChordRule {
     std::vector<wide> x, s, eta, gauss;
 
@@ -63,11 +63,11 @@ struct ChordRule {
             gauss[k] = weights[count.nodes - 1 - k];
         }
     }
-    // Weight of a node; the weights sum to 1 over the disk.
+    // Weight of a node; the weights sum to 1 over the whole disk.
     wide weight(std::size_t i, std::size_t k) const { return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * x.size() + 1); }
 };
 
-// Zernike terms sorted into four classes: odd in x (second bit), odd in y (first bit).
+// Zernike terms sorted into four parity classes: odd in x (bit 1), odd in y (bit 0).
 struct TermClasses {
     std::vector<std::size_t> order;  // [position]: index of the term, class by class
     std::size_t ends[4];             // end of each class
@@ -89,7 +89,7 @@ struct TermClasses {
 // Contents of vector lanes: one pupil each or, for a single pupil, `side` chords.
 struct ChordLanes {
     std::size_t side = 1;
-    bool single = false;  // single precision, which permutes phases: see Waves
+    bool single = false;  // single precision, where phases are permuted: see Waves
 
     bool operator==(const ChordLanes& other) const { return side == other.side && single == other.single; }
     std::size_t vectors(std::size_t count) const { return (count + side - 1) / side; }
@@ -97,16 +97,16 @@ struct ChordLanes {
     std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
 };
 
-// Zernike terms at the nodes of a quadrant. Chords that pad the last vector have the weight 0.
+// Zernike terms at the nodes of a quadrant. Padding chords of the last vector have the weight 0.
 struct TermTable {
     ChordCount count;
     ChordLanes lanes;
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     TermClasses classes;
-    Doubles values;   // [vector of chords][tile of nodes][term, ordered by classes][node of the tile][chord]
+    Doubles values;   // [vector of chords][tile of nodes][term, in class order][node of the tile][chord]
     Doubles weights;  // [vector of chords][node][chord], times the amplitude
-    Doubles own;      // for shapes: [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im][chord]
+    Doubles own;      // sampled apertures: [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im][chord]
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
@@ -115,7 +115,7 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Replace the weights by complex ones of each node of the whole disk: given[chord][node][(+,+), ..][re, im].
+    // Replace the weights by complex weights for each node of the whole disk: given[chord][node][(+,+), ..][re, im].
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
         own.assign(weights.size() * 8, 0.0);
@@ -159,13 +159,13 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
 }
 #endif
 
-// Rows or columns of a window: their distances from the axis, in pixels or in v; those at +v and -v share one entry.
+// Rows or columns of a window as distances from the axis, in pixels or in v; those at +v and -v share one entry.
 struct WindowAxis {
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t count;
-    double center;  // in pixels; 0 for nodes, which are given relative to the axis
+    double center;  // axis, in pixels; 0 for nodes, which are given relative to it
     std::vector<double> at;
-    std::vector<std::size_t> plus, minus;  // [entry]: index of the pixel at +at and at -at, or none
+    std::vector<std::size_t> plus, minus;  // [entry]: index of the pixel at +at and at -at, or `none`
 
     WindowAxis(std::size_t pixels, double axis)
         : count(pixels), center(axis), low_(-axis), high_(static_cast<double>(pixels - 1) - axis) {
@@ -181,7 +181,7 @@ struct WindowAxis {
             minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
         }
     }
-    // For nodes in increasing order; they are paired if they are symmetric about the axis.
+    // From nodes in increasing order, paired if they are symmetric about the axis.
     explicit WindowAxis(const std::vector<double>& places)
         : count(places.size()), center(0.0), low_(places.front()), high_(places.back()) {
         const bool mirrored =
@@ -221,7 +221,7 @@ struct KernelTable {
             const std::size_t from = i / in.side * in.side * n.half_nodes() * rows.at.size() + i % in.side;
             fill(rows.at, row_tile, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
         }
-        // If chords are in the lanes, so are columns.
+        // With chords in the lanes, columns are in the lanes too.
         fill(columns.at, in.side > 1 ? in.side : column_tile, in.side > 1, rule.x, 1, 1, column_cos.data(), column_sin.data());
     }
     bool is(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step,
@@ -234,8 +234,8 @@ struct KernelTable {
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
-    // Fill tables for the places `at` in tiles of at most `tile`, padded to equal length if `padded`. Consecutive values are
-    // `apart` apart.
+    // Cosines and sines for the distances `at`, in tiles of at most `tile`, padded to equal length if `padded`, at a stride of
+    // `apart` values.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
               std::size_t apart, Real* cosines, Real* sines) const {
         look();
@@ -258,8 +258,8 @@ struct KernelTable {
         }
     }
 
-    // Cosine and sine of an angle. Its remainder modulo a quarter turn is rounded to double, whose functions are much faster;
-    // that loses one unit of roundoff (certificate, section 8, "Rounding").
+    // Cosine and sine of an angle. The remainder modulo a quarter turn is rounded to double, whose functions are much faster,
+    // at a loss of one unit roundoff (certificate, section 8, "Rounding").
     static void turn_once(wide angle, wide& cosine, wide& sine) {
         constexpr wide quarter = static_cast<wide>(1.57079632679489661923132169163975144L);
         const wide turns = std::nearbyint(angle / quarter);
@@ -270,8 +270,8 @@ struct KernelTable {
         sine = static_cast<wide>(-around[place + 1]);
     }
 
-    // Cosines and sines of at[i] x angle, by rotations from one pixel to the next. These restart after `most` pixels, before
-    // their error becomes comparable to the rounding of stored values.
+    // Cosines and sines of at[i] x angle by rotation from one pixel to the next, restarted every `most` pixels to keep the
+    // error below the rounding of stored values.
     template <class Put>
     static void turn(const std::vector<double>& at, wide angle, const Put& put) {
         constexpr std::size_t most = wider || sizeof(Real) == sizeof(float) ? 32 : 1;

@@ -1,5 +1,4 @@
-// Fourier transform of a disk as two matrix products, along y, then along x, with pupils (or chords of one pupil) in vector
-// lanes.
+// Fourier transform of a disk as two matrix products, along y, then along x; vector lanes are pupils, or chords of one pupil.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 
 namespace lommel {
 
-// sum[r][c] += table[k][r] * data[k][c] over k, for vectors c: R * C independent chains of multiply-adds.
+// sum[r][c] += table[k][r] * data[k][c] over k, c counting vectors: R * C independent chains of multiply-adds.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -30,7 +29,7 @@ LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t cou
     }
 }
 
-// Like multiply(), for two tables with the same data.
+// Like multiply(), for two tables and the same data.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_both(const Real* table, const Real* other, const Real* data, std::size_t count, V (&sum)[R][C],
                                  V (&more)[R][C]) {
@@ -86,26 +85,26 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     });
 }
 
-// Phase sums and waves exp(i phase) in double precision, one vector of pupils.
+// Phase sums and waves exp(i phase) of one vector of pupils, in double precision.
 template <class I, class Real>
 struct Waves {
     using V = typename I::pack;
     using Phase = V;
     static constexpr std::size_t vectors = 1, lanes = I::lanes;
-    static constexpr double unit = 1.0;  // of phases, per radian
+    static constexpr double unit = 1.0;  // phases are in radians
     static LOMMEL_INLINE V zero() { return splat<V>(0.0); }
     static LOMMEL_INLINE Phase phase(const V (&sum)[vectors]) { return sum[0]; }
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
 };
 
-// Single precision. Two vectors of phases are summed in double precision as integer multiples of 2^-32 turns, which are
-// the low bits of the mantissa. Its low 32 bits, which are packed into the lanes of one vector, are the phase without whole turns.
+// In single precision: phases are summed in double precision as integer multiples of 2^-32 turns, in the low bits of the
+// mantissa. Its low 32 bits are the phase modulo a turn; those of two vectors are packed into one.
 template <class I>
 struct Waves<I, float> {
     using V = typename I::floats;
     using Phase = typename I::turns;
     static constexpr std::size_t vectors = 2, lanes = 2 * I::lanes;
-    static constexpr double unit = 683565275.57643158978;  // 2^32 / (2 pi)
+    static constexpr double unit = 683565275.57643158978;  // phases are in 2^-32 turns: 2^32 / (2 pi)
 
     // Sums start at 1.5 * 2^52, which rounds them to integers.
     static LOMMEL_INLINE typename I::pack zero() { return splat<typename I::pack>(6755399441055744.0); }
@@ -113,7 +112,7 @@ struct Waves<I, float> {
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos_turns(x, sine, cosine); }
 };
 
-// Like multiply(), for chords in the lanes: the entries of the table are vectors.
+// Like multiply(), with chords in the lanes: table entries are vectors.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -131,7 +130,7 @@ LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size
     }
 }
 
-// sum += table[k] * coefficients[k] over k, for chords in the lanes.
+// sum += table[k] * coefficients[k] over k, with chords in the lanes.
 template <std::size_t R, std::size_t C, class V>
 LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(double);
@@ -145,7 +144,7 @@ LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, s
     }
 }
 
-// Weights of chords in the lanes, in the type of the waves.
+// Weights of chords in the lanes, converted to the type of the waves.
 template <class I>
 LOMMEL_INLINE typename I::pack weights_of(I, const double* from, double) {
     return load<typename I::pack>(from);
@@ -159,9 +158,9 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
     return load<typename I::floats>(narrow);
 }
 
-// Pupil function of a pair of chords at +-x, weighted: nodes[even, odd in y][node][even, odd in x][re, im]; `Lone`: lanes are
-// pairs of chords of one pupil; otherwise lanes are pupils. `Own`: weights are complex, TermTable::own. Sines and cosines take
-// most of the time.
+// Weighted pupil function of a pair of chords at +-x: nodes[parity in y][node][parity in x][re, im], parity 0 even, 1 odd.
+// `Lone`: lanes are pairs of chords of one pupil; otherwise lanes are pupils. `Own`: complex weights TermTable::own. Sines and
+// cosines dominate the time.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -194,7 +193,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
         }
         for (std::size_t r = 0; r < R; ++r) {
             const Phase ee = parts[0][r], eo = parts[1][r], oe = parts[2][r], oo = parts[3][r];
-            // Even and odd part in y of the phase: a and b at +x, c and d at -x.
+            // Phase at the four images of a node from its parity parts; a, b: even and odd in y at +x, c, d: at -x.
             const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;
             V re[4], im[4];
             Wave::wave(a + b, im[0], re[0]);
@@ -220,7 +219,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
             } else {
                 w = weight(table.weights.data() + node);
             }
-            // e, f: even in y at +x, -x; o, q: odd in y there.
+            // e, f: even in y at +x and -x; o, q: odd in y at +x and -x.
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
                 Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
@@ -235,8 +234,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
-// Transform along y, from the nodes of a pair of chords to each row: chords[row][even, odd in x][chord][re, im]; `Lone`: from
-// a vector of pairs.
+// Transform along y, from the nodes of a pair of chords (`Lone`: a vector of pairs) to each row: chords[row][parity in
+// x][chord][re, im].
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -271,7 +270,7 @@ LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Transform along x: U along a row, row[column][re, im], from the chords of that row.
+// Transform along x, from the chords of a row to U along it: row[column][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -343,8 +342,8 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     });
 }
 
-// Transforms the pupil functions nodes[node][re, im] of a pair of chords, all even or all odd in y, along y to
-// chords[distance of a row from the axis][chord][re, im]: by cosines, or if odd by sines, without the factor -i.
+// Transform along y for one parity in y: nodes[node][re, im] of a pair of chords -> chords[distance of a row from the
+// axis][chord][re, im]. Odd parts use sines and omit the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
                                   Real* chords) {
@@ -357,7 +356,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
         store(to, sum[0]);
         store(to + lanes, sum[1]);
     };
-    // Two full tiles are taken together, for more independent chains of sums.
+    // Two full tiles at a time, for more independent chains of sums.
     std::size_t held = WindowAxis::none;
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
@@ -383,7 +382,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Transform along x for one parity: row[distance of a column][re, im] from chords[chord][re, im], which are even or odd in x.
+// Transform along x for one parity in x: chords[chord][re, im] -> row[distance of a column][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -401,7 +400,7 @@ LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool od
     });
 }
 
-// |U|^2 along a row; raises `top` to the maximum of each lane.
+// Intensity |U|^2 along a row; `top` becomes the maximum in each lane.
 template <class I, class Real>
 LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Real* intensity, Real* top) {
     using V = typename Waves<I, Real>::V;
@@ -416,7 +415,7 @@ LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Rea
     store(top, most);
 }
 
-// subtract(): u -= inner; scale(): inner = u * area; for `count` vectors.
+// subtract(): u -= inner; scale(): inner = area * u; for `count` vectors.
 template <class I, class Real>
 LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
     using V = typename Waves<I, Real>::V;

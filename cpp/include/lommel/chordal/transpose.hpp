@@ -33,8 +33,8 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the transform along x: pixels[row][column][re, im] -> chords[row][even, odd in x][chord][re, im]; odd parts
-// omit the factor -i.
+// Transpose of the transform along x: pixels[row][column][re, im] -> chords[row][parity in x][chord][re, im]; odd parts omit
+// the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -63,8 +63,8 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the transform along y, for a pair of chords: nodes[even, odd in y][node][even, odd in x][re, im], the layout
-// of the pupil function.
+// Transpose of the transform along y, for a pair of chords: nodes[parity in y][node][parity in x][re, im], the layout of the
+// pupil function.
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;
@@ -86,7 +86,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
                     both[0][part] = here + there;
                     both[1][part] = here - there;
                 }
-                // Factor -i if odd in x, and another if odd in y.
+                // Factor -i if odd in x, and another -i if odd in y.
                 const V nothing = splat<V>(Real(0));
                 even[r][2 * x] = x == 0 ? both[0][0] : both[0][1];
                 even[r][2 * x + 1] = x == 0 ? both[0][1] : nothing - both[0][0];
@@ -100,7 +100,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     });
 }
 
-// Add -2 share Im sum Z P G over the nodes of a pair of chords to sums[term, ordered by classes].
+// Add -2 share Im sum Z P G over the nodes of a pair of chords to sums[term, in class order].
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {
@@ -129,7 +129,7 @@ LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, 
     }
     for (std::size_t parity = 0, term = 0; parity < 4; ++parity) {
         const Real* from = room + parity * within * lanes;
-        // Several chains of sums, so that additions need not wait for one another.
+        // Several independent chains of sums hide the latency of additions.
         for (const std::size_t end = table.classes.ends[parity]; term < end;) {
             const std::size_t here = std::min(together, end - term);
             V sum[together] = {};

@@ -1,4 +1,4 @@
-// Amplitude across the pupil, the exponential of a polynomial in t = rho^2, and its growth off the interval [0, 1].
+// Amplitude of the pupil function as the exponential of a polynomial in t = rho^2, and its bound off the interval [0, 1].
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace lommel {
 
-// exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 on [0, 1]. A Gaussian has g_1 alone, uniform illumination no terms.
+// A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 on [0, 1]. A Gaussian has only g_1, uniform illumination no terms.
 class Amplitude {
    public:
-    static constexpr std::size_t most = 10;  // powers of t
+    static constexpr std::size_t most = 10;  // highest power of t
 
     Amplitude() = default;
-    // From g_0, g_1, ...: `count` coefficients, at most 1 + most.
+    // From the coefficients g_0, g_1, ...; `count` is at most 1 + most.
     Amplitude(const double* powers, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             g_[k] = powers[k];
@@ -29,7 +29,7 @@ class Amplitude {
 
     bool uniform() const { return terms_ == 0 && g_[0] == 0.0; }
     bool operator==(const Amplitude& other) const { return g_ == other.g_; }
-    // Highest power K with g_K != 0, and g_k.
+    // Highest power K with g_K != 0, and coefficient g_k.
     std::size_t powers() const { return terms_; }
     double power(std::size_t k) const { return g_[k]; }
 
@@ -43,14 +43,13 @@ class Amplitude {
         return std::exp(-sum);
     }
 
-    // Amplitude on an inner disk as a function of its own t; `area` is the square of its radius.
+    // Amplitude on an inner disk, as a function of the disk's own t; `area`: squared relative radius.
     Amplitude scaled(double area) const { return changed(1.0, area); }
-    // The amplitude raised to a power.
+    // A(t) to a power.
     Amplitude raised(double power) const { return changed(power, 1.0); }
 
-    // Bound on the logarithm of the amplitude within the ellipse around [0, 1] whose semi-axes are half of c and of
-    // sqrt(c^2 - 1): with the exponent as a sum of a_k T_k(2t - 1), |T_k| is at most T_k(c) there. For a Gaussian it is
-    // g (c - 1) / 2.
+    // Bound on log A in the ellipse around [0, 1] with semi-axes c / 2 and sqrt(c^2 - 1) / 2, where |T_k(2t - 1)| <= T_k(c);
+    // the exponent is a sum of a_k T_k(2t - 1). For a Gaussian the bound is g (c - 1) / 2.
     double growth(double c) const {
         double sum = std::abs(a_[1]) * c - a_[0], before = 1.0, here = c;
         for (std::size_t k = 2; k <= terms_; ++k) {
@@ -71,7 +70,7 @@ class Amplitude {
         return sum;
     }
 
-    // Adds to slopes[k], 1 <= k < count, a bound on the k-th derivative of the exponent over k! on [0, 1].
+    // Add to slopes[k], 1 <= k < count, a bound on |k-th derivative of the exponent| / k! over [0, 1].
     void add_slopes(double* slopes, std::size_t count) const {
         for (std::size_t j = 1; j <= terms_; ++j) {
             double binomial = std::abs(g_[j]);
@@ -82,7 +81,7 @@ class Amplitude {
         }
     }
 
-    // Adds to series[k], k < count, the k-th derivative of the exponent at t over k!.
+    // Add to series[k], k < count, the Taylor coefficient of the exponent at t: k-th derivative / k!.
     template <class Number>
     void add_series(double t, Number* series, std::size_t count) const {
         for (std::size_t j = 0; j <= terms_; ++j) {
@@ -97,7 +96,7 @@ class Amplitude {
     // Bound on the modulus of the exponent on [0, 1].
     double size() const { return growth(1.0) + a_[0] + std::abs(a_[0]); }
 
-    // Whether the amplitude is at most 1 on [0, 1], up to rounding, as far as samples show.
+    // Check at samples that the amplitude is at most 1 on [0, 1], up to rounding.
     bool passive() const {
         const bool falls = std::all_of(g_.begin(), g_.end(), [](double g) { return g >= 0.0; });
         for (std::size_t j = 0; j <= 16 && !falls; ++j) {
@@ -113,7 +112,8 @@ class Amplitude {
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {
-            // Smaller g would give quotients of subnormal numbers; there the integral rounds to that of uniform light.
+            // For smaller g the quotient would be of subnormal numbers; the integral then rounds to that of uniform
+            // illumination.
             const double falling = std::abs(g) > 1e-300 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
             return g_[0] == 0.0 ? falling : falling * std::exp(-g_[0]);
         }
@@ -159,7 +159,6 @@ class Amplitude {
     std::array<double, most + 1> g_{}, a_{};
 };
 
-// Uniform illumination.
 inline constexpr Amplitude even_light{};
 
 }  // namespace lommel

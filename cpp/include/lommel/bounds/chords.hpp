@@ -1,4 +1,4 @@
-// Number of nodes of the chordal Gauss rule for a tolerance, and the bound on its error: certificate, section 8.
+// Error bound of the chordal Gauss rule, and the numbers of chords and nodes for a tolerance (certificate, section 8).
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,13 @@
 namespace lommel {
 
 constexpr double single_roundoff = 5.9604644775390625e-08;
-constexpr std::size_t max_chords = 1024;  // chords of the disk, and nodes on each
+constexpr std::size_t max_chords = 1024;  // maximum number of chords, and of nodes on each
 
-// The two sums of the rule: over chords, and over the nodes of each chord.
+// The two sums of the rule: over chords, and over the nodes of a chord.
 enum class Sum { chords, nodes };
 
-// Sizes of either sum in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
+// Smallest permitted size of a sum that is at least `wanted`: few sizes, so that tables are shared; even, so that nodes form
+// quadruples.
 inline std::size_t rounded_size(Sum sum, double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
     const std::size_t step = n <= (sum == Sum::chords ? 64 : 24) ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
@@ -39,8 +40,8 @@ struct VBox {
     }
 };
 
-// Bound by one curve of the certificate's section 8: a sum of size n errs in U by e^{exponent - 2 n b}, b the curve's height; sums
-// over chords by that times 1 / (1 - e^{-2 (n + 1) b}), see bound().
+// Error bound from one curve at height b (certificate, section 8): a sum of size n changes U by at most e^{exponent - 2 n b},
+// for chords times 1 / (1 - e^{-2 (n + 1) b}).
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
@@ -51,12 +52,12 @@ struct ChordLine {
         const double least = std::exp(std::min(exponent - twice * b, 690.0));
         return sum == Sum::nodes ? least : least / -std::expm1(-(twice + 2.0) * b);
     }
-    // Bound for the integrand times a Zernike term of degree n.
+    // Bound if the integrand is multiplied by a Zernike term of degree n.
     ChordLine times(std::size_t n) const {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // Approximate size of a sum for an error; least size in use that meets it, more than max_chords if none does.
+    // Approximate size of a sum for an error; smallest permitted size for it, above max_chords if there is none.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -67,7 +68,7 @@ struct ChordLine {
     }
 };
 
-// Error bounds for one disk with its phase and its window: on each curve, the logarithm of the error of either sum.
+// Error bounds of one disk for its phase and window: on each curve, the logarithm of the error of either sum.
 class ChordBound {
    public:
     ChordBound(const TermPairs& terms, const Amplitude& light, const VBox& window)
@@ -86,7 +87,7 @@ class ChordBound {
             const ZernikeTerm& term = terms_.terms[j];
             size_ += std::abs(coefficients[j]);
             bent_ += std::abs(coefficients[j]) * static_cast<double>(term.n * term.n);
-            // A tilt moves the image, so it is combined with v.
+            // A tilt moves the image: it is subtracted from v.
             (term.m > 0 ? tilt_x : tilt_y) += term.n == 1 ? coefficients[j] : 0.0;
         }
         std::fill(amplitudes_.begin(), amplitudes_.end(), 0.0);
@@ -96,12 +97,12 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // Across chords both coordinates are complex, along them only one.
+        // Sum over chords: both coordinates are complex; sum over nodes: only y is.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // Bounds on a curve of the imaginary part of phase and kernel, and of its second derivatives (C of the certificate).
+    // Bound on |Im(phase and kernel)| on a curve, and bound C on its second derivatives.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -117,11 +118,11 @@ class ChordBound {
         return total;
     }
 
-    // Error bound from a logarithm of the integrand's size on a curve.
+    // Error bound from the logarithm of the integrand's maximum on a curve.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Bound by the curve for which the fewest chords or nodes meet `error`, the logarithm of the integrand's size being scaled by
-    // `share`. Found by descent: the number needed is convex in b.
+    // Bound from the curve with the smallest sum for `error`, if the logarithm of the integrand's maximum is multiplied by
+    // `share`. Descent finds it: the required size is convex in b.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -146,7 +147,7 @@ class ChordBound {
     double size() const { return size_; }
     double variance() const { return variance_; }
 
-    // Rounding of the phase, of the kernel and of constants of the sums; and of nodes and terms if their tables are in double.
+    // Rounding of phase, kernel and sums; without extended precision also of nodes and tabulated terms.
     double rounding() const {
         const double terms = static_cast<double>(terms_.terms.size() + terms_.degree);
         return unit_roundoff * (36.0 + (terms + 7.0) * size_ + 3.0 * reach_[0] + (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_[0]));
@@ -155,18 +156,19 @@ class ChordBound {
         return unit_roundoff * static_cast<double>(2 * chords + (wider ? 1 : 2) * nodes);
     }
 
-    // Rounding if sums are in single precision and phases are sums of `terms` terms in units of 2^-32 turns.
+    // Rounding of sums in single precision, with phases of `terms` terms in units of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
         return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
     }
 
-    // Rounding added if the integrand is multiplied by a term of degree n.
+    // Additional rounding if the integrand is multiplied by a term of degree n.
     static double factor_rounding(std::size_t n, bool single) {
         const double square = static_cast<double>(n * n);
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
-    // Throws LimitExceeded with the size that fits; `most_nodes`: limit of nodes of all chords in tables of the whole window.
+    // Throw LimitExceeded, naming the size that would fit; `most_nodes`: maximum number of nodes in the tables of the whole
+    // window.
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
         const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
         std::string said = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
@@ -174,7 +176,7 @@ class ChordBound {
                            (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                            std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
-        // Largest share of the window, or of phase and window, in hundredths, with a margin.
+        // Largest share of the window, or of phase and window, in hundredths and with a margin.
         const auto largest = [&](bool phases) {
             int hundredths = 99;
             for (; hundredths > 0; --hundredths) {
@@ -200,15 +202,15 @@ class ChordBound {
     }
 
    private:
-    // Beyond this curve the growth of the highest degrees is cut off.
+    // Index of the curve from which on the growth of the highest degrees is truncated.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }
 
     const TermPairs& terms_;
     VBox window_;
-    ChordCurves::Values still_[2];  // [sum]: exponent without phase and window
-    std::vector<double> amplitudes_;  // [degree]
+    ChordCurves::Values still_[2];  // [sum][curve]: exponent without phase and window
+    std::vector<double> amplitudes_;  // [degree]: amplitude of the terms
     double size_ = 0.0, bent_ = 0.0, variance_ = 0.0, reach_[2] = {0.0, 0.0};
     std::size_t start_[2] = {ChordCurves::count / 2, ChordCurves::count / 2};
 };

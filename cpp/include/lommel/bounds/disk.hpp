@@ -1,11 +1,11 @@
-// Growth M(b) of a pupil function off the chords of the disk, and the bounds that follow from it: certificate, section 7.
+// Growth M(b) of a pupil function on complex chords of the disk, and the bounds that follow from it (certificate, section 7).
 //
-// On the line of points cos(phi) xi + eta sin(phi) xi', xi and xi' orthonormal and |eta| <= 1, a Zernike polynomial of
-// degree n is a real trigonometric polynomial of degree n in phi, at most 1. At phi = a + ib its imaginary part is
-// then at most sinh(n b) (Duffin and Schaeffer 1938, integrated), so |exp(i Phi)| <= M(b) = exp sum_j W_j sinh(n_j b),
-// W_j the amplitude of term j. The means of the pupil function over chords are hence analytic on Bernstein ellipses; their
-// Chebyshev coefficients (Marr 1974; Logan and Shepp 1975) are the components of degree n, b_n / (n + 1), at most
-// M(b) (1 + e^{-2b}) e^{-n b}, for every b > 0. The best b of a fixed set is taken.
+// On the line of points cos(phi) xi + eta sin(phi) xi', xi and xi' orthonormal and |eta| <= 1, a Zernike polynomial of degree n
+// is a real trigonometric polynomial of degree n in phi, at most 1. At phi = a + ib its imaginary part is at most sinh(n b)
+// (Duffin and Schaeffer 1938, integrated), so |exp(i Phi)| <= M(b) = exp sum_j W_j sinh(n_j b), W_j the amplitude of term j.
+// Hence the means of the pupil function over chords are analytic in Bernstein ellipses. Their Chebyshev coefficients (Marr
+// 1974; Logan and Shepp 1975) are the components of degree n, b_n / (n + 1), at most M(b) (1 + e^{-2b}) e^{-n b} for every b >
+// 0. The best b of a fixed set is used.
 #pragma once
 
 #include <algorithm>
@@ -22,20 +22,20 @@
 
 namespace lommel {
 
-// Terms, with cosine and sine of the same n and |m| paired: the amplitude of a pair is the hypotenuse of both.
+// Zernike terms, cosine and sine of the same n and |m| as a pair. The amplitude of a pair is sqrt(cosine^2 + sine^2).
 struct TermPairs {
     static constexpr std::size_t none = ~std::size_t{0};
     struct Pair {
         std::size_t n, m, cosine, sine;  // indices of terms, or none
-        double square(const double* c) const {  // of the amplitude
+        double square(const double* c) const {  // squared amplitude
             return (cosine == none ? 0.0 : c[cosine] * c[cosine]) + (sine == none ? 0.0 : c[sine] * c[sine]);
         }
     };
 
     std::vector<ZernikeTerm> terms;
-    std::vector<Pair> pairs;  // by ascending degree
-    std::size_t curved;       // index of the first pair that is neither constant nor tilt
-    std::size_t degree = 1;   // highest degree
+    std::vector<Pair> pairs;  // in ascending order of degree
+    std::size_t curved;  // index of the first pair that is neither constant nor tilt
+    std::size_t degree = 1;  // highest degree
 
     explicit TermPairs(const std::vector<ZernikeTerm>& list);
 };
@@ -54,12 +54,12 @@ LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(l
 }
 #endif
 
-// The values of b that are tried, and functions of them.
+// Grid of b, with functions of b.
 struct ChordCurves {
     static constexpr std::size_t count = 64;
     using Values = std::array<double, count>;
     Values b, inverse, decay, cosh, constant, closed;  // 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
-    std::vector<Values> growth;                        // sinh(n b), for each n
+    std::vector<Values> growth;  // sinh(n b), for each n
 
     ChordCurves();
 };
@@ -81,10 +81,10 @@ LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
     }
 }
 #endif
-// Made when the program is loaded: a fork must not find it half done.
+// Constructed when the program is loaded, so that no fork finds it incomplete.
 inline const ChordCurves chord_curves;
 
-// Index of the least value: its size in eight chains that compilers vectorise, then its index.
+// Index of the minimum: its value in eight chains, which compilers vectorise, then its index.
 LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     std::array<double, 8> low;
     std::copy_n(values.begin(), 8, low.begin());
@@ -97,32 +97,33 @@ LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     return static_cast<std::size_t>(std::find(values.begin(), values.end() - 1, least) - values.begin());
 }
 
-// On each curve, a bound on the logarithm of a pupil function, or of its means.
+// On each curve, a bound on the logarithm of a pupil function or of its means.
 struct ChordGrowth {
     ChordCurves::Values size{};
 
-    // Adds a term of degree n with at most this amplitude; cosine and sine are one term.
+    // Add a term of degree n; `amplitude` bounds cosine and sine together.
     LOMMEL_INLINE void add(double amplitude, std::size_t n) {
         const ChordCurves::Values& growth = chord_curves.growth.at(n);
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
             size[k] += amplitude * growth[k];
         }
     }
-    // Adds the amplitude: on the line rho^2 = cos(phi)^2 + eta^2 sin(phi)^2 stays in the ellipse of cosh 2b around [0, 1].
+    // Add the amplitude of the pupil: on the complex chord, t = cos(phi)^2 + eta^2 sin(phi)^2 stays in the ellipse of cosh 2b
+    // around [0, 1].
     void add(const Amplitude& light) {
         for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
             size[k] += light.growth(chord_curves.cosh[k]);
         }
     }
 
-    // Bound on the sum of coefficients from n on, each at most e^(size - n b).
+    // Bound on the sum of the coefficients from n on, each at most e^(size - n b).
     double tail(std::size_t n) const;
 
-    // Approximate least n for which the logarithm of tail() is at most `logarithm`.
+    // Approximate smallest n with log tail(n) <= `logarithm`.
     double fewest(double logarithm) const;
 
-    // Bound on the distance of the pupil function from a polynomial of degree d, everywhere on the disk: component n is
-    // a mean of U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
+    // Bound on the maximum distance of the pupil function from polynomials of degree d on the disk: component n is a mean of
+    // U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
     double distance(std::size_t d) const;
 };
 
@@ -130,21 +131,21 @@ class DiskBounds {
    public:
     DiskBounds() { chords_.size = chord_curves.constant; }
 
-    // Adds a term of degree n and azimuthal order m.
+    // Add a term of degree n and azimuthal order m.
     void add(double amplitude, std::size_t n, std::size_t m) {
         chords_.add(amplitude, n);
         turns_.add(amplitude, m);
     }
     void add(const Amplitude& light) { chords_.add(light); }
 
-    // Bound on the contribution to U of the degrees from n on, at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
+    // Bound on what the degrees from n on add to U, at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
     double tail(std::size_t n) const { return chords_.tail(n); }
-    // Bound on the contribution to U of the azimuthal orders from m on: on a ring the pupil function is analytic in theta, so
-    // its Fourier coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    // Bound on what the azimuthal orders from m on add to U: on a ring the pupil function is analytic in theta, so its Fourier
+    // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // Curve that needs fewest degrees for an error if the logarithm of M were `share` of the bound by the terms.
+    // Curve with the fewest degrees for an error, if log M were `share` times its bound by the terms.
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -152,7 +153,7 @@ class DiskBounds {
         }
         return least_at(degrees);
     }
-    // Estimates of degrees(), orders() and degree(), at a small part of their cost.
+    // Cheap estimates of degrees(), orders() and degree().
     double likely_degrees(double error) const { return chords_.fewest(std::log(error)); }
     double likely_orders(double error) const { return turns_.fewest(std::log(0.5 * error)); }
     double likely_degree(double error) const {
@@ -162,11 +163,11 @@ class DiskBounds {
         }
         return n;
     }
-    // Lowers the logarithm of M on a curve, once a smaller value has been proven.
+    // Reduce log M on a curve to a smaller proven bound.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
-    // Fewest degrees and orders whose tails are at most `error`, and least degree for which distance() is.
+    // Smallest numbers of degrees and orders with tails of at most `error`, and smallest degree with such a distance().
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
     std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }
@@ -205,7 +206,7 @@ LOMMEL_ONCE double ChordGrowth::fewest(double logarithm) const {
 }
 
 LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
-    const double first = static_cast<double>(d) + 2.0;  // n + 1 of the first degree that is missing
+    const double first = static_cast<double>(d) + 2.0;  // n + 1 of the first omitted degree
     const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
     ChordCurves::Values exponents;
     std::size_t least = 0;
@@ -216,7 +217,7 @@ LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
         }
         least = least_at(exponents);
     });
-    // Logarithms are taken only where they may matter, first at the least exponent.
+    // Take logarithms only where they can lower the minimum, beginning at the smallest exponent.
     double best = 1e300;
     const auto add = [&](std::size_t k) {
         best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));

@@ -1,8 +1,8 @@
-// Number of terms and nodes for an accuracy: bounds on Bernstein ellipses (certificate, sections 1 and 2).
+// Number of terms and nodes for a tolerance, by bounds on Bernstein ellipses (certificate, sections 1 and 2).
 //
-// In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around
-// [0, 1] it is at most exp g(eta), g = max_theta |Im Phi|. Legendre coefficients then fall like exp(-n eta) and Gauss
-// quadrature like exp(-2 n eta), for every eta > 0; the best eta of a fixed set is taken.
+// In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around [0, 1] it is
+// at most exp g(eta), g = max_theta |Im Phi|. Hence Legendre coefficients fall like exp(-n eta) and errors of Gauss quadrature
+// like exp(-2 n eta), for every eta > 0; the best eta of a fixed set is used.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace lommel {
 
-// Ellipses that are tried, and angles around them.
+// Grid of eta, with functions of eta, and angles around each ellipse.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -52,10 +52,10 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
 }
 #endif
 
-// Made when the program is loaded: a fork must not find it half done.
+// Constructed when the program is loaded, so that no fork finds it incomplete.
 inline const EllipseGrid ellipse_grid;
 
-// Im P_1, Im P_2, ... at the angles of each ellipse: 1 MiB, needed only for more than two terms.
+// Im P_1, Im P_2, ... at the angles of each ellipse: 1 MiB, only for more than two terms.
 struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
@@ -92,7 +92,7 @@ class Ellipses {
    public:
     static constexpr std::size_t count = EllipseGrid::count;
 
-    // Bounds for t^power A exp(i Phi), given the coefficients of P_1(2t - 1), P_2, ... in rad and the amplitude A.
+    // Bounds for t^power A exp(i Phi), from the coefficients of P_1(2t - 1), P_2, ... in rad and the amplitude A.
     Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
         measure(phase, terms);
         for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
@@ -103,7 +103,7 @@ class Ellipses {
         }
     }
 
-    // Bounds for all pupils with coefficients between `least` and `most`: g is convex, so the corners of their box suffice.
+    // Bounds for all pupils whose coefficients lie between `least` and `most`: g is convex, so the corners of that box suffice.
     Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
         const std::size_t terms = least.size();
         std::vector<double> corner(terms);
@@ -119,8 +119,8 @@ class Ellipses {
         }
     }
 
-    // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v. Wang and Xiang,
-    // Math. Comp. 81, 861 (2012): |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter.
+    // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v, by |beta_n| <= (2n+1) l M
+    // e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter (Wang and Xiang, Math. Comp. 81, 861 (2012)).
     double tail(std::size_t terms) const {
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         std::array<double, count> exponent;
@@ -131,7 +131,7 @@ class Ellipses {
             const double q = grid.decay[i];
             return exponent[i] + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q)));
         };
-        // The sum in whole() is above 1; its logarithm is taken only where it may matter, mostly at the least exponent.
+        // The sum in whole() is at least 1, so its logarithm is needed only for small exponents, mostly for the smallest alone.
         const double rest = least([&](std::size_t i) { return exponent[i]; });
         const auto first = static_cast<std::size_t>(std::find(exponent.begin(), exponent.end() - 1, rest) - exponent.begin());
         double best = whole(first);
@@ -143,10 +143,10 @@ class Ellipses {
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
 
-    // Fewest terms for which tail() is at most `error`, and its value.
+    // Number of terms with tail() <= `error`, close to the smallest, and that tail.
     std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
-        // A lower bound on their number: the sum is at least 1 / (1 - q), order at least 1.
+        // Lower bound on the number of terms: the sum is at least 1 / (1 - q), the order at least 1.
         const double needed =
             least([&](std::size_t i) { return (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0; });
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
@@ -158,8 +158,8 @@ class Ellipses {
         return {n, left};
     }
 
-    // Bound on the error in U when the first `terms` coefficients come from `nodes`-point Gauss quadrature
-    // (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
+    // Bound on the error of U if the first `terms` coefficients come from `nodes`-point Gauss quadrature (Trefethen,
+    // Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
     double quadrature(std::size_t nodes, std::size_t terms) const {
         const double best = least([&](std::size_t i) {
             return g_[i] + grid.quadrature[i] + (static_cast<double>(terms) - 2.0 * static_cast<double>(nodes)) * grid.eta[i];
@@ -167,7 +167,7 @@ class Ellipses {
         return std::sqrt(2.0 * static_cast<double>(terms) + 1.0) * std::exp(std::min(best, 700.0));
     }
 
-    // Fewest nodes for which quadrature() is at most `error`.
+    // Number of nodes with quadrature() <= `error`.
     std::size_t nodes(std::size_t terms, double error) const {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         const double needed = least([&](std::size_t i) {
@@ -177,7 +177,7 @@ class Ellipses {
     }
 
    private:
-    // Least value over all ellipses, in eight independent chains.
+    // Minimum over all ellipses, in eight independent chains.
     template <class F>
     static double least(const F& of) {
         static_assert(count % 8 == 0);
@@ -205,8 +205,8 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// Bound on the sum over m, m + step, m + 2 step, ... of m^power 2 |J_m(v) / v| for all v <= reach (certificate, section 1, "By
-// the window").
+// Bound on the sum over k = m, m + step, m + 2 step, ... of k^power 2 |J_k(v) / v|, for all v <= reach (certificate, section 1,
+// "By the window").
 inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
         return m > 1.0 ? 0.0 : 1.0;
@@ -214,20 +214,20 @@ inline double beyond_window(double m, double step, double power, double reach) {
     if (m <= reach) {
         return 1e300;
     }
-    // Logarithm of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
+    // Logarithm of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and its rate of decrease with m.
     const double x = reach / m, root = std::sqrt(std::max(0.0, 1.0 - x * x)), rate = std::log((1.0 + root) / x);
     const double top = m * (root - rate);
     const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
-    // Near m = v Kapteyn's bound over v does not yet rise with v.
+    // Close to m = v, Kapteyn's bound over v does not increase with v.
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
-    // For m > v, 2/v |J_m(v)| rises with v up to the reach.
+    // For m > v, 2/v |J_m(v)| increases with v, so v = reach is the maximum.
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// Bound on the contribution to U of the terms n >= `terms` of a Legendre series, J_{2n+1}, for any pupil: |beta_n| <=
-// sqrt(2n+1) by Parseval. And the fewest terms for which it is at most `error`.
+// Bound on what the terms n >= `terms` of a Legendre series, with J_{2n+1}, add to U for any pupil: |beta_n| <= sqrt(2n+1) by
+// Parseval. Then the smallest number of terms with a bound of at most `error`.
 inline double window_tail(std::size_t terms, double reach) {
     return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
 }
@@ -235,7 +235,7 @@ inline std::size_t window_terms(double reach, double error) {
     return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
 }
 
-// The same for the degrees n >= `degrees` of a Zernike series, (n+1) J_{n+1}.
+// The same for the degrees n >= `degrees` of a Zernike series, with (n+1) J_{n+1}.
 inline double disk_window_tail(std::size_t degrees, double reach) {
     return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
 }

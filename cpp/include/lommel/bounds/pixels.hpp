@@ -1,6 +1,6 @@
-// Error bounds of averages over pixels (certificate, section 9), for a function f on the plane that depends on the distance
-// from the axis only, is of exponential type 2 along every line, and is within 1 of a constant: I divided by half its largest
-// value, or a derivative of I divided by its own bound.
+// Error bounds of pixel averages (certificate, section 9), for a function f on the plane that depends only on the distance from
+// the axis, is of exponential type 2 along every line, and differs from a constant by at most 1: I over half its maximum, or a
+// derivative of I over its own bound.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace lommel {
 // Bound on the Lebesgue constant of Chebyshev points of the first kind.
 inline double lebesgue(std::size_t points) { return 1.0 + 0.63661977236758134 * std::log(static_cast<double>(points)); }
 
-// log n!, to rounding: from n = 16 on by Stirling's series, whose next term is below 1 / (1188 n^9). std::lgamma sets a global
-// sign, on which threads race.
+// log n! to rounding, from n = 16 on by Stirling's series, whose next term is below 1 / (1188 n^9). std::lgamma sets a global
+// sign, a data race between threads.
 inline double log_factorial(double n) {
     if (n < 16.0) {
         double product = 1.0;
@@ -26,13 +26,13 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Error of interpolation at `points` Chebyshev points over a width of 2 `half`, from the derivative |f^(n)| <= 2^n.
+// Error of interpolation at `points` Chebyshev points over a width of 2 `half`, from |f^(n)| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// B_n(R): factor on interpolation_by_slope() if f is interpolated in r^2 for r >= R, over a width of 4 R `half` in r^2.
+// B_n(R): factor on interpolation_by_slope() for interpolation in r^2 at r >= R, over a width of 4 R `half` in r^2.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -42,8 +42,9 @@ inline double of_squares(double radius, std::size_t points) {
     return sum;
 }
 
-// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 `half`, from the derivative or from the size of f
-// on the ellipse of least bound. For an even function on [-half, half] half of the points are mirror images.
+// Error e(w, n) of interpolation at `points` Chebyshev points over a width of 2 `half`: the smaller of the bounds from the
+// derivative and from the maximum of f on the best ellipse. For an even function on [-half, half], half of the points are
+// mirror images.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {
         return 0.0;
@@ -58,7 +59,7 @@ inline double interpolation_error(double half, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error g(a, q) of the product of two Gauss rules for the average over a square.
+// Error g(a, q) of the average over a square by a product of two Gauss rules.
 inline double gauss_error(double side, std::size_t points) {
     if (side <= 0.0) {
         return 0.0;
@@ -69,8 +70,8 @@ inline double gauss_error(double side, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of interpolation along the angle of a function of at most e^(reach sinh b) at angles of imaginary part b, with all
-// orders below `order`; only every `apart`-th order occurs.
+// Error of interpolation in the angle with all orders below `order`, for a function of at most e^(reach sinh b) at angles of
+// imaginary part b, in which only every `apart`-th order occurs.
 inline double turning_error(double reach, double order, double apart) {
     if (order <= reach) {
         return 1e300;
@@ -80,7 +81,8 @@ inline double turning_error(double reach, double order, double apart) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error t(a, J) of the average over a square at `angles` angles, as a polynomial in the cosine of four times the angle.
+// Error t(a, J) of the average over a square, interpolated from J = `angles` angles as a polynomial in the cosine of four times
+// the angle.
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }

@@ -8,8 +8,8 @@
 
 namespace lommel {
 
-// Calls attempt(), which computes and returns its error bound, until this is at most `tol`; returns it. more(bound) makes the
-// next attempt more exact, or returns false if it cannot.
+// Call attempt(), which computes and returns its error bound, until the bound is at most `tol`; return it. more(bound) refines
+// the next attempt, or returns false if no refinement is left.
 template <class Attempt, class More>
 double settle(double tol, const Attempt& attempt, const More& more) {
     for (;;) {
@@ -24,7 +24,7 @@ double settle(double tol, const Attempt& attempt, const More& more) {
     }
 }
 
-// Returns the least n >= `least` with enough(n), which must be monotonic; about `most` if no smaller n is enough.
+// Smallest n >= `least` with enough(n), which must be monotonic; about `most` if there is no smaller one.
 template <class Enough>
 std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
     if (enough(least)) {

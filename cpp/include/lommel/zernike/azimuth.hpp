@@ -1,8 +1,7 @@
 // Sum over azimuthal orders, U = sum over m of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight pixels at once.
 //
-// A_m and B_m are polynomials in v on a ring. The eight directions that differ in the signs and the order of |x|, |y| share
-// them, and share cos(m psi), sin(m psi) up to a sign that depends on m modulo 4. Limited by multiply-adds: 4 Degree + 10 per
-// order for eight pixels.
+// A_m and B_m are polynomials in v on a ring. The eight pixels that differ in the signs and the order of |x|, |y| share them,
+// and share cos(m psi), sin(m psi) up to a sign that depends on m modulo 4. The cost is 4 Degree + 10 multiply-adds per order.
 #pragma once
 
 #include <algorithm>
@@ -38,11 +37,10 @@ struct ActiveOrders {
     }
 };
 
-// coefficients: of one ring; for each order, in the sequence of ActiveOrders, re A, im A and, with Sines, re B, im B; each
-// has Degree coefficients, highest power first.
-//
-// Writes intensities of Unroll vectors of pixel groups at x (-1 to 1 across the ring) and (cos(psi), sin(psi)) = (a, b), psi
-// in the first octant: out[j][u] for the directions (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
+// Intensities of Unroll vectors of pixel groups, at x (-1 to 1 across the ring) and (cos(psi), sin(psi)) = (a, b), psi in the
+// first octant: out[j][u] for the directions (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
+// Coefficients of the ring: for each order, in the sequence of ActiveOrders, re A, im A and, with Sines, re B, im B; Degree
+// coefficients each, highest power first.
 template <std::size_t Degree, bool Sines, std::size_t Unroll, class V, class Real>
 LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine, const V* sine,
                               V (*out)[Unroll]) {

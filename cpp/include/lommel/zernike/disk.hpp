@@ -23,13 +23,13 @@
 
 namespace lommel {
 
-// Phase of one pupil, as coefficients of terms (radians at the edge), and its amplitude.
+// Phase of one pupil as coefficients of Zernike terms (radians at the edge), and its amplitude.
 struct ZernikePhase {
     const TermPairs& list;
     const double* coefficients;
     Amplitude amplitude;
 
-    // Calls f(amplitude, n, |m|) for every pair of a cosine and a sine term.
+    // Call f(amplitude, n, |m|) for every pair of a cosine and a sine term.
     template <class F>
     void amplitudes(const F& f) const {
         for (const TermPairs::Pair& pair : list.pairs) {
@@ -43,8 +43,8 @@ struct ZernikePhase {
         return sum;
     }
 
-    // Likely ratio of max |U| without aberrations to max |U|; dimmest(): the same with a margin, as strong aberrations may
-    // dim an image twice as much as predicted.
+    // Estimated max |U| without aberrations over max |U|. dimmest(): the same with a margin, as strong aberrations may dim an
+    // image twice as much as estimated.
     double dimness() const {
         double variance = 0.0;
         amplitudes([&](double a, std::size_t n, std::size_t m) {
@@ -69,8 +69,8 @@ struct ZernikePhase {
     }
 };
 
-// Product rule on the disk, exact for polynomials up to a degree: Gauss nodes in t = rho^2 and equal angles off the axes, so
-// that sums over terms in one quadrant serve all four. Cached for all calls.
+// Product rule on the disk, exact for polynomials up to `degree`: Gauss nodes in t = rho^2, and equal angles off the axes, so
+// that sums over terms in one quadrant serve all four. Cached.
 struct DiskRule {
     std::size_t degree;  // exact up to this degree
     std::size_t rings;   // a multiple of 8
@@ -80,16 +80,16 @@ struct DiskRule {
 
     explicit DiskRule(std::size_t exact);
 
-    // Degree rounded up to what a multiple of eight rings integrates, so that slightly more aberration needs no new tables.
+    // Degree rounded up to the capacity of a multiple of eight rings, so that slightly stronger aberrations need no new tables.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
 
-    // Index of cos(m theta) and sin(m theta) at angle j in the tables.
+    // Table index of cos(m theta) and sin(m theta) at angle j.
     std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
 
-    // Bound on the rounding of a Fourier coefficient, in units of roundoff times the mean modulus: the transform, the factor
-    // for the half step, and the sum of two orders for a cosine.
+    // Bound on the rounding of a Fourier coefficient, in units of roundoff times the mean modulus: transform, factor for the
+    // half step of the angles, and sum of the orders m and -m.
     double rounding() const { return fft.rounding() + 25.0; }
 
     bool is(std::size_t exact) const { return degree == exact; }
@@ -117,7 +117,7 @@ LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
 }
 #endif
 
-// Coefficients of degrees n < degrees and azimuthal orders m < orders, grouped by order: n = m, m + 2, ...
+// Zernike coefficients of degrees n < degrees and azimuthal orders m < orders, grouped by order: n = m, m + 2, ...
 struct ZernikeSeries {
     std::size_t degrees = 0, orders = 0;
     std::vector<std::size_t> start;  // [order]: first coefficient
@@ -125,7 +125,7 @@ struct ZernikeSeries {
     std::array<Doubles, 4> parts;    // re and im of cosines, re and im of sines
 
     std::size_t count(std::size_t m) const { return (degrees - 1 - m) / 2 + 1; }
-    // Modulus of a coefficient, of the cosine (sine = 0) or the sine (1).
+    // Modulus of a coefficient of the cosine (sine = 0) or the sine (sine = 1).
     double size(std::size_t at, std::size_t sine) const {
         const double re = parts[2 * sine][at], im = parts[2 * sine + 1][at];
         return std::sqrt(re * re + im * im);
@@ -148,10 +148,11 @@ struct ZernikeSeries {
     }
 };
 
-// Computes the coefficients of a pupil: azimuthal FFTs on rings, then projections onto radial polynomials.
+// Compute the Zernike coefficients of a pupil function: FFTs over the angles of rings, then projections onto radial
+// polynomials.
 class ZernikeAnalysis {
    public:
-    // Fill `series` with the coefficients times (-1)^(n/2) (-i)^n, factors that zernike_transforms() omits.
+    // Fill `series` with the coefficients times (-1)^(n/2) (-i)^n, the factors that zernike_transforms() omits.
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);
@@ -169,7 +170,7 @@ class ZernikeAnalysis {
     }
 
    private:
-    // Sum the terms of each azimuthal order at each ring: [order][cosine, sine][ring].
+    // Sum over the terms of each azimuthal order on each ring: [order][cosine, sine][ring].
     template <class I>
     LOMMEL_INLINE void prepare(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;
@@ -198,7 +199,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients of eight rings, times their weights: [m][cos re, cos im, sin re, sin im][ring].
+    // Azimuthal Fourier coefficients of eight rings, times the ring weights: [m][cos re, cos im, sin re, sin im][ring].
     template <class I>
     LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders,
                                  std::size_t first) {
@@ -242,7 +243,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Evaluate the pupil function at all angles of a vector of rings, times the weights over the angles.
+    // Weighted pupil function at all angles of a vector of rings; the weight is that of the ring over the number of angles.
     template <class I>
     LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t k, double* out) const {
         using V = typename I::pack;
@@ -266,7 +267,7 @@ class ZernikeAnalysis {
                     odd_sin = odd_sin + s;
                 }
             }
-            // At theta, -theta, pi - theta, pi + theta.
+            // Phase at theta, -theta, pi - theta, pi + theta.
             const V angle[4] = {even_cos + odd_cos + even_sin + odd_sin, even_cos + odd_cos - even_sin - odd_sin,
                                 even_cos - odd_cos - even_sin + odd_sin, even_cos - odd_cos + even_sin - odd_sin};
             const std::size_t places[4] = {i, n - 1 - i, n / 2 - 1 - i, n / 2 + i};
@@ -284,7 +285,7 @@ class ZernikeAnalysis {
     LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t m, ZernikeSeries& series) {
         using V = typename I::pack;
         const std::size_t rings = rule.rings;
-        constexpr std::size_t most = 64;  // vectors of rings in one block, whose recurrences are kept
+        constexpr std::size_t most = 64;  // vectors of rings per block, with stored recurrences
         const double* in = &rings_[m * 4 * rings];
         const std::size_t count = series.count(m), to = series.start[m];
         for (Doubles& part : series.parts) {
@@ -323,7 +324,7 @@ class ZernikeAnalysis {
         here = after;
     }
 
-    // rho^m at a vector of rings.
+    // rho^m on a vector of rings.
     template <class I>
     static LOMMEL_INLINE typename I::pack power(I, const DiskRule& rule, std::size_t k, std::size_t m) {
         using V = typename I::pack;

@@ -15,14 +15,14 @@
 
 namespace lommel {
 
-// Window of pixels, `step` apart in v; the axis is at (row, column), in pixels, not necessarily whole.
+// Window of pixels at a pitch of `step` in v; the axis is at (row, column), in pixels and possibly fractional.
 struct DiskWindow {
     std::size_t height, width;
     double row, column, step;
 };
 
-// Output for each pupil: image; scale of the intensity (0 on entry: divide by the largest value); error bound relative to a
-// peak; and that peak, as an intensity.
+// Output for each pupil: image, scale of the intensity (0 on entry: divide by the maximum), error bound relative to a peak, and
+// this peak intensity.
 template <class T>
 struct DiskAnswer {
     T* images;
@@ -39,9 +39,9 @@ inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double
     return sum;
 }
 
-// Stack of wavefronts in Zernike terms, and conversions between tilts and shifts of their axes.
+// Stack of wavefronts in Zernike terms, with conversion between tilt and a shift of the axis.
 struct DiskStack {
-    std::vector<ZernikeTerm> terms;  // terms that are not zero for all pupils, and those that the inner disk adds
+    std::vector<ZernikeTerm> terms;  // terms that are not zero for all pupils, and those that rescaling to the obscuration adds
     std::vector<double> outer, inner;  // [pupil][term], radians at the edge; `inner` is empty without an obscuration
     std::vector<std::int64_t> rows, columns;  // [pupil]: pixel of the axis, set by move_axes()
     std::vector<double> centers;  // [pupil][row, column] of the axis, set by center_axes()
@@ -50,14 +50,14 @@ struct DiskStack {
     double obscuration;
     Amplitude amplitude;
 
-    // From edge[pupil][term] of the `given` terms.
+    // From the coefficients edge[pupil][term] of the terms `given`.
     DiskStack(const std::vector<ZernikeTerm>& given, const double* edge, std::size_t pupils, double eps, const Amplitude& light)
         : terms(given), outer(edge, edge + pupils * given.size()), lost(pupils, 0.0), count(pupils), obscuration(eps),
           amplitude(light) {
         trim();
     }
 
-    // Express the shift of each pupil's axis, centers[pupil][row, column], from that of the window as a tilt.
+    // Express the displacement of each pupil's axis, centers[pupil][row, column], from the axis of the window as a tilt.
     void tilt_to(const double* centers, const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         for (std::size_t p = 0; p < count; ++p) {
@@ -65,7 +65,7 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double before = axis == 0 ? window.row : window.column;
                 const double way = (centers[2 * p + axis] - before) * window.step;
-                // Difference, product and sum are rounded, relative to values that may cancel; |dU/dv| < 1/2.
+                // Rounding of difference, product and sum, relative to values that may cancel; |dU/dv| < 1/2.
                 lost[p] += way == 0.0 ? 0.0 : unit_roundoff * (2.0 * std::abs(way) + std::abs(tilt));
                 tilt += way;
             }
@@ -73,8 +73,8 @@ struct DiskStack {
         trim();
     }
 
-    // Express whole pixels of tilt as a shift of the axis, which then lies in the middle of a pixel. The remainder, including
-    // that of the axis position, is a tilt of less than a pixel.
+    // Express tilt as a shift of the axis by whole pixels, to the middle of a pixel. The remainder, with that of the axis
+    // position, stays a tilt of less than a pixel.
     void move_axes(const DiskWindow& window) {
         constexpr double farthest = 1e6;
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
@@ -99,7 +99,7 @@ struct DiskStack {
         trim();
     }
 
-    // Express all tilt as a shift of the axis, to any position.
+    // Express the whole tilt as a shift of the axis, to any position.
     void center_axes(const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         centers.clear();
@@ -115,12 +115,12 @@ struct DiskStack {
         trim();
     }
 
-    // Compute `inner`: the same phase with the radius in units of that of the obscuration, including its piston.
+    // Compute `inner`: the phase within the obscuration, with the radius in units of its own, including piston.
     void shrink();
 
    private:
-    // Error of U when a tilt becomes a shift: step, quotient and sum are rounded, relative to values that may cancel; |dU/dv|
-    // < 1/2 (docs/certificate.md, section 7, "The axis").
+    // Error of U if a tilt becomes a shift: rounding of step, quotient and sum, relative to values that may cancel; |dU/dv| <
+    // 1/2 (docs/certificate.md, section 7, "The axis").
     static double rounded(double tilt, double given, double step) {
         return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);
     }
@@ -166,7 +166,7 @@ struct DiskStack {
     }
 };
 
-// Pupils as given by callers, edge[pupil][term], around the axis of a window or an axis of their own.
+// Pupils as passed by callers, edge[pupil][term], with the axis of the window or an axis each.
 struct DiskPupils {
     std::vector<ZernikeTerm> terms;
     const double* edge;

@@ -1,4 +1,4 @@
-// Error control of an image: by a preview of the field, then part by part from the computed values.
+// Error control of an image: allowed errors from a preview of the field, then error bounds from the computed values.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace lommel {
 
-// Preview of the brightness at increasing distances from the axis.
+// Preview of the intensity at increasing distances from the axis.
 struct Looks {
-    std::vector<double> v, bright;  // bright: largest I found at each distance
+    std::vector<double> v, bright;  // bright: largest sampled I at each distance
 
-    // Largest brightness between two distances, including the next sample on either side.
+    // Largest intensity between two distances, including the next sample on either side.
     double brightest(double from, double to) const {
         double most = 0.0;
         for (std::size_t i = 0; i < v.size(); ++i) {
@@ -26,25 +26,24 @@ struct Looks {
     }
 };
 
-// Error of U that causes an error `all` of I, where the intensity is `intensity` and |U| may be larger by the factor
-// `brighter`.
+// Error of U that causes the error `all` of I at this intensity, if |U| may be larger by the factor `brighter`.
 inline double allowed_error(double all, double intensity, double brighter) {
     const double u = brighter * std::sqrt(intensity);
     return all / (u + std::sqrt(u * u + all));
 }
 
 struct PaintedPart {
-    double error = 0.0, top = 0.0;  // proven error of U; largest computed I
+    double error = 0.0, top = 0.0;  // error bound of U; largest computed I
     double wrong() const { return intensity_error(std::sqrt(top), error); }
 };
 
-// An image made of such parts.
+// Image made of parts with separate error bounds.
 template <class Part>
 class PaintedParts {
    public:
     double peak() const { return brightest().top; }
     double error_at_peak() const { return brightest().error; }  // of U
-    double wrong() const {                                      // proven error of I
+    double wrong() const {                                      // error bound of I
         double most = 0.0;
         for (const Part& part : parts_) {
             most = std::max(most, part.wrong());

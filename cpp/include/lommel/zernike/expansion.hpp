@@ -16,52 +16,52 @@
 
 namespace lommel {
 
-constexpr std::size_t max_degrees = 1600;  // of a Zernike series; n degrees take about 30 n^2 bytes
+constexpr std::size_t max_degrees = 1600;  // maximum number of degrees of a Zernike series; n degrees take about 30 n^2 bytes
 
-// Error budget of an image: shares of errors and tolerances.
+// Error budget of the Zernike series: shares of errors and tolerances.
 struct ZernikeBudget {
-    // Shares of the error of U for the expansion of the full disk, for that of the obscuration, and for each one's
-    // coefficients that turn out to be small.
+    // Shares of the error of U for the expansions of full disk and obscuration, and for the small coefficients omitted from
+    // each.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
-    // Shares of the error of a disk: for degrees left out, magnified by the Lebesgue constant of Fourier sums (below 5) when
-    // orders are left out too; for orders left out; and for the distance from polynomials, which counts twice in quadrature.
+    // Shares of the error of a disk. `degrees`: omitted degrees, multiplied by the Lebesgue constant of Fourier sums, below
+    // `fourier`, if orders are omitted too; `orders`: omitted orders; `quadrature`: distance from polynomials, which counts
+    // twice.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
-    // Shares of the error of U at the brightest place, left out in all pieces: coefficients of each disk, orders, and
-    // interpolation across pieces.
+    // Shares of the error of U at the brightest point, common to all pieces: omitted coefficients of each disk, omitted orders,
+    // and interpolation across pieces.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of what remains of the error of U in a piece: orders omitted in this piece (own_orders; `sines` is the part of it
-    // within which all sines may be omitted), and interpolation across rings. The rest allows for single precision.
+    // Shares of the remaining error of U in a piece: orders omitted in this piece (`sines`: part of it up to which all sines
+    // are omitted), and interpolation across rings. The rest is for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
-    // Minimum share of the common error of all pieces for interpolation across rings.
+    // Minimum error of interpolation across rings, as a share of the error common to all pieces.
     static constexpr double beside = 0.05;
-    // Shares of the tolerance: first error of U, which counts twice in I; error of each piece; and the limit above which a
-    // piece is repeated. The rest is a margin, as the brightness is a guess.
+    // Shares of the tolerance: first error of U, which counts twice in I; error of a piece; error above which a piece is
+    // repeated. The rest is a margin for the estimate of the brightness.
     static constexpr double field = 0.1, image = 0.5, most = 0.7;
     static_assert(2.0 * field <= image && image <= most && most <= 1.0);
-    // Share of the tolerance for values divided by their maximum, which is itself in error: values off by r become off by 2 r
-    // / (1 - r).
+    // Share of the tolerance if values are divided by their maximum, which has an error too: a relative error r becomes
+    // 2 r / (1 - r).
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
-    // Repetition: factors of the previously requested error, for the expansion and for a piece. The expansion is to blame if
-    // `blame` times its error reaches that of the piece.
+    // Repetition: factors on the requested error, of the expansion and of a piece. The expansion is repeated if `blame` times
+    // its error reaches that of the piece.
     static constexpr double again = 0.1, piece_again = 0.2, blame = 3.0;
 };
 
-// Expansion of a disk: degrees, orders and quadrature for a given error of U at all v up to a reach.
+// Expansion of a disk: degrees, orders and quadrature for a given error of U at all v up to `reach`.
 struct DiskExpansion {
     std::size_t degrees, orders;
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
     std::size_t curve;
-    double saved = 0.0;  // by samples: reduction of log M(b) on the curve
+    double saved = 0.0;  // reduction of log M(b) on the curve by samples
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // Estimated size of an expansion, without making samples and tables; and the work of the samples, see
-    // GrowthTable::work().
+    // Estimated size of an expansion, without samples and tables. samples: cost of sampling, see GrowthTable::work().
     struct Size {
         std::size_t degrees, orders, exact;
         double samples;
@@ -82,7 +82,7 @@ struct DiskExpansion {
         const std::size_t at = bounds.likely(error, usual_share);
         double samples = GrowthTable::work(phase.list);
         if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
-            // Estimate: terms add in quadrature, as if independent.
+            // Estimate: amplitudes of terms add in quadrature, as if independent.
             double squares = 0.0, sum = 0.0;
             phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
                 const double most = amplitude * chord_curves.growth[n][at];
@@ -97,8 +97,9 @@ struct DiskExpansion {
         return {plan.degrees, plan.orders, exact, samples};
     }
 
-    // Rounding of exp(i Phi) at the nodes reaches U at most undiminished. Each rounding of sums and recurrences is relative to
-    // its coefficient; by Cauchy's inequality over degrees^2 / 2 coefficients they add at most degrees / sqrt(2) times one.
+    // Rounding of exp(i Phi) at the nodes is not amplified in U. Each rounding of sums and recurrences is relative to its
+    // coefficient; by Cauchy's inequality over degrees^2 / 2 coefficients, together they are at most degrees / sqrt(2) times
+    // one.
     double error(const ZernikePhase& phase) const {
         const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
@@ -108,7 +109,7 @@ struct DiskExpansion {
    private:
     DiskExpansion() = default;
 
-    // Usual ratio of the logarithm of the sampled mean of a pupil function to that of the product of the maxima of all terms.
+    // Typical ratio of log(sampled mean) to log(product of the maxima of all terms) of a pupil function.
     static constexpr double usual_share = 0.6;
 
     double less_by_samples(const ZernikePhase& phase) const {
@@ -134,7 +135,7 @@ struct DiskExpansion {
         return std::max(bounds.degree(ZernikeBudget::quadrature * error), degrees) + degrees;
     }
 
-    // Rough cost of the expansion in vector operations.
+    // Estimated cost of the expansion in vector operations.
     double work(std::size_t exact) const {
         const double rings = 0.25 * static_cast<double>(exact), n = static_cast<double>(degrees);
         return 0.5 * rings * rings * static_cast<double>(orders) + 0.2 * n * n * rings;
@@ -146,7 +147,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
     check_reach(reach);
     DiskBounds bounds = phase.bounds();
     std::size_t exact = count(bounds, reach, error);
-    // Samples pay if the expansion is large.
+    // Sampling reduces the time of large expansions only.
     curve = bounds.likely(error, usual_share);
     if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
         saved = less_by_samples(phase);
@@ -165,7 +166,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
 }
 #endif
 
-// Shorten the series of each order by coefficients that together add at most `error` to U; returns a bound on what they add.
+// Truncate the series of each order so that the omitted coefficients add at most `error` to U; return a bound on what they add.
 inline double trim(ZernikeSeries& series, double weight, double error) {
     double left = 0.0;
     const double share = error / static_cast<double>(series.orders + 1);

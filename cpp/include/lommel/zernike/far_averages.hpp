@@ -1,4 +1,4 @@
-// Pixel averages far from the axis, for pupils with any Zernike terms: only the edges of the aperture send light there.
+// Pixel averages far from the axis, for any Zernike terms: the light there is diffracted by the edges of the aperture only.
 #pragma once
 
 #include <algorithm>
@@ -19,23 +19,23 @@
 
 namespace lommel {
 
-// Intensity far from the axis (docs/certificate.md, section 10). U is a sum of waves exp(+-i v) and, with an obscuration,
-// exp(+-i eps v). Their factors are series in 1 / v by Hankel's expansion that vary slowly with the azimuth. I is the sum of
-// the squared moduli of the waves, which is smooth, and rings, whose pixel averages are small and bounded.
+// Intensity far from the axis (docs/certificate.md, section 10, "Far from the axis"). U is a sum of waves exp(+-i v) and, with
+// an obscuration, exp(+-i eps v), whose factors are series in 1 / v (Hankel's expansion) and vary slowly with the azimuth. I is
+// the smooth sum of the squared moduli of the waves plus interference rings, whose pixel averages are small and bounded.
 class FarLight {
    public:
-    // For an expanded pupil; degrees and orders that add at most `spare` to U are left out.
+    // From an expanded pupil; degrees and orders that add at most `spare` to U are omitted.
     FarLight(const ZernikeField& field, double spare);
 
-    // Error bound of averages over pixels `step` wide all of whose points are at least v from the axis; v is not below that
-    // of the last fit().
+    // Error bound of averages over pixels of width `step` that lie entirely beyond v. v must be at least that of the last
+    // fit().
     double left_out(double step) const;
-    // Fit the smooth part from v on.
+    // Fit the smooth part for distances of at least v.
     void fit(double v);
-    // Smallest v from which averages are off by at most `asked`, fitted from there on. Returns more than `most` if there is
-    // none below it.
+    // Smallest v from which averages have an error of at most `asked`; fitted from there on. Above `most` if there is none up
+    // to it.
     double nearest(double step, double asked, double most) {
-        // Not below the v that the rings of an unaberrated pupil require.
+        // Lower limit: the v that the interference rings of an unaberrated pupil require.
         double rings = 0.0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
@@ -46,7 +46,7 @@ class FarLight {
         for (double growth = 1.05; v <= most; v *= growth) {
             prepare(v);
             growth = 1.05;
-            // 2 |U| is about 4 / v^(3/2).
+            // An error e of U changes I by e (2 |U| + e); 2 |U| is about 4 / v^(3/2).
             if (off_ * (4.0 / (v * std::sqrt(v)) + off_) <= 0.4 * asked) {
                 fit(v);
                 const double left = left_out(step);
@@ -59,53 +59,53 @@ class FarLight {
         return v;
     }
 
-    // Computes averages over `count` pixels of a row: `down` is the distance of the row below the axis, `right` that of its
-    // first pixel to the right of the axis, both in pixels.
+    // Averages of `count` pixels of a row, which is `down` pixels below the axis and begins `right` pixels to the right of it.
     void row(double right, double down, double step, std::size_t count, double* out) const;
 
    private:
-    // terms: terms of Hankel's expansion; kept: the first of these, which are summed, while the others count as error; smooth:
-    // terms of the polynomial of the smooth part.
+    // terms: number of terms of Hankel's expansion; kept: number of these that are summed, the others count as error; smooth:
+    // number of terms of the polynomial of the smooth part.
     static constexpr std::size_t terms = 24, kept = 12, smooth = 5;
     // Error of the arc tangent (Abramowitz and Stegun, 4.4.49) including rounding.
     static constexpr double angle_error = 1.2e-5;
-    // Number of points at which polynomials are bounded (docs/certificate.md, section 10).
+    // Number of points at which the maximum of a polynomial is sampled (docs/certificate.md, section 10).
     static constexpr std::size_t points = 3 * kept;
 
-    // Wave exp(i frequency v) with a factor that depends on the azimuth and on 1 / v.
+    // Wave exp(i frequency v), times a factor that depends on the azimuth and on 1 / v.
     struct Wave {
         double frequency;
         std::vector<double> re, im;        // factors of v^(-3/2 - k), [k][angle]
         std::array<double, terms> sizes;   // [k]: largest modulus
-        double largest = 0.0, slope = 0.0;  // bounds for v in the fitted range: sum of the kept terms; v times its derivative
+        double largest = 0.0, slope = 0.0;  // bounds over the fitted range of v: sum of the kept terms; v times its derivative
     };
     struct Disk {
-        double radius, weight, factor;  // factor: of both waves of the disk
+        double radius, weight, factor;  // factor: of both waves of this disk
         std::size_t orders;
-        std::vector<double> size;  // [degree]: size at the edge
-        std::array<double, terms> rounding;  // [k]: of the sums over degrees
+        std::vector<double> size;  // [degree]: sum of the moduli of its coefficients
+        std::array<double, terms> rounding;  // [k]: rounding of the sum over degrees
     };
-    // Bounds of a trigonometric polynomial in the azimuth.
+    // Bounds on a trigonometric polynomial in the azimuth.
     struct Harmonics {
-        double value = 0.0, slope = 0.0, bend = 0.0;  // largest modulus; of the first and the second derivative
+        double value = 0.0, slope = 0.0, bend = 0.0;  // maximum moduli of the polynomial, its first and its second derivative
     };
 
     void choose(const ZernikeSeries& series, double weight, double spare);
     void add(const ZernikeSeries& series, double radius, double weight);
-    // Bound on the pixel average of the ring of two waves, relative to their product, without the part from its slope.
+    // Bound on the pixel average of the interference ring of two waves over their product, without the contribution of its
+    // slope.
     double edges(std::size_t i, std::size_t j, double step) const {
         return std::min(1.0, 2.8284271247461903 / (step * std::abs(waves_[i].frequency - waves_[j].frequency)));
     }
-    // Bound the error of U from v on.
+    // Bound the error of U for distances of at least v.
     void prepare(double v);
 
     double base_, from_ = 1.0, off_ = 0.0, misfit_ = 0.0;
     std::size_t orders_ = 1, angles_ = 0;
-    std::vector<double> cosine_, sine_;  // at the angles
+    std::vector<double> cosine_, sine_;  // of the sampled angles
     std::vector<Wave> waves_;
     std::vector<Disk> disks_;
     std::array<Harmonics, smooth> harmonics_{};
-    std::vector<double> table_;  // [angle][coefficient, difference to the next angle], of (from / v)^power
+    std::vector<double> table_;  // [angle][coefficient, difference to the next angle], coefficients of (from / v)^power
 };
 
 #if defined(LOMMEL_DEFINES)
@@ -127,7 +127,7 @@ LOMMEL_ONCE FarLight::FarLight(const ZernikeField& field, double spare) : base_(
     }
 }
 
-// Choose the orders and degrees of a disk whose field is multiplied by `weight`.
+// Choose the orders and degrees of a disk whose field has the factor `weight`.
 LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, double spare) {
     Disk disk{0.0, weight, 0.0, 0, std::vector<double>(series.degrees, 0.0), {}};
     std::vector<double> by_order(series.orders, 0.0);
@@ -140,7 +140,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
             }
         }
     };
-    // Degree n of U is at most 2 |J_(n+1)(v) / v| <= 1 / (n + 1) times its size at the edge.
+    // Bound on degree n of U: 2 |J_(n+1)(v) / v| <= 1 / (n + 1), times its size at the edge.
     const auto fewest = [&](std::size_t count, const auto& adds) {
         for (double sum = 0.0; count > 1 && sum + adds(count - 1) <= 0.5 * spare; --count) {
             sum += adds(count - 1);
@@ -171,8 +171,8 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             here *= (order * order - odd * odd) / (8.0 * static_cast<double>(k + 1));
         }
     }
-    // D_k(psi) = sum over n of a_k(n + 1) b_n(psi), where b_n is the sum of the terms of degree n at the edge. Even and odd
-    // orders are kept apart, as they differ in sign half a turn on: [k][parity][re, im][angle].
+    // D_k(psi) = sum over n of a_k(n + 1) b_n(psi), b_n the sum of the terms of degree n at the edge. Even and odd orders are
+    // separate, as they differ in sign after half a turn: [k][parity][re, im][angle].
     std::vector<double> sums(kept * 4 * half, 0.0), cosine(half, 1.0), sine(half, 0.0);
     std::array<double, terms> largest{};  // bounds for terms from `kept` on
     for (std::size_t m = 0; m < std::min(disk.orders, degrees); ++m) {
@@ -191,7 +191,7 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
         }
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t k = 0; k < kept; ++k) {
-                // In the series, odd orders have a factor -i.
+                // Odd orders of the series have a factor -i.
                 const bool odd = m % 2 == 1;
                 const double cr = odd ? -at[k][1] : at[k][0], ci = odd ? at[k][0] : at[k][1], sr = odd ? -at[k][3] : at[k][2],
                              si = odd ? at[k][2] : at[k][3];
@@ -209,11 +209,11 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             }
         });
     }
-    // Waves: exp(+-i radius v) v^(-3/2) sum over k of factor (+-i)^k D_k / (radius v)^k; for exp(+i radius v), D_k is taken
-    // half a turn on.
+    // Waves exp(+-i radius v) v^(-3/2) sum over k of factor (+-i)^k D_k / (radius v)^k, with D_k at psi + pi for exp(+i radius
+    // v).
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
-    // Bound between angles: a trigonometric polynomial falls off from its maximum no faster than a cosine.
+    // Maximum between sampled angles: next to its maximum, a trigonometric polynomial falls no faster than a cosine.
     const double between = 1.0 / std::cos(pi * static_cast<double>(orders_) / static_cast<double>(angles_));
     const double roundings = unit_roundoff * static_cast<double>(2 * degrees + 8 * orders_ + 64);
     for (const double sign : {1.0, -1.0}) {
@@ -254,8 +254,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
             power /= place;
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
-            // The remainder of Hankel's series is below its first omitted term once there are n + 1 terms; until then the
-            // omitted terms add up. Alternatively the whole field of that degree plus its terms counts.
+            // The remainder of Hankel's series is below the first omitted term if there are at least n + 1 terms; with fewer
+            // terms, the omitted ones add up. Alternative bound: the whole field of that degree plus its terms.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -278,7 +278,7 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
 
 LOMMEL_ONCE void FarLight::fit(double v) {
     prepare(v);
-    // Sum of the squared moduli of all waves, a polynomial in x = from / v.
+    // Sum of the squared moduli of all waves, as a polynomial in x = from / v.
     std::vector<double> squares((points + smooth) * angles_, 0.0);
     std::array<double, points + smooth> places;
     for (std::size_t i = 0; i < points; ++i) {
@@ -288,8 +288,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
         places[points + i] = 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(smooth));
     }
     const double turn = pi * static_cast<double>(orders_) / static_cast<double>(angles_);
-    // Bounds between points (Ehlich and Zeller, 1964) for polynomials and trigonometric polynomials of the degree of the
-    // waves, and of their squares.
+    // Factors from the maximum at the points to the maximum between them (Ehlich and Zeller, 1964), for polynomials of the
+    // degree of the waves (once) and of their squares (twice).
     const double once = 1.0 / (std::cos(turn) * std::cos(0.5 * pi * (kept - 1.0) / points)),
                  twice = 1.0 / (std::cos(2.0 * turn) * std::cos(pi * (kept - 1.0) / points));
     std::vector<double> most(angles_);
@@ -326,7 +326,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             power /= v;
         }
     }
-    // Polynomial through the last of these places, by divided differences.
+    // Polynomial through the last `smooth` points, by divided differences.
     const double* const at = places.data() + points;
     std::vector<double> terms_of(smooth * angles_);
     for (std::size_t l = 0; l < angles_; ++l) {
@@ -368,8 +368,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
     });
     misfit_ = *std::max_element(most.begin(), most.end());
     misfit_ *= twice;
-    // Every other angle suffices. If there are many orders, only the first 96 are computed; what they leave of the mean
-    // square bounds the others.
+    // Every other angle suffices. At most 96 orders are computed; the mean square minus theirs bounds the others.
     constexpr std::size_t lanes = 8;
     const std::size_t half = angles_ / 2, all = 2 * orders_, known = std::min<std::size_t>(all, 96);
     std::vector<double> rows(half * lanes, 0.0), sums(2 * lanes * known, 0.0);
@@ -431,8 +430,8 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
         const Wave& wave = waves_[i];
         size += wave.largest;
         for (std::size_t j = 0; j < i; ++j) {
-            // Light of a product of two waves on a pixel: what crosses the edges, and what the slope of its amplitude leaves
-            // inside.
+            // Pixel average of the product of two waves: flux through the edges of the pixel, and the remainder inside it from
+            // the slope of the amplitude.
             const Wave& other = waves_[j];
             const double product = wave.largest * other.largest, frequency = std::abs(wave.frequency - other.frequency);
             const double sloping = wave.slope * other.largest + wave.largest * other.slope + 2.0 * product;
@@ -479,7 +478,7 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
                 for (std::size_t k = smooth; k-- > 0;) {
                     sum = sum * part + (sums[k] + way * sums[smooth + k]);
                 }
-                // Averages are nonnegative, so clipping at 0 does not increase the error.
+                // Averages are not negative, and clamping to 0 does not increase the error.
                 out[first + i] = std::max(0.0, sum * cube);
             }
         }
@@ -487,9 +486,9 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
 }
 #endif
 
-// Averages over the far pixels of windows: those farther than `most` from the axis, and closer ones where possible.
-// found[pupil]: distance in pixels from which averages are present (the other pixels are 0); their error bound; a guess at
-// the largest average; row and column of the axis.
+// Averages over the pixels farther than `most` from the axis, and over closer ones where possible. found[pupil]: distance in
+// pixels from which averages are computed (other pixels are 0); their error bound; an estimate of the largest average; row and
+// column of the axis.
 class FarAverages {
    public:
     static constexpr std::size_t numbers = 5;
@@ -506,11 +505,11 @@ class FarAverages {
    private:
     void render(std::size_t pupil);
 
-    // The mean over all directions of pixel averages at one distance from the axis is at most the largest average.
+    // The mean of the pixel averages at one distance from the axis is at most the largest average.
     double likely_peak(const ZernikeField& field, double reach, double light) const {
         const double step = window_.step, apart = std::min(3.0, 0.5 * step);
         const std::size_t across = static_cast<std::size_t>(std::ceil(step / apart));
-        std::vector<double> within{0.0};  // light within rings
+        std::vector<double> within{0.0};  // encircled energy over 2 pi
         double most = 0.0;
         for (std::size_t i = 0; i < 96 && apart * static_cast<double>(i) < reach; ++i) {
             const double v = apart * (static_cast<double>(i) + 0.5);
@@ -552,7 +551,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
     const double none[] = {far + 1.0, 0.0, 0.0, row, column};
     std::copy_n(none, numbers, found);
-    // Series in 1 / v are of no use where aberrated rays arrive, and up to three times that distance.
+    // Series in 1 / v are inaccurate where aberrated rays arrive, and up to three times that distance.
     double rays = 0.0;
     outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
         const double slope = amplitude * static_cast<double>(n * n);
@@ -574,12 +573,12 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         return;
     }
     found[0] = limit;
-    found[1] = 1.000001 * tail.left_out(step);  // margin for the rounding of distances
+    found[1] = 1.000001 * tail.left_out(step);  // the factor covers the rounding of distances
     for (std::size_t y = 0; y < window_.height; ++y) {
         look();
         const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;
         double* const values = image + y * window_.width;
-        // Columns to the left and to the right of the circle of radius `limit`.
+        // Number of columns left and right of the circle of radius `limit`.
         const double half = rest > 0.0 ? std::sqrt(rest) : 0.0;
         const auto inside = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, width)); };
         const std::size_t left = inside(std::floor(column - half) + 1.0),

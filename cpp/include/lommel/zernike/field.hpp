@@ -1,4 +1,4 @@
-// Field of a pupil without radial symmetry, as polynomial coefficients of its azimuthal orders, with its error bound.
+// Field of a pupil without radial symmetry: polynomial coefficients of its azimuthal orders, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@
 
 namespace lommel {
 
-constexpr double max_coefficients = 134217728.0;  // for all pieces of an image: 1 GiB
+constexpr double max_coefficients = 134217728.0;  // maximum number of coefficients for all pieces of an image: 1 GiB
 
-// Sampling directions, none of them an axis of symmetry.
+// Sampling directions; no symmetry axis is among them.
 struct Directions {
     static constexpr std::size_t count = 32;
     std::array<double, count> cosine, sine;
@@ -37,19 +37,19 @@ struct Directions {
 };
 inline const Directions directions;
 
-// Field U of one pupil: polynomials in v, on radial pieces, for each azimuthal order of both disks.
+// Field U of one pupil: polynomials in v on radial pieces, for each azimuthal order of both disks.
 class ZernikeField {
    public:
-    // Expand the pupil with error `error` in U for v up to `reach`. `inner`: phase within the obscuration, as a function of
+    // Expand the pupil with an error `error` of U for v up to `reach`. `inner`: phase within the obscuration as a function of
     // the radius over that of the obscuration. `lost`: error of U from rounding of both phases.
     void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
                 double lost = 0.0, int threads = 1) {
-        // An obscuration whose light is below rounding is ignored.
+        // An obscuration whose light is below rounding is neglected.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // Radii in units of a ring and the step in v are off by three roundings each, and |U'| < 1/2.
+        // Radius in units of a ring and step in v have three roundings each, and |U'| < 1/2.
         base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
@@ -58,7 +58,7 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
-    // Mean of I over all directions at the distance v; orders are orthogonal.
+    // Mean of I over all directions at the distance v, by orthogonality of the orders.
     double mean(double v) const {
         const std::vector<double>& orders = all_orders(v);
         double sum = 0.0;
@@ -68,11 +68,11 @@ class ZernikeField {
         return sum;
     }
 
-    // Largest I in the sampled directions at the distance v, from Bessel functions without interpolation.
+    // Largest I over the sampled directions at the distance v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Prepare evaluation; what is left out adds about `error` to U at most. base() is then the error common to all pieces.
-    // lit(pieces) returns the pieces in use, in increasing order.
+    // Prepare the evaluation; omissions add about `error` to U at most. Afterwards base() is the error common to all pieces.
+    // lit(pieces): the pieces in use, in increasing order.
     template <class Lit>
     void prepare(double error, int threads, const Lit& lit) {
         orders_.measure(outer_, inner_, obscuration_);
@@ -80,7 +80,7 @@ class ZernikeField {
         base_ +=
             trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
-        // Interpolation at 8 points adds at most 2.3 times the error of the piece (the bound of its Lebesgue constant).
+        // Interpolation at 8 points adds at most 2.3 (its Lebesgue constant) times the error of the piece.
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
             ++width;
         }
@@ -126,7 +126,7 @@ class ZernikeField {
     }
 
     std::size_t pieces() const { return rows_.size(); }
-    double width() const { return width_; }  // of a piece, in v
+    double width() const { return width_; }  // width of a piece, in v
     double base() const { return base_; }
     bool obscured() const { return obscuration_ > 0.0; }
     double obscuration() const { return obscuration_; }
@@ -134,18 +134,18 @@ class ZernikeField {
     const ZernikeSeries& outer() const { return outer_; }
     const ZernikeSeries& inner() const { return inner_; }
 
-    // Plan for piece s with `groups` groups of pixels, for an error of about `error` in U if base() is well below that.
+    // Plan of piece s with `groups` groups of pixels, for an error of U of about `error` if base() is well below it.
     PiecePlan plan(std::size_t s, double error, std::size_t groups) const {
         PiecePlan made;
         const double spare = std::max(0.0, error - base_);
         made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
-        // If base() takes nearly all of the error, a share of base() is allowed instead: `error` is a goal, not a limit.
+        // If base() takes nearly all of the error, a share of base() is allowed instead, as `error` is a goal and not a limit.
         const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::beside * base_);
         while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > across) {
             ++rings;
         }
-        // Rings pay if they hold enough pixels to fill vectors.
+        // Rings save time if they contain enough pixels to fill vectors.
         if (obscured() || groups > 20 * rings) {
             made.rings = rings;
             made.error += ring_error(width_ / static_cast<double>(rings)) * weight_;
@@ -155,7 +155,7 @@ class ZernikeField {
         return made;
     }
 
-    // Coefficients for sum_orders<16> across piece s; for unobscured pupils only.
+    // Coefficients for sum_orders<16> across piece s; only for unobscured pupils.
     void whole(const PiecePlan& plan, std::size_t s, Doubles& out) const {
         const std::size_t parts = plan.orders.sines ? 4 : 2;
         out.resize(plan.rows.size() * parts * degree_count);
@@ -180,7 +180,7 @@ class ZernikeField {
         if (!obscured()) {
             return;
         }
-        // The obscuration has pieces of its own, in v times the obscuration ratio; a ring may overlap two of them.
+        // The obscuration has its own pieces, in v times the obscuration ratio; a ring may overlap two of them.
         const auto at = [&](double x) { return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         const auto piece_at = [&](double x) { return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
@@ -196,7 +196,7 @@ class ZernikeField {
     }
 
    private:
-    // Piece of the obscuration at position `at`, in units of pieces of the full disk.
+    // Piece of the obscuration at the position `at`, in units of pieces of the full disk.
     std::size_t inner_piece(double at) const {
         return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(obscuration_ * at));
     }

@@ -1,5 +1,5 @@
-// Image of a pupil without radial symmetry, each radial piece with the accuracy that it needs (docs/certificate.md, section
-// 7).
+// Image of a pupil without radial symmetry; the accuracy of each radial piece depends on its brightness (docs/certificate.md,
+// section 7).
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace lommel {
 
-// Error bound of U in single precision: rounding of coefficients, of x (powers have a slope of up to 7), of Horner's rule, of
-// cos(m psi) and sin(m psi) (m times that of psi), and of the sum.
+// Error bound of U in single precision: rounding of coefficients, of x (its powers have a slope of up to 7), of Horner's rule,
+// of cos(m psi) and sin(m psi) (m times that of psi), and of the sum.
 inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
     double sum = 0.0;
     for (const double c : coefficients) {
@@ -30,7 +30,7 @@ inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients
     return 5.97e-8 * steps * sum;
 }
 
-// Pixels within one piece of v.
+// Pixels within one radial piece.
 struct ZernikePart : PaintedPart {
     std::size_t piece, first, last;  // index of the piece; range of its groups of pixels
     double allowed = 0.0;            // requested error of U
@@ -38,13 +38,12 @@ struct ZernikePart : PaintedPart {
     ZernikePart(std::size_t s, std::size_t from, std::size_t to) : piece(s), first(from), last(to) {}
 };
 
-// An image in progress: its pixels by pieces of v, and the accuracy of each piece.
-//
-// An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Each piece is assigned an error from a
-// preview of some of its points, and is judged afterwards by its computed values.
+// Image in progress: its pixels by radial pieces, and the accuracy of each piece.
+// An error e of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). The allowed error of each piece follows
+// from a preview at some points; its error bound follows from its computed values.
 class ZernikeImage : public PaintedParts<ZernikePart> {
    public:
-    // Begin an image of these pixels, `step` apart in v. Memory is kept from one image to the next.
+    // Begin an image of these pixels at a pitch of `step` in v. Memory is reused from image to image.
     void begin(std::shared_ptr<const MirroredPixels> pixels, double step, int threads) {
         pixels_ = std::move(pixels);
         step_ = step;
@@ -53,13 +52,13 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
 
     ZernikeField& field() { return field_; }
 
-    // Preview the brightness of the expanded pupil, and assign to each piece the error that the tolerance allows there.
+    // Preview the brightness of the expanded pupil, and derive from the tolerance the allowed error of each piece.
     void prepare(double tol) {
         const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));
         Looks seen{std::vector<double>(looks), std::vector<double>(looks)};
         parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
-            // Denser near the axis, where most light is.
+            // Denser near the axis, where the image is brightest.
             const double x = (static_cast<double>(i) + 0.5) / looks;
             seen.v[i] = near + (reach - near) * x * std::sqrt(x);
             seen.bright[i] = field_.look(seen.v[i]);
@@ -84,7 +83,8 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Reduce the error of pieces whose error of I is above `most`; returns false if the expansion limits it.
+    // Reduce the allowed error of pieces whose error of I exceeds `most`; returns false if the error of the expansion prevents
+    // it.
     bool tighten(double most) {
         bool any = false;
         for (ZernikePart& part : parts_) {
@@ -100,13 +100,12 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         return any;
     }
 
-    // Compute the pieces that are not done, writing I times `scale`.
+    // Compute the pending pieces and write I times `scale`.
     template <class T>
     void paint(double scale, T* image);
 
    private:
-    // Callback that receives I of the groups first .. first + here - 1: values of each of the eight pixels of a group are
-    // `apart` apart.
+    // Callback for I of the groups first .. first + here - 1; the values of the eight pixels of a group are `apart` apart.
     template <class Real>
     using Put = Reference<void(std::size_t first, std::size_t here, std::size_t apart, const Real* values)>;
 
@@ -182,7 +181,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
             alignas(64) double a[at_once], b[at_once];
             for (std::size_t i = 0; i < at_once; ++i) {
                 const MirroredPixels::Group group = pixels_->groups[g + std::min(i, here - 1)];
-                // At the axis any direction will do.
+                // At the axis any direction is valid.
                 a[i] = group.a == 0 ? 1e-150 : group.a;
                 b[i] = group.b;
             }
@@ -208,7 +207,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Write values times `scale` to the pixels of some groups; raise `top` to the largest value.
+    // Write values times `scale` to the pixels of some groups; `top` becomes the maximum.
     template <class Real, class T>
     void place(std::size_t first, std::size_t count, std::size_t apart, const Real* values, double scale, T* image,
                double& top) const {

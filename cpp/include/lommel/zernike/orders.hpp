@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// Evaluation of a piece: orders in use, and number of rings (0: none, the piece is evaluated as a whole).
+// Evaluation of a piece: orders in use, and number of rings (0: the piece is not divided).
 struct PiecePlan {
     ActiveOrders orders;
     std::vector<std::size_t> rows;  // index of the coefficients of each order
@@ -21,7 +21,7 @@ struct PiecePlan {
     double error = 0.0;  // bound on the error of U
 };
 
-// Bound on what an order adds to U, by |2 (n+1) J_{n+1}(v) / v| <= 1 (near) and |J_n(v)| < 0.7858 v^(-1/3) (far; Landau
+// Bound on what an order adds to U: from |2 (n+1) J_{n+1}(v) / v| <= 1 (near) and |J_n(v)| < 0.7858 v^(-1/3) (far; Landau
 // 2000).
 struct OrderSize {
     double near = 0.0, far = 0.0;
@@ -31,7 +31,7 @@ struct OrderSize {
 };
 
 // Add the bounds of the cosines and sines of each order to sizes[2 m + sine], for a disk of relative radius `shrunk` whose
-// field is multiplied by `weight`. The far bound depends on v times `shrunk`.
+// field has the factor `weight`. The far bound is for `shrunk` times v.
 inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
     const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
     for (std::size_t m = 0; m < series.orders; ++m) {
@@ -43,10 +43,10 @@ inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk,
     }
 }
 
-// Bounds of the azimuthal orders of a pupil, and the orders kept.
+// Bounds of the azimuthal orders of a pupil, and the orders in use.
 class PupilOrders {
    public:
-    // Bounds of all orders of a pupil, both disks together.
+    // Bounds of all orders of a pupil, sums over both disks.
     void measure(const ZernikeSeries& outer, const ZernikeSeries& inner, double obscuration) {
         sizes_.assign(2 * std::max(outer.orders, inner.orders), OrderSize());
         add_sizes(outer, 1.0, 1.0, sizes_);
@@ -55,7 +55,7 @@ class PupilOrders {
         }
     }
 
-    // Leave out the least important orders, as long as their bounds sum to at most `error`; returns the sum.
+    // Omit the least important orders as long as their bounds sum to at most `error`; return that sum.
     double keep(double error) {
         std::vector<std::size_t> rising(sizes_.size() / 2);
         const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
@@ -72,8 +72,8 @@ class PupilOrders {
         return left;
     }
 
-    // From the orders kept, select all up to one that are needed from v on, with all sines or none; returns a bound on the
-    // rest.
+    // Of the orders in use, select those up to the highest that matters from v on, with all sines or none; return a bound on
+    // the rest.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {
@@ -102,7 +102,7 @@ class PupilOrders {
         return left;
     }
 
-    // Orders kept, sorted by m modulo 4.
+    // Orders in use, sorted by m modulo 4.
     const std::vector<std::size_t>& kept() const { return kept_; }
 
    private:

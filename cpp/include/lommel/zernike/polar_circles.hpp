@@ -20,7 +20,7 @@
 
 namespace lommel {
 
-// Equal angles around a circle, with the kernel that interpolates between them.
+// Equal angles around a circle, with the kernel of the interpolation between them.
 struct PolarCircle : GriddingTaps {
     RowFft<float> single;
     RowFft<double> exact;
@@ -28,11 +28,11 @@ struct PolarCircle : GriddingTaps {
 
     PolarCircle(std::size_t points, std::size_t taps);
 
-    // Returns the least number of points for which an eighth of a turn exceeds half the width of the kernel.
+    // Smallest number of points for which an eighth of a turn exceeds half the width of the kernel.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
-    // Largest magnification by the gains of errors of all orders below `orders`: by Cauchy the root mean square of gains over
-    // every other order from the highest down (the orders of one degree). Orders m > 0 count twice, for both signs.
+    // Largest factor of the gains on errors of all orders below `orders`: by Cauchy's inequality the rms gain over every other
+    // order from the highest down, which are the orders of one degree. Orders m > 0 count twice, for both signs.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -62,7 +62,7 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 #endif
 
 // One disk: coefficients [order][n][re cos, im cos, re sin, im sin] times the weight of the disk; transforms at sixteen
-// distances per block, table[block][n][distance], of which the first reached[block] degrees matter.
+// distances per block, table[block][n][distance], of which only the first reached[block] degrees matter.
 struct PolarDisk {
     const ZernikeSeries* series;
     const double* parts;
@@ -72,7 +72,7 @@ struct PolarDisk {
     const std::size_t* reached;
 };
 
-// Store a vector of one precision as numbers of another.
+// Store a vector with conversion to another precision.
 template <std::size_t Lanes, class V, class To>
 LOMMEL_INLINE void convert(V from, To* to) {
     if constexpr (sizeof(V) == Lanes * sizeof(To)) {
@@ -89,9 +89,9 @@ template <class Fft>
 struct PolarSpectra {
     Aligned<Fft> spectrum[2], other;
 
-    // Sum over degrees, in the precision `Sum`, to A_m and B_m. Writes c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2
-    // times gains[m], for transforms of length n. Calls seen(m, at, size) for each vector of circles, starting at `at`, with
-    // upper bounds of |c_m| + |c_{-m}|.
+    // Sum over degrees, in the precision `Sum`, to A_m and B_m; write c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2,
+    // times gains[m], for transforms of length n. For each vector of circles from `at` on, call seen(m, at, size) with upper
+    // bounds on |c_m| + |c_{-m}|.
     template <class Sum, class I, class Seen>
     LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
@@ -178,7 +178,7 @@ struct PolarSpectra {
     std::vector<Aligned<float>> rounded_;  // table of a block, in single precision
 };
 
-// Four numbers; turn(): four columns of four numbers as rows.
+// Block of four numbers; turn(): 4 x 4 transpose.
 template <class Real>
 struct Quad {
     Real at[4];
@@ -203,7 +203,7 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 }
 #endif
 
-// Error contributions of a circle once it is interpolated around, and magnitudes of its values.
+// Error contributions of interpolation around a circle, and magnitudes of its values.
 struct PolarRowError {
     double sums = 0.0;     // rounding before the transforms
     double around = 0.0;   // aliases of the orders
@@ -211,8 +211,9 @@ struct PolarRowError {
     double largest = 0.0;  // largest |re| or |im|
 };
 
-// Field on circles, [circle][angle][re, im][eight directions], at angles from -w/2 steps to an eighth of a turn plus w/2
-// steps. The directions differ in signs and order of |x|, |y|: psi + k pi/2, k = 0..3, then (k+1) pi/2 - psi.
+// Field on circles, [circle][angle][re, im][eight directions], for angles from -w/2 steps to an eighth of a turn plus w/2
+// steps, w the width of the kernel. Directions differ in the signs and the order of |x|, |y|: psi + k pi/2, k = 0..3, then
+// (k+1) pi/2 - psi.
 template <class Real>
 class PolarRows {
    public:
@@ -225,12 +226,12 @@ class PolarRows {
     }
 
     std::size_t stride() const { return angles_ * directions; }
-    // Values of circle i; the axis psi = 0 is margin() steps from the start.
+    // Values of circle i; angle 0 is margin() steps from the start.
     std::size_t margin() const { return margin_; }
     const Real* row(std::size_t i) const { return &values_[i * stride()]; }
 
-    // Transform circles 16 block .. 16 block + 15 of the tables into rows from `first` on, with orders below `orders` (at
-    // most a quarter of the points). Writes the error contributions of each circle.
+    // Transform circles 16 block .. 16 block + 15 of the tables into rows from `first` on, with orders below `orders` (at most
+    // a quarter of the points). errors: contributions of each circle.
     template <class Sum, class I, class Fft>
     LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
                             std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
@@ -257,7 +258,7 @@ class PolarRows {
     }
 
    private:
-    // Last pass of the transform; stores values in the layout of the directions.
+    // Last pass of the transform, with values stored in the layout of the directions.
     template <class I, class Fft>
     LOMMEL_INLINE void scatter(I, const RowFft<Fft>& fft, const Fft* from, Real* to, PolarRowError* errors) const {
         using V = typename RowPack<I, Fft>::type;
@@ -307,7 +308,7 @@ class PolarRows {
         for (std::size_t q = eighth + margin_ + 1; q < quarter; ++q) {
             place(q, false, true);
         }
-        // Beyond either end directions are exchanged: psi_{-i} + k pi/2 = k pi/2 - psi_i.
+        // Beyond either end the directions are permuted: psi_{-i} + k pi/2 = k pi/2 - psi_i.
         for (std::size_t row = 0; row < fft_rows; ++row) {
             Real* start = to + row * stride() + margin_ * directions;
             for (std::size_t i = 0; i <= margin_; ++i) {

@@ -19,7 +19,7 @@
 
 namespace lommel {
 
-// The interpolation is tried if its predicted time is below this share of that of the series. Only tests change it; 0: never.
+// Interpolation is tried if its estimated time is below this share of that of the series. Changed by tests only; 0: never.
 inline double& interpolation_worth() {
     static double share = 1.0;
     return share;
@@ -27,9 +27,9 @@ inline double& interpolation_worth() {
 
 class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
    public:
-    // Return whether this is predicted to be faster than a sum over orders for each pixel, with tables of acceptable size.
-    // Unit of time: one order of one pixel. A pixel costs a fixed number of these, a circle one transform; the sums over
-    // degrees at steps of v are common to both methods.
+    // Return whether this is estimated to be faster than a sum over orders for each pixel, with tables of acceptable size. Unit
+    // of time: one order of one pixel. A pixel costs a fixed number of these, a circle costs one transform; both methods need
+    // the sums over degrees at steps of v.
     static bool pays(const ZernikeField& field, const Tiles& tiles) {
         return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
                     static_cast<double>(tiles.height * tiles.width), field.obscured());
@@ -41,7 +41,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
     }
     static double work(double reach, double orders, double pixels) { return 28.0 * pixels + 6.0 * orders * reach; }
 
-    // Begin an image of these pixels, `step` apart in v. Memory is kept from one image to the next.
+    // Begin an image of these pixels at a pitch of `step` in v. Memory is reused from image to image.
     void begin(const Tiles& tiles, double step, int threads) {
         tiles_ = &tiles;
         list_ = tiles.all();
@@ -49,7 +49,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         threads_ = threads;
     }
 
-    // Compute the circles for an error of I of at most `tol` times the peak; returns false if that is unlikely to succeed.
+    // Compute the circles for an error of I of `tol` times the peak; returns false if that is unlikely to be met.
     bool prepare(const PolarPupil& pupil, double tol) {
         if (!zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol, threads_)) {
             return false;
@@ -63,14 +63,14 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
     void paint(double scale, T* image);
 
    private:
-    // Callback that receives the pixels of a line, values[pixel][direction].
+    // Callback for the pixels of a line, values[pixel][direction].
     template <class Real>
     using Made = Reference<void(const Tiles::Line& line, const Real (*values)[Tiles::directions])>;
 
     // Compute the pixels of tile i.
     void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles);
 
-    // Taps of a kernel at x, a vector of them at a time.
+    // Taps of a kernel at x, in vectors of taps.
     template <class V, class Real>
     static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -102,7 +102,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         }
     }
 
-    // Number of the circles of a pixel that are summed at once: the largest divisor whose sums fit in registers.
+    // Number of circles of a pixel that are summed together: the largest divisor whose sums fit in registers.
     static constexpr std::size_t largest_divisor(std::size_t of, std::size_t most) {
         while (of % most != 0) {
             --most;
@@ -110,7 +110,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         return most;
     }
 
-    // Compute the pixels of a tile on some lines, in one zone.
+    // Compute the pixels of a tile on the given lines, in one zone.
     template <std::size_t Between, std::size_t Around, class Real, bool Rough = false, class I>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
                               double scale, const Made<Real>& made, PaintedPart& part) const {
@@ -120,12 +120,12 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
-        // Precision in which positions are found.
+        // Precision of positions.
         using Where = std::conditional_t<Rough, float, double>;
         using W = std::conditional_t<Rough, Narrow, D>;
         const Where per_row = static_cast<Where>(step_ / zone.style->step()),
                     per_angle = static_cast<Where>(static_cast<double>(zone.circle->points()) / 6.283185307179586477);
-        // Positions are those of the first tap.
+        // Positions of the first tap.
         const Where row_shift = static_cast<Where>(static_cast<double>(PolarTable::before) -
                                                    static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between),
                     angle_shift = static_cast<Where>(static_cast<double>(rows.margin()) - 0.5 * Around);
@@ -139,7 +139,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
             const std::size_t here = static_cast<std::size_t>(line.count);
             alignas(64) Where x[2][at_once];
             alignas(64) std::conditional_t<Rough, std::int32_t, std::int64_t> place[2][at_once];
-            // The taps around circles follow those between circles.
+            // The taps between circles, then those around circles.
             constexpr bool paired = Between == 4;
             constexpr std::size_t most = paired ? PairedTaps::taps / 2 : Taps<Real>::taps;
             alignas(64) Real weights[at_once][2 * most], values[at_once][Tiles::directions];
@@ -163,7 +163,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
                 if constexpr (paired) {
                     taps<Narrow>(zone.both, x[0][i], x[1][i], weights[i]);
                 } else if (!Rough && std::is_same_v<Real, float> && zone.style->exact) {
-                    // Rounded once.
+                    // Double-precision taps, rounded once.
                     alignas(64) double exact[2][DoubleTaps::taps];
                     taps<D>(zone.kernels->outer().doubles, static_cast<double>(x[0][i]), exact[0], most);
                     taps<D>(zone.circle->doubles, static_cast<double>(x[1][i]), exact[1], most);
@@ -241,11 +241,11 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
     template <class Real>
     static constexpr Real counting[] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-    // Split x into the next whole step (place) and 2 t - 1, where t = 0 to 1 is the distance from the step below.
+    // Split x into the next integer (place) and 2 t - 1, t in [0, 1] the distance from the integer below.
     template <class V, class Real, class Place>
     static LOMMEL_INLINE void split(V x, Real* rest, Place* place) {
         static_assert(sizeof(Place) == sizeof(Real));
-        // As in sincos(): adding this constant leaves the nearest integer in the lowest bits.
+        // As in sincos(): adding this constant puts the nearest integer into the lowest bits.
         constexpr Real number = sizeof(Real) == 8 ? Real(6755399441055744.0) : Real(12582912.0);
         constexpr Place bits = sizeof(Real) == 8 ? static_cast<Place>(0x4338000000000000) : static_cast<Place>(0x4B400000);
         const V magic = splat<V>(number), shifted = (x + splat<V>(Real(0.5))) + magic, next = shifted - magic;

@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, preview: coarse samples of the field that show where it is bright and which orders matter.
+// Polar non-uniform FFT, preview: coarse samples of the field, for its brightness and for the orders that matter.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Brightness at some distances, and moduli of the azimuthal orders there.
+// Intensity at some distances, and moduli of the azimuthal orders there.
 class PolarLooks : public Looks {
    public:
     static constexpr std::size_t block = LookTable::block;
@@ -69,8 +69,8 @@ class PolarLooks : public Looks {
             }
         }
         for (std::size_t i = 0; i < block; ++i) {
-            // The tables are divided by the transform of the kernel, which enlarges values on circles, most at the edge of
-            // the spectrum.
+            // The tables are divided by the transform of the kernel, which enlarges values on circles, most at the edge of the
+            // spectrum.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
             const double largest = kernels.outer().largest;
             out[i] = {0.0, largest * out[i].around, largest * out[i].sum, 1.2 * largest * circle.gains[0] * std::sqrt(i_here)};
@@ -116,11 +116,11 @@ class PolarOrders {
         }
     }
 
-    // Bound at v and beyond, including aliases between circles, which are at most `aliases` of the values.
+    // Bound at distances of at least v, including aliases between circles, at most `aliases` times the values.
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
-    // Smallest number of orders whose remainder is at most `error`.
+    // Smallest number of orders with a remainder of at most `error`.
     std::size_t least(double error, double v, double aliases) const {
         const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;

@@ -14,9 +14,9 @@
 
 namespace lommel {
 
-// Interpolation style: circles pi / oversampling apart, numbers of taps between circles and around them. `doubles`: pixels
-// are summed in double precision; `exact`: circles are transformed in it. `rough`: positions are found and degrees summed in
-// single precision.
+// Interpolation style: oversampling (circles are pi / oversampling apart in v), number of taps between circles and around them;
+// `doubles`: pixels are summed in double precision; `exact`: circles are transformed in it; `rough`: positions are computed and
+// degrees summed in single precision.
 struct PolarStyle {
     double oversampling;
     std::size_t between, around;
@@ -43,20 +43,20 @@ inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true,
                                                              {1.5, 4, 3, false, false, true},
                                                              {1.5, 4, 2, false, false, true}}};
 
-// Disks of a pupil: the full one and, if there is an obscuration, the dark one within, with the same phase.
+// Disks of a pupil: the full disk and the obscuration, if there is one.
 struct PolarPupil {
     struct Disk {
         const ZernikeSeries* series;
-        double shrunk, weight;  // relative radius; factor of its field
-        Doubles parts;          // as PolarDisk::parts
+        double shrunk, weight;  // relative radius; factor of the field
+        Doubles parts;          // layout of PolarDisk::parts
         Aligned<float> singles;
     };
     std::vector<Disk> disks;
-    double base;  // error of U of the expansion and from rounding of positions
+    double base;  // error of U from the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // Positions between circles are off by less than 12 units of v, those around them by less than 24 units of the angle;
-        // |U'| < 1/2 along any line.
+        // Positions between circles have an error below 12 units of v, those around them below 24 units of the angle; |U'| <
+        // 1/2 along any line.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
@@ -82,7 +82,7 @@ struct PolarPupil {
     }
 };
 
-// Kernels between circles for both disks in one style, and their effect on the error of U.
+// Kernels between circles for both disks in one style, and their contributions to the error of U.
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
     double aliasing = 0.0;  // error from aliases
@@ -92,7 +92,7 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // The mean square of g is at most 1 before truncation, whose error `growth` accounts for.
+            // The mean square of g is at most 1 before truncation; `growth` accounts for the error of truncation.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -100,16 +100,16 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding of sums over degrees and of tables, in A_m or B_m of all orders together. Cosines and sines, both by Cauchy: a
-// chain over every other degree, what the table leaves out, and `each`, the rounding of its (n+1) F_n. Single precision
-// rounds both factors.
+// Rounding of sums over degrees and of tables, for A_m or B_m of all orders together. Cosines and sines, each by Cauchy's
+// inequality: a chain over every other degree, the degrees omitted by the table, and `each`, the rounding of its (n+1) F_n.
+// Single precision rounds both factors.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
     return 2.0 * std::abs(disk.weight) * (chain + PolarTable::rounding(each, degrees) + PolarTable::left_out);
 }
 
-// Tables of the disks, with enough blocks.
+// Tables of the disks, with enough blocks for the image.
 struct PolarTables {
     std::vector<std::shared_ptr<const PolarTable>> tables;
     std::vector<PolarDisk> disks;
@@ -131,13 +131,13 @@ struct PolarTables {
     }
 };
 
-// Error bound of U up to v, by interpolation between circles of so many orders with these errors; `left`: bound on the orders
-// left out.
+// Error bound of U up to v by interpolation between circles with `orders` orders, from the error contributions `rows`; `left`:
+// bound on the omitted orders.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
     const double weights = kernel.weight * circle.weight,
-                 // The transform, and two roundings before it.
+                 // Transform, and two roundings before it.
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;

@@ -1,7 +1,7 @@
 // Polar non-uniform FFT, table: the transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v
 // (docs/certificate.md, section 11).
 //
-// The table depends on the step and the kernel alone: it serves every pupil, wavelength and pixel.
+// The table depends only on the step and the kernel, so all pupils, wavelengths and pixels share it.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace lommel {
 
-// Kernel between circles `step` apart in v: its taps and the bound on its aliases.
+// Kernel between circles `step` apart in v: taps, and bound on its aliases.
 struct PolarKernel : GriddingTaps {
     double step;
     double aliases;  // bound on what aliases add to U
@@ -43,11 +43,11 @@ struct PolarKernel : GriddingTaps {
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
 };
 
-// F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, with C = cos for even and sin for odd n,
-// and t the transform of the kernel phi: but for aliases, sum_j phi(v/h - j) F_n(j) is the result of zernike_transforms().
+// F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, C = cos for even and sin for odd n, t the
+// transform of the kernel phi: but for aliases, sum_j phi(v/h - j) F_n(j) is the result of zernike_transforms().
 //
-// Layout [block][n][distance] with sixteen distances per block, starting at j = -16. A block depends only on its position and
-// on grade(degrees), so that images do not depend on which tables happen to be cached.
+// Layout [block][n][distance] with sixteen distances per block, from j = -16 on. A block depends only on its position and on
+// grade(degrees), so images do not depend on the contents of the cache.
 struct PolarTable {
     static constexpr std::size_t block = 16, before = 16;
 
@@ -55,10 +55,10 @@ struct PolarTable {
     GriddingKernel kernel;
     std::size_t blocks, degrees;
     Doubles values;
-    std::vector<std::size_t> reached;  // [block]: number of degrees that matter; the others add less than left_out
+    std::vector<std::size_t> reached;  // [block]: number of degrees in use; the others add less than left_out
     std::vector<double> roundings;     // [block]: bound on the rounding of (n+1) F_n
 
-    // Bound on what the degrees that a block leaves out add to U, for any pupil.
+    // Bound on what the degrees omitted in a block add to U, for any pupil.
     static constexpr double left_out = 1e-13;
 
     PolarTable(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
@@ -83,9 +83,9 @@ struct PolarTable {
         return made;
     }
 
-    // Bound on the rounding of (n+1) F_n; `shares` is the sum of the weights of the nodes. Each node adds one unit. Sines of
-    // angles are off by 3 units, which arguments of up to v multiply by v; two more per v are the rounding of v and of the
-    // product. 170 covers the transform of the kernel, the sines of arguments, and the rest.
+    // Bound on the rounding of (n+1) F_n; `shares`: sum of the weights of the nodes. Each node adds one unit. Sines of angles
+    // have an error of 3 units, which arguments of up to v multiply by v; two more units times v are the rounding of v and of
+    // the product. 170 covers the transform of the kernel, the sines of arguments, and the rest.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
     // Error of U from the rounding of `count` degrees: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
@@ -101,10 +101,10 @@ struct PolarTable {
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
 
-    // Number of degrees that matter in a block, and N / 2 for the midpoint rule of N points in a. On the strip |Im a| <= b
-    // the integrand, without its leading factors, is at most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), since t,
-    // whose zeros are real, is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh
-    // b), and the rule errs by twice the integrand over exp(2 N b) - 1.
+    // Degrees needed in a block, and N / 2 for the midpoint rule of N points in a. On the strip |Im a| <= b the integrand
+    // without its leading factors is at most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), since t, whose zeros are real,
+    // is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the error of the
+    // rule is at most twice the integrand over exp(2 N b) - 1.
     struct Rule {
         std::size_t degrees, half;
 
@@ -130,8 +130,8 @@ struct PolarTable {
         }
     };
 
-    // Sine of i / turn turns, where `turn` is a multiple of 8; off by less than 3 units, as the angle is reduced to an eighth
-    // of a turn.
+    // Sine of i / turn turns, `turn` a multiple of 8. The error is below 3 units, as the angle is reduced to an eighth of a
+    // turn.
     static double sine(std::size_t i, std::size_t turn) {
         const std::size_t quarter = turn / 4, part = i % quarter, least = std::min(part, quarter - part);
         const double angle = 6.283185307179586477 * static_cast<double>(least) / static_cast<double>(turn);
@@ -203,7 +203,7 @@ struct PolarTable {
     }
 };
 
-// Exact transforms at the sampling distances 40 sinh(k/18), times `shrunk`, which show where the image is bright.
+// Exact transforms at `shrunk` times the sampling distances 40 sinh(k/18), for the preview of the brightness.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 
@@ -219,8 +219,8 @@ struct LookTable {
         for (std::size_t i = 0; i < blocks * block; ++i) {
             look();
             const double v = shrunk * at(i);
-            // Higher degrees vanish. Their number depends on v alone, so that images do not depend on which table happens to
-            // be cached.
+            // Higher degrees are negligible. Their number depends only on v, so images do not depend on the contents of the
+            // cache.
             const std::size_t count = static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 15.0) / 2;
             one.resize(count);
             for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -234,7 +234,7 @@ struct LookTable {
     }
 
     static double at(std::size_t i) { return 40.0 * std::sinh(static_cast<double>(i) / 18.0); }
-    // Number of blocks up to one that contains a distance of at least v.
+    // Number of blocks up to the one with a distance of at least v.
     static std::size_t blocks_to(double v) { return static_cast<std::size_t>(18.0 * std::asinh(v / 40.0) + 1.0) / block + 1; }
 
     bool is(double part, std::size_t block_count, std::size_t degree_count) const {

@@ -17,18 +17,18 @@ namespace lommel {
 
 // Error budget of a polar image: shares of errors and tolerances.
 struct PolarBudget {
-    // Share of the tolerance for the error of the image at its brightest place; factor by which |U| may exceed its guess.
+    // Share of the tolerance for the error of the image at its peak; factor by which |U| may exceed its estimate.
     static constexpr double image = 0.9, brighter = 1.15;
-    // Shares of the error of U which that allows: for the predicted error of a style, and for orders left out.
+    // Shares of the allowed error of U: for the estimated error of a style, and for omitted orders.
     static constexpr double promise = 0.95, orders = 0.05;
     // Repetition: share of the error that the brightest pixel requires, for all styles.
     static constexpr double again = 0.7;
 };
 
-// A zone: range of radii, style of interpolation, and circles.
+// Zone: range of radii, style of interpolation, and circles.
 struct PolarZone {
     const PolarStyle* style;
-    std::int64_t low, high;   // range of squared distances of its pixels, in pixels
+    std::int64_t low, high;   // range of squared distances of its pixels, in pixels^2
     std::size_t first, last;  // range of blocks of circles in the table
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
@@ -37,7 +37,7 @@ struct PolarZone {
     PolarRows<double> doubles;  // circles, in one of two precisions
     PolarRows<float> floats;
     std::vector<double> errors;  // error of U, for each circle
-    double left;                 // bound on what orders left out add to U
+    double left;                 // bound on what omitted orders add to U
 
     const PolarRows<double>& rows(double) const { return doubles; }
     const PolarRows<float>& rows(float) const { return floats; }
@@ -46,9 +46,9 @@ struct PolarZone {
 // Plan of zones for an image, and their circles.
 class PolarZones {
    public:
-    // Plan zones for pixels `step` apart in v whose squared distances, in pixels, are `nearest` to `farthest`, so that I is
-    // off by at most `tol` of its largest value among them. Returns false if the expansion or the most accurate style is
-    // unlikely to achieve that.
+    // Plan zones for pixels at a pitch of `step` in v whose squared distances, in pixels^2, are `nearest` to `farthest`, for an
+    // error of I of at most `tol` times its maximum there. Returns false if the expansion or the most accurate style is
+    // unlikely to meet it.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
 
     // Compute all circles.
@@ -58,7 +58,7 @@ class PolarZones {
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
 
    private:
-    // Block with the first (side < 0) or last (side > 0) circle that pixels at v use, with one circle to spare for rounding.
+    // Block with the first (side < 0) or last (side > 0) circle that pixels at v use, plus one circle for rounding.
     static std::size_t block_at(const PolarStyle& style, double v, double side) {
         const double taken = side * (0.5 * static_cast<double>(style.between) + 1.0);
         return static_cast<std::size_t>(v / style.step() + static_cast<double>(PolarTable::before) + taken) / PolarTable::block;
@@ -68,7 +68,7 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // First sample, searching backwards from `end`, from which on a style meets the allowed error.
+    // Start of a style: first sample, searched backwards from `end`, from which on the style meets the allowed error.
     template <class Allowed>
     static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                              const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {
@@ -118,7 +118,7 @@ class PolarZones {
         }
     }
 
-    std::vector<PolarZone> zones_;  // kept with their memory from one image to the next
+    std::vector<PolarZone> zones_;  // reused from image to image
     std::size_t count_ = 0;
 };
 
@@ -129,7 +129,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     const PolarOrders orders(pupil);
     const PolarLooks looks(pupil, reach, threads);
     const double all = PolarBudget::image * tol * looks.brightest(near, reach);
-    // Error of U allowed where I has this value.
+    // Allowed error of U at this intensity.
     const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
     std::array<double, polar_styles.size() + 1> starts;
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
@@ -148,7 +148,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     const auto end = [&](std::size_t s) {
         return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
     };
-    // Drop narrow zones: their circles would cost more than a cheaper style saves on their pixels.
+    // Drop narrow zones: their circles would cost more than the cheaper style saves on their pixels.
     for (std::size_t s = polar_styles.size(); --s > most_exact;) {
         if (end(s) - starts[s] < 2.0 * static_cast<double>(PolarTable::block) * polar_styles[s].step()) {
             starts[s] = starts.back();

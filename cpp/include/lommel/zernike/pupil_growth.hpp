@@ -1,5 +1,5 @@
-// Mean growth of a pupil function at complex points off the chords of the disk, by samples: sharper than the product of the
-// maxima of all terms (docs/certificate.md, section 7, "Means by samples").
+// Mean growth of a pupil function at complex points off the chords of the disk, by samples: a smaller bound than the product of
+// the maxima of all terms (docs/certificate.md, section 7, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -23,31 +23,30 @@
 namespace lommel {
 
 // Table for one curve: pairs of terms at samples of a quarter of the angles a and tau, at the points cos(a + ib) along xi and
-// sin(a + ib) cos(tau) along xi' (a, b, tau, xi and xi': bounds/disk.hpp); the weights of the hat functions around the samples
-// in the mean; and directions of xi. A sample at (x, y) stands for (+-x, +-y) and their conjugates, so half a turn of
-// directions suffices.
+// sin(a + ib) cos(tau) along xi' (symbols as in bounds/disk.hpp); weights of the hat functions around the samples in the mean;
+// directions of xi. A sample at (x, y) also represents (+-x, +-y) and their conjugates, so half a turn of directions suffices.
 struct GrowthTable {
     std::vector<ZernikeTerm> terms;
     std::size_t curve, side, samples, directions;
     std::vector<std::size_t> order;  // indices of the pairs, even azimuthal orders first
-    std::size_t even;  // number of these
+    std::size_t even;  // number of even orders
     Floats values;  // [sample][pair][cosine, sine]: imaginary parts
-    Floats shares;  // [sample]
+    Floats shares;  // [sample]: weight in the mean
     std::vector<double> turns;  // [pair][direction][cos(m psi), sin(m psi)]
 
     GrowthTable(const TermPairs& list, std::size_t at);
 
-    // Steps between samples and between directions, in radians.
+    // Step between samples and between directions, in radians.
     double step() const { return 0.5 * pi / static_cast<double>(side - 1); }
     double turn() const { return pi / static_cast<double>(directions); }
 
-    // Rough cost in vector operations.
+    // Estimated cost in vector operations.
     static double work(const TermPairs& list) {
         const double side = static_cast<double>(4 * list.degree + 1);
         return side * side * static_cast<double>(directions_for(list) / row_lanes) *
                (2.0 * static_cast<double>(list.pairs.size()) + 40.0);
     }
-    // Return whether the values of terms are well within the range of float.
+    // Return whether the terms on this curve are well within the range of float.
     static bool serves(const TermPairs& list, std::size_t curve) {
         return static_cast<double>(list.degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -57,7 +56,7 @@ struct GrowthTable {
     static constexpr std::size_t most_bytes = std::size_t{8} << 20;
 
    private:
-    // Eight directions per half turn for each azimuthal order, rounded up to a multiple of sixteen.
+    // Number of directions: eight per half turn for each azimuthal order, rounded up to a multiple of sixteen.
     static std::size_t directions_for(const TermPairs& list) {
         std::size_t highest = 1;
         for (const TermPairs::Pair& pair : list.pairs) {
@@ -94,7 +93,7 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
         polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
             values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
         });
-        // Weights: a is uniform; eta = cos(tau) is uniform. Each sample stands for eight.
+        // Weights for uniform a and uniform eta = cos(tau). Each sample represents eight.
         const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
         const double along = step() * static_cast<double>(q);
         const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
@@ -112,9 +111,8 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 }
 #endif
 
-// Logarithm of the mean of e^{-Im Phi} over the curve and over chords, at the direction where it is largest: `mean` from
-// samples; `margin` for values between them, by second derivatives of at most n^2 and m^2 times the maximum of each term, and
-// for rounding.
+// Logarithm of the mean of e^{-Im Phi} over the curve and over chords, at the worst direction: `mean` from samples; `margin`
+// for values between samples, by second derivatives of at most n^2 and m^2 times the maximum of each term, and for rounding.
 struct SampledGrowth {
     double mean, margin;
 };

@@ -1,4 +1,4 @@
-// Rings: subdivisions of a radial piece on which 8 of its 16 polynomial coefficients suffice.
+// Rings: parts of a radial piece that are so narrow that 8 of its 16 polynomial coefficients suffice.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +45,8 @@ inline void fill_powers(double x, double* powers) {
     }
 }
 
-// Matrix onto[power][coefficient, highest first] from the 16 coefficients of a piece to those of the interpolant at 8 points
-// of a ring.
+// Matrix onto[power][coefficient, highest first] from the 16 coefficients of a piece to those of the interpolant at 8 points of
+// a ring.
 template <class Powers>
 void resample(double* onto, const Powers& powers_at) {
     std::fill(onto, onto + degree_count * ring_degree, 0.0);
@@ -62,8 +62,7 @@ void resample(double* onto, const Powers& powers_at) {
     }
 }
 
-// Set out[row][part][power] to, or with Add increase it by, `weight` times the resampled coefficients of some rows of a
-// piece.
+// Resampled coefficients of rows of a piece times `weight`, written to out[row][part][power], or with Add added to it.
 template <bool Add, class I>
 LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
                                  std::size_t parts, double weight, double* out) {

@@ -1,4 +1,4 @@
-// Predicted time of the series of section 7, from its degrees, orders and pixels, to choose between methods.
+// Estimated time of the series of section 7, from its degrees, orders and pixels, for the choice between methods.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 
 namespace lommel {
 
-// CPU time in nanoseconds with all tables cached; the coefficients are fitted by benchmarks/choice.py.
+// CPU time in nanoseconds with all tables cached, by coefficients fitted with benchmarks/choice.py.
 struct SeriesCost {
     static constexpr double least = 27000.0;     // of any image
-    static constexpr double declined = 20000.0;  // added if the chordal rule refuses: the time of its estimates until then
-    // Error of interpolation between circles for a bright image. Strong aberrations may make the image twice as dim as
-    // predicted.
+    static constexpr double declined = 20000.0;  // added if the chordal rule declines: time of its estimates
+    // Error of interpolation between circles for a bright image. Strong aberrations may dim the image twice as much as
+    // estimated.
     static constexpr double circles = 1.2e-10;
-    // Share of the allowed error that rounding of the expansion may take: above `rounded`, circles cannot be used and the
-    // image may have to be computed twice; above `lost`, perhaps no variant succeeds.
+    // Share of the allowed error for rounding of the expansion: above `rounded`, circles cannot be used and the image may have
+    // to be computed twice; above `lost`, possibly no variant meets the tolerance.
     static constexpr double rounded = 0.17, lost = 0.25;
 
-    // Predicted time of the image of one pupil.
+    // Estimated time of the image of one pupil.
     static double nanoseconds(const DiskStack& stack, const DiskWindow& window, std::size_t pupil, double tol) {
         const TermPairs terms(stack.terms);
         const std::size_t count = stack.terms.size();
@@ -51,13 +51,13 @@ struct SeriesCost {
             cost.expand(inner, stack.obscuration * reach, ZernikeBudget::inner * error / area);
         }
         const double dim = outer.dimness(), rounding = unit_roundoff * (outer.sensitivity() + cost.rounding_) * dim / tol;
-        // Groups of eight mirrored pixels, where the axis is in the window.
+        // Groups of eight mirrored pixels, if the axis is in the window.
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
         const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
         if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels, area > 1e-18)) {
-            // The number of taps and their oversampling grow with the number of digits required.
+            // The number of taps and the oversampling grow with the number of digits required.
             const double digits = std::log10(std::max(10.0, dim / tol));
             return cost.calls_ + 24000.0 +
                    wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);

@@ -21,8 +21,8 @@
 
 namespace lommel {
 
-// Lock for making a table, which takes long. Waiting threads can be interrupted, unlike with a mutex, and a forked child finds
-// it free, whichever thread had it.
+// Lock of a thread that computes a table, which takes long. Waiting threads can be interrupted, unlike with a mutex; in a
+// forked child the lock is free, whichever thread held it.
 class Turn {
    public:
     class Taken {
@@ -48,12 +48,12 @@ class Turn {
     std::atomic<bool> taken_{false};
 };
 
-// Base of the caches that all calls share. A mutex guards each look-up or change, but is not held while a table is made: the
-// thread that makes it may wait for Python's lock, which a forking thread holds. Making is guarded by a Turn. All caches are
-// made when the program is loaded, and listed.
+// Base of the caches that all calls share. A mutex guards look-ups and changes, but not the computation of a table: that thread
+// may wait for Python's lock, which a forking thread holds. A Turn guards computations. All caches are constructed when the
+// program is loaded, and registered in a list.
 class Shared : protected ForkAware {
    public:
-    // Bytes kept by all caches, and the sum of their limits; a table larger than its limit is kept until the next one is made.
+    // Bytes in all caches, and the sum of their limits; a table larger than its limit is kept until the next one is computed.
     static std::size_t bytes_kept() {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, Shared* one) { return sum + one->kept(); });
@@ -62,7 +62,7 @@ class Shared : protected ForkAware {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, const Shared* one) { return sum + one->limit(); });
     }
-    // Drops every table. Running calls keep those they use until they return, and may put back one that they are making.
+    // Drop all tables. Running calls keep the tables they use until they return, and may add one that they are computing.
     static void clear_all() {
         for (Shared* one : all()) {
             one->clear();
@@ -98,8 +98,9 @@ class Shared : protected ForkAware {
 LOMMEL_ONCE Shared::Shared() { all().push_back(this); }
 #endif
 
-// Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, as images may use
-// two in turn, of the aperture and of its obscuration. A table is made from its key; is() tells whether it serves a key.
+// Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, as images may
+// alternate between the tables of aperture and obscuration. A table is constructed from its key; is() returns whether it has
+// that key.
 template <class Table>
 class Cache final : Shared {
    public:

@@ -1,4 +1,4 @@
-// Schedule for tiles of an image whose work also writes to neighbouring tiles.
+// Schedule for the tiles of an image if the work on a tile also writes to its neighbours.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace lommel {
 
-// Tiles with the same parities of row and column do not overlap: threads may write to them concurrently. Tiles of the next
-// parity wait only for those neighbours that come before them, so that a thread that the system interrupts delays few others;
-// and sums are taken in the same sequence whatever the number of threads.
+// Tiles with the same parities of row and column do not overlap, so threads may write to them concurrently. Tiles of the next
+// parity wait only for their preceding neighbours, so an interrupted thread delays few others. The order of sums does not
+// depend on the number of threads.
 class Checkerboard {
    public:
     Checkerboard(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {
@@ -25,7 +25,7 @@ class Checkerboard {
         }
     }
 
-    // Calls work(row, column) for every tile, on at most `threads` threads.
+    // Call work(row, column) for every tile, on at most `threads` threads.
     template <class Work>
     void each(int threads, const Work& work) const {
         std::vector<std::atomic<bool>> done(tiles_.size());
@@ -58,7 +58,7 @@ class Checkerboard {
 
     std::size_t place(const Tile& tile) const { return tile.row * columns_ + tile.column; }
 
-    // Calls wait(place) for the neighbours that must be written before a tile; they come before it in the order of tasks.
+    // Call wait(place) for the neighbours that must be written before a tile; they precede it in the order of tasks.
     template <class Wait>
     void before(const Tile& tile, const Wait& wait) const {
         const std::size_t bottom = std::min(rows_, tile.row + 2), right = std::min(columns_, tile.column + 2);

@@ -6,7 +6,7 @@
 #include "lommel/base/lock.hpp"
 #include "lommel/base/once.hpp"
 
-// With a single thread no lock is held during fork().
+// With a single thread, no lock is held during fork().
 #if !defined(LOMMEL_SINGLE_THREADED) && (defined(__unix__) || defined(__APPLE__))
 #include <pthread.h>
 #define LOMMEL_FORKS
@@ -14,8 +14,8 @@
 
 namespace lommel {
 
-// Base of objects that are notified of every fork. They must be made when the program is loaded, while there is one thread, and
-// last as long as the process.
+// Base of objects that are notified of every fork. They must be constructed when the program is loaded, with one thread, and
+// exist as long as the process.
 class ForkAware {
    public:
     ForkAware(const ForkAware&) = delete;

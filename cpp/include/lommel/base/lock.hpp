@@ -1,7 +1,7 @@
-// Locks, which do nothing on platforms without threads.
+// Locks, without effect on platforms without threads.
 #pragma once
 
-// LOMMEL_SINGLE_THREADED: all work is done in the calling thread, and only one thread may call; defined by the user, or here if
+// LOMMEL_SINGLE_THREADED: all work is done in the calling thread, and only one thread may call. Defined by the user, or here if
 // the target has no threads. No header of the core then needs <thread>, <mutex>, <condition_variable> or <pthread.h>.
 #if !defined(LOMMEL_SINGLE_THREADED) && (!defined(__STDCPP_THREADS__) || (defined(__wasm__) && !defined(_REENTRANT)))
 #define LOMMEL_SINGLE_THREADED

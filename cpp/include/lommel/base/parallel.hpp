@@ -1,4 +1,4 @@
-// Thread pool: the helpers of all callers together are fewer than the processors.
+// Thread pool: all callers share helper threads, fewer than there are processors.
 #pragma once
 
 #include <algorithm>
@@ -34,10 +34,10 @@ inline int processors() { return 1; }
 inline std::size_t workers(int) { return 1; }
 inline void give_way() {}
 #else
-// Yields the processor while waiting for another thread that is running.
+// Yield the processor while waiting for a running thread.
 inline void give_way() { std::this_thread::yield(); }
 
-// Processors this process may run on.
+// Number of processors available to this process.
 inline int processors() {
 #if defined(__linux__)
     cpu_set_t set;
@@ -53,21 +53,21 @@ inline std::size_t workers(int threads) {
     return static_cast<std::size_t>(threads > 0 ? std::min(threads, processors()) : processors());
 }
 
-// Threads that help callers, fewer than there are processors: made when first needed, and asleep between calls. A forked child
-// begins with none.
+// Threads that help callers, fewer than there are processors: created when first needed, asleep between calls, none in a forked
+// child at first.
 class Helpers final : ForkAware {
    public:
-    // Work that a caller, worker 0, shares: helpers call run(worker) with worker = 1, 2, ...; it must not throw.
+    // Work shared by a caller, worker 0: helpers call run(worker) with worker = 1, 2, ...; it must not throw.
     struct Offer {
         Reference<void(std::size_t)> run;
         Watch* watch;
-        int open = 0;   // helpers that are still wanted
-        int taken = 0;  // helpers that have come
+        int open = 0;   // number of helpers still requested
+        int taken = 0;  // number of helpers that have joined
         std::atomic<int> at_work{0};
         std::condition_variable left{};  // notified when the last helper has left
     };
 
-    // Requests up to `wanted` helpers. `one` must exist until withdraw() has returned.
+    // Request up to `wanted` helpers. `one` must exist until withdraw() has returned.
     void offer(Offer& one, int wanted) {
         {
             const Lock lock(mutex_);
@@ -81,8 +81,8 @@ class Helpers final : ForkAware {
         wake(wanted);
     }
 
-    // Returns once no helper works on an offer, and none will. While it waits it checks for interruption,
-    // and then calls fail() from a catch clause.
+    // Wait until no helper works on an offer, and let no more join. Checks for interruption while it waits, and then calls
+    // fail() from a catch clause.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
         const auto done = [&] { return one.at_work == 0; };
@@ -110,7 +110,7 @@ class Helpers final : ForkAware {
     }
 
    private:
-    // Signals are blocked in helpers, so that they are delivered to the threads that existed before.
+    // Helpers block signals, so that these are delivered to threads of the application.
     bool make() {
 #if defined(LOMMEL_FORKS)
         sigset_t all, before;
@@ -122,7 +122,7 @@ class Helpers final : ForkAware {
             std::thread([this] { serve(); }).detach();
             ++made_;
         } catch (...) {
-            granted = false;  // the threads that were granted, and the caller, do the work
+            granted = false;  // the granted threads and the caller do the work
         }
 #if defined(LOMMEL_FORKS)
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
@@ -130,7 +130,7 @@ class Helpers final : ForkAware {
         return granted;
     }
 
-    // Waits for done() for less time than falling asleep and waking take.
+    // Wait for done(), for less time than a thread needs to fall asleep and wake.
     template <class Done>
     static void await(const Done& done) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
@@ -139,7 +139,7 @@ class Helpers final : ForkAware {
         }
     }
 
-    // Each thread that is woken wakes two more, so that the caller need not wake all.
+    // Each woken thread wakes two more, so that the caller need not wake all.
     void wake(int wanted) {
         for (int i = 0; i < std::min(2, wanted); ++i) {
             wake_.notify_one();
@@ -202,9 +202,9 @@ using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    // Tasks are divided into `stretches` consecutive stretches. In each, a worker begins with a range of its own and then helps
-    // others: data that neighbouring tasks share, and that the next call uses again, stays in the caches of one processor. The
-    // caller, worker 0, takes ranges and the tasks in them in ascending order, so that tasks may wait for earlier ones.
+    // Tasks are divided into `stretches` consecutive stretches. In each stretch a worker begins with a range of its own and
+    // then helps others, so that data shared by neighbouring tasks, and used again by the next call, stay in the cache of one
+    // processor. The caller, worker 0, takes ranges and their tasks in ascending order, so tasks may wait for earlier ones.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;
@@ -252,9 +252,9 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
 #endif
 #endif
 
-// Runs work(worker, task) once for every task below `tasks`, on at most `threads` threads including the caller's (0: as many as
-// there are processors). `worker` is below the number of processors. The first exception is rethrown after all threads
-// have stopped. Between tasks all check for interruption.
+// Run work(worker, task) once for every task below `tasks`, on at most `threads` threads including the caller's (0: one for
+// each processor). `worker` is below the number of processors. The first exception is rethrown after all threads have stopped.
+// All threads check for interruption between tasks.
 template <class Work>
 void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& work) {
 #if !defined(LOMMEL_SINGLE_THREADED)

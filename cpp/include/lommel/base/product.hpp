@@ -1,5 +1,5 @@
-// Matrix products. Unlike those of BLAS libraries, they start no threads of their own, and their sums do not depend on the
-// number of threads.
+// Matrix products. Unlike BLAS libraries, they start no threads of their own, and their sums do not depend on the number of
+// threads.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,15 @@
 
 namespace lommel {
 
-// Computes out[row * sums + j] = sum over i of given[row * count + i] matrix[i * sums + j].
+// out[row * sums + j] = sum over i of given[row * count + i] * matrix[i * sums + j].
 void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums, int threads,
              double* out);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
                          int threads, double* out) {
     constexpr std::size_t together = 8, step = 16;
-    // For many rows a panel of columns is copied: read with the stride of the matrix, each of its rows would take a page.
+    // For many rows a panel of columns is copied: read with the stride of the matrix, each of its rows would use another memory
+    // page.
     const bool copied = rows > 2 * together;
     const std::size_t tall = copied ? 8 * together : together, panels = (sums + step - 1) / step;
     const std::size_t parts = copied ? panels : 1, each = panels / parts;
@@ -46,7 +47,7 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using V = typename decltype(isa)::pack;
                 constexpr std::size_t lanes = decltype(isa)::lanes;
-                // As many chains of multiply-adds as registers hold, to read the panel as seldom as possible.
+                // As many chains of multiply-adds as fit in registers, to read the panel as rarely as possible.
                 constexpr std::size_t chains = lanes == 8 ? together : together / 2;
                 for (std::size_t row = 0; row < some; row += chains) {
                     for (std::size_t j = 0; j < step; j += 2 * lanes) {

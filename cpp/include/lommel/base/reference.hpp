@@ -1,4 +1,4 @@
-// Non-owning reference to a callable, so that a kernel that takes one is compiled only once.
+// Non-owning reference to a callable, so that a kernel with such an argument is compiled only once.
 #pragma once
 
 namespace lommel {
@@ -6,7 +6,7 @@ namespace lommel {
 template <class Signature>
 class Reference;
 
-// The callable must outlive it: for arguments, not for members that are kept.
+// The callable must outlive the reference: for arguments, not for stored members.
 template <class Result, class... Arguments>
 class Reference<Result(Arguments...)> {
    public:

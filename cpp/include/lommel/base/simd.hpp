@@ -1,4 +1,4 @@
-// Vectors of doubles and floats, compiled for several instruction sets and chosen at run time.
+// Vectors of doubles and floats, compiled for several instruction sets, one of which is chosen at run time.
 #pragma once
 
 #if defined(__FAST_MATH__)
@@ -29,8 +29,7 @@
 
 namespace lommel {
 
-// LOMMEL_VECTORS: the compiler supports vector types. Without them, or with LOMMEL_WITHOUT_VECTORS, plain loops take their
-// place.
+// LOMMEL_VECTORS: the compiler supports vector types. Otherwise, or with LOMMEL_WITHOUT_VECTORS, plain loops replace them.
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(LOMMEL_WITHOUT_VECTORS)
 #define LOMMEL_VECTORS 1
 #if defined(__x86_64__)
@@ -38,7 +37,7 @@ namespace lommel {
 #endif
 #endif
 
-// Least length of rows of tables, whatever the width of vectors.
+// Minimum length of table rows, whatever the width of vectors.
 constexpr std::size_t row_lanes = 8;
 
 #ifdef LOMMEL_VECTORS
@@ -63,12 +62,13 @@ LOMMEL_INLINE V converted(Narrow p) {
     return __builtin_convertvector(p, V);
 }
 
-// All lanes set to x. Compilers know that x - 0 is x; they would insert an initializer list lane by lane.
+// All lanes set to x, as x - 0: compilers reduce that to a broadcast, but fill an initializer list lane by lane.
 template <class V, class Real>
 LOMMEL_INLINE V splat(Real x) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    // GCC splits vectors wider than those of the function this is written in, even if it is inlined into one that has them, and
-    // reassembles broadcasts, unlike sums and products, in many steps. Portable kernels have no such vectors.
+    // GCC splits vectors that are wider than those of the function in which this is written, even if it is inlined into a
+    // function with wider ones, and reassembles broadcasts (unlike sums and products) in many steps. Portable kernels have no
+    // such vectors.
     if constexpr (sizeof(V) > 16) {
         V v;
         if constexpr (sizeof(Real) == 4) {
@@ -81,7 +81,7 @@ LOMMEL_INLINE V splat(Real x) {
 #endif
     return x - V{};
 }
-// v, kept in a register: GCC reloads such vectors for each use.
+// Keep v in a register: GCC reloads such vectors for each use.
 template <class V>
 LOMMEL_INLINE V loaded(V v) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
@@ -110,7 +110,7 @@ template <class V>
 LOMMEL_INLINE V below(V x, V limit, V a, V b) {
     return x < limit ? a : b;
 }
-// 2^k, given 1.5 * 2^52 + k.
+// 2^k from 1.5 * 2^52 + k.
 template <class B, class V>
 LOMMEL_INLINE V power_of_two(V shifted) {
     B bits;
@@ -119,12 +119,12 @@ LOMMEL_INLINE V power_of_two(V shifted) {
     std::memcpy(&shifted, &bits, sizeof shifted);
     return shifted;
 }
-// Lanewise a if the bit `bit` of the integer `at` is set, else b.
+// Lanewise a if bit `bit` of the integer `at` is set, else b.
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
 }
-// Low halves of the lanes' bits, interleaved: in each lane that of a, then that of b.
+// Low halves of the 64-bit lanes, interleaved: in each lane that of a, then that of b.
 template <class W, class V>
 LOMMEL_INLINE W low_halves(V a, V b) {
     typedef std::uint64_t Bits __attribute__((vector_size(sizeof(V))));
@@ -139,7 +139,7 @@ LOMMEL_INLINE W low_halves(V a, V b) {
     std::memcpy(&w, &both, sizeof w);
     return w;
 }
-// Converts 32-bit integers, taken as signed, to floats.
+// Convert 32-bit integers, read as signed, to floats.
 template <class V, class W>
 LOMMEL_INLINE V signed_floats(W w) {
     typedef std::int32_t Whole __attribute__((vector_size(sizeof(W))));
@@ -184,8 +184,8 @@ LOMMEL_INLINE std::size_t high_place(std::uint64_t places) {
     return places >> 32;
 #endif
 }
-// Loads two floats from c + at[0] and two from c + at[1]; for eight lanes also two each from c + at[4] and c + at[5]. In
-// assembly for the reason given in splat().
+// Load two floats from c + at[0] and two from c + at[1]; for eight lanes also two each from c + at[4] and c + at[5]. In
+// assembly, see splat().
 template <class V>
 LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
     typedef double Two __attribute__((vector_size(16)));
@@ -289,8 +289,7 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
     typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
     constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
 #ifdef LOMMEL_X86
-    // In assembly for the reason given in splat(), with doubles permuted as pairs of floats: no instruction permutes four
-    // doubles by a register.
+    // In assembly, see splat(). Doubles are permuted as pairs of floats, as no instruction permutes four doubles by a register.
     if constexpr (sizeof(V) > 16) {
         constexpr std::int64_t pair = std::int64_t{1} << 32;
         alignas(64) static constexpr Lane sequence[] = {
@@ -468,7 +467,7 @@ template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
 }
-// Prefetches memory that is accessed soon.
+// Prefetch memory that is accessed soon.
 LOMMEL_INLINE void prefetch(const void* at) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(at);
@@ -476,7 +475,7 @@ LOMMEL_INLINE void prefetch(const void* at) {
     static_cast<void>(at);
 #endif
 }
-// Loads as many values as a vector of doubles has lanes, converted to double.
+// Load as many values as a vector of doubles has lanes, converted to double.
 template <class I>
 LOMMEL_INLINE typename I::pack widened(const float* from) {
     return converted<typename I::pack>(load<typename Vector<I::lanes>::narrow>(from));
@@ -494,8 +493,7 @@ LOMMEL_INLINE double lane_sum(V v) {
     return sum;
 }
 
-// Instruction set that a kernel is compiled for: its vectors, and the number of them that its registers hold in each of three
-// arrays.
+// Instruction set of a kernel: its vectors, and how many of them fit in registers for each of three arrays.
 template <std::size_t Lanes, std::size_t Unroll>
 struct Isa {
     using pack = typename Vector<Lanes>::pack;
@@ -507,7 +505,7 @@ struct Isa {
 using Avx512 = Isa<8, 4>;
 using Avx2 = Isa<4, 4>;
 using Portable = Isa<2, 4>;
-constexpr std::size_t widest_step = 32;  // most values that a kernel handles at once, and so may access past the end
+constexpr std::size_t widest_step = 32;  // maximum number of values that a kernel handles at once, and may access past the end
 
 enum class Level { portable, avx2, avx512 };
 
@@ -548,9 +546,9 @@ LOMMEL_NOINLINE void run_portable(const Kernel& kernel) {
 }
 #endif
 
-// Runs a kernel compiled for a level of instructions that this processor has, and passes it the matching Isa. The kernel and
-// all that it calls must be inlined, or they keep the baseline instructions. Each use compiles the kernel twice, for AVX2 and
-// for the baseline; a kernel that would depend on its caller's types takes a Reference instead.
+// Run a kernel at an instruction level of this processor, with the matching Isa as argument. The kernel and all that it calls
+// must be inlined, or they keep the baseline instructions. Each use compiles the kernel twice, for AVX2 and for the baseline; a
+// kernel that would depend on its caller's types takes a Reference instead.
 template <class Kernel>
 LOMMEL_INLINE void dispatch([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86
@@ -564,7 +562,7 @@ LOMMEL_INLINE void dispatch(const Kernel& kernel) {
     dispatch(processor_level(), kernel);
 }
 
-// As dispatch(), compiled for AVX-512 as well: for kernels that gain much from it. Most others gain about 5 %.
+// Like dispatch(), compiled for AVX-512 as well: for kernels that gain much from it. Most others gain about 5 %.
 template <class Kernel>
 LOMMEL_INLINE void dispatch_widest([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86

@@ -8,8 +8,8 @@
 
 namespace lommel {
 
-// Work, in microseconds, that justifies a thread: waking one takes about 30, more if the other processors are busy. Tests lower
-// it, to use threads at all.
+// Work, in microseconds, that justifies a thread: waking one takes about 30, more if the other processors are busy. Tests
+// reduce it to have threads at all.
 inline double& work_per_thread() {
     static double microseconds = 100.0;
     return microseconds;
@@ -21,14 +21,14 @@ inline int worthwhile_threads(int threads, double microseconds) {
     return std::min(threads > 0 ? threads : worth, worth);
 }
 
-// Calls render(pupil, threads) for each pupil: several at once, or one with all threads.
+// Call render(pupil, threads) for each pupil: several pupils concurrently, or a single pupil with all threads.
 template <class Render>
 void for_pupils(std::size_t count, int threads, const Render& render) {
     const bool one = count == 1;
     parallel_for(count, threads, [&](std::size_t, std::size_t pupil) { render(pupil, one ? threads : 1); });
 }
 
-// Calls work(first, last) for blocks of pupils; each pupil takes `microseconds`.
+// Call work(first, last) for blocks of pupils; each pupil takes `microseconds`.
 template <class Work>
 void for_blocks(std::size_t count, int threads, double microseconds, const Work& work) {
     constexpr std::size_t block = 64;
@@ -36,7 +36,7 @@ void for_blocks(std::size_t count, int threads, double microseconds, const Work&
                  [&](std::size_t, std::size_t b) { work(b * block, std::min(count, (b + 1) * block)); });
 }
 
-// Calls paint(first, last) for the rows of an image in blocks that are large enough for a task.
+// Call paint(first, last) for blocks of image rows, each large enough for a task.
 template <class Paint>
 void for_rows(std::size_t rows, std::size_t width, int threads, const Paint& paint) {
     const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / width);

@@ -11,7 +11,7 @@ namespace lommel {
 
 struct Stopped {};  // thrown by look() if the caller wants to stop
 
-// While it exists, the thread that made it asks every 50 ms whether to stop, for itself and for all threads that help it.
+// While a Watch exists, its thread asks every 50 ms whether to stop, for itself and for all threads that help it.
 class Watch {
    public:
     using Ask = bool (*)();
@@ -29,7 +29,7 @@ class Watch {
 
     // Watch of this thread, or null.
     static Watch* mine() { return seat().watch; }
-    // Sets the watch of a helper thread, which does not ask itself but heeds the answer.
+    // Set the watch of a helper thread, which does not ask itself but obeys the answer.
     static void help(Watch* watch) { seat() = {watch, false}; }
 
     static void look() {
@@ -83,10 +83,10 @@ class Watch {
     std::atomic<bool> stopped_{false};
 };
 
-// Checks for interruption. Costs about 10 ns: for loops whose steps take microseconds.
+// Check for interruption. Takes about 10 ns: for loops whose steps take microseconds.
 inline void look() { Watch::look(); }
 
-// Checks for interruption in loops with shorter steps: each time that `work`, in operations, adds up to some microseconds.
+// Check for interruption in loops with shorter steps, whenever `work`, in operations, adds up to some microseconds.
 class Glance {
    public:
     void operator()(std::size_t work = 1) {

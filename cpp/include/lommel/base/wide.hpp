@@ -5,9 +5,9 @@
 
 namespace lommel {
 
-// Floating-point type wider than double where the processor has one: 64 bits of mantissa on x86. The 113 bits of long double on
-// Arm and WebAssembly are not used, as they are computed in software. There, where long double is double, or if LOMMEL_WIDE
-// says so, tables are made in double, and bounds include the additional error.
+// Floating-point type wider than double where the processor has one: 64 bits of mantissa on x86. The 113-bit long double of Arm
+// and WebAssembly is not used, as it is computed in software; LOMMEL_WIDE selects another type. If tables are computed in
+// double, error bounds include the additional rounding.
 #if defined(LOMMEL_WIDE)
 using wide = LOMMEL_WIDE;
 #elif defined(__LDBL_MANT_DIG__) && __LDBL_MANT_DIG__ == 64

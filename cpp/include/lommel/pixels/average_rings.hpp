@@ -1,5 +1,6 @@
-// Averages around an axis anywhere, for windows too large for one polynomial: on each of equally wide rings polynomials of the
-// distance times harmonics, with weights that depend on pitch and reach only (certificate, section 9).
+// Pixel averages around an arbitrary axis, for windows too large for one polynomial: rings of equal width, on each of which
+// averages are polynomials of the distance times angular harmonics, with weights that depend only on pixel pitch and largest
+// distance (certificate, section 9).
 #pragma once
 
 #include <algorithm>
@@ -18,25 +19,25 @@
 namespace lommel {
 
 struct AverageRings : PixelRings {
-    // Beyond, I at all radii takes longer than other methods.
+    // Largest distance in v: beyond it, I at all radii takes longer than other methods.
     static constexpr double most_reach = 2000.0;
-    // Approximate number of products that make the weights: rings, angles and points of each, places in a pixel and nodes for
-    // these.
+    // Approximate number of products to compute the weights: rings, angles and points of each, positions in a pixel, and nodes
+    // for these.
     static double work(double pitch, double reach) {
         const double places = 0.8 * pitch + 8.0;
         return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);
     }
-    // More would take longer than many images by other methods.
+    // Limit of work(): beyond it, the weights take longer than many images by other methods.
     static constexpr double most_work = 2e7;
 
     double step;  // pixel pitch in v
     double farthest;  // largest distance of a pixel centre from the axis, in pixels
-    int level;  // errors are about 10^-level; the bound is `error`
-    double width;  // of a ring, in v
+    int level;  // the error is about 10^-level, its bound `error`
+    double width;  // width of a ring in v
 
     AverageRings(double pitch, double pixels, int digits, int threads);
 
-    // As AnywhereTable::outermost().
+    // See AnywhereTable::outermost().
     double outermost() const { return rings.back().nodes.high; }
     std::size_t bytes() const {
         return sizeof(double) * (weights.size() + radii.size()) + sizeof(std::int32_t) * places.size();
@@ -49,8 +50,8 @@ struct AverageRings : PixelRings {
         return cache<AverageRings>.get(pitch, pixels, digits, threads);
     }
 
-    // Computes the pixels of a window, in whole vectors, from I at the radii; returns the rounding of evaluating the
-    // polynomials, in units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    // Compute the pixels of a window, in whole vectors, from I at the radii; returns the rounding of the polynomials in units
+    // of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 };
 
@@ -79,7 +80,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
                                         double* out) const {
     std::vector<std::int32_t> ring_of, place_of;
     std::vector<std::size_t> starts, next;
-    constexpr std::size_t whole = 2 * row_lanes;  // values are summed in groups of this many, or of a divisor
+    constexpr std::size_t whole = 2 * row_lanes;  // values are summed in groups of this size, or of a divisor
     const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
     const std::size_t outputs = radial_degree * harmonics;
     scratch.resize(2 * pixels + 3 * room);
@@ -98,7 +99,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
     for (std::size_t i = 0; i < pixels; ++i) {
         ++next[static_cast<std::size_t>(ring_of[i])];
     }
-    // Values of a ring are contiguous; padding of its last vectors is at its middle, x = 0.
+    // Values of a ring are contiguous; padding of its last vectors is at x = 0, the middle of the ring.
     starts.assign(rings.size() + 1, 0);
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const std::size_t end = starts[r] + next[r];

@@ -1,4 +1,4 @@
-// Averages over pixels from finer samples, by a separable filter.
+// Pixel averages from finer samples by a separable filter.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,21 @@
 
 namespace lommel {
 
-// Filter taps of one or two adjacent pixels, together `stride` samples wide: [pixel][tap], all starting at the same sample.
+// Filter taps of one or two adjacent pixels, which together span `stride` samples: [pixel][tap], all from the same sample on.
 struct PixelFilter {
     const double* weights;
     std::size_t taps, stride;
-    double lowest = 0.0;             // lower limit that averages are clamped to
+    double lowest = 0.0;             // lower limit to which averages are clamped
     const double* across = nullptr;  // taps along rows, if different
     std::size_t pixels = 1;          // pixels per stride, one or two
-    double dark = 0.0;               // single-precision samples up to this are summed in single precision
+    double dark = 0.0;               // samples up to this value are summed in single precision, if stored so
 
-    // Number of samples that `count` adjacent pixels take.
+    // Number of samples that `count` adjacent pixels use.
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
-    // Computes averages of height x width pixels, images `pitch` values apart, from samples(height) x samples(width) samples
-    // each. Averages of an intensity are not negative, so that clamping to 0 does not increase their error; those of
-    // derivatives may be negative. Sums are in double precision unless single precision meets the tolerance.
+    // Averages of height x width pixels, images `pitch` values apart, from samples(height) x samples(width) samples each.
+    // Averages of an intensity are not negative, so clamping to 0 does not increase their error; those of derivatives may be
+    // negative. Sums are in double precision unless single precision meets the tolerance.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const;
@@ -33,7 +33,7 @@ struct PixelFilter {
    private:
     static constexpr std::size_t rows_together = 4;
 
-    // Least number of groups of pixels in a row for which sums are taken in single precision.
+    // Smallest number of groups of pixels in a row for which sums are in single precision.
     template <class I>
     static constexpr std::size_t least(I) {
         return 2 * sizeof(typename I::floats) / sizeof(float);
@@ -43,7 +43,7 @@ struct PixelFilter {
     void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
         const std::size_t tall = samples(height), wide = samples(width), groups = (height + Rows - 1) / Rows;
-        // Taps padded with zeros for the samples that belong to the other rows summed together.
+        // Taps padded with zeros for samples that belong to the other rows of the same block.
         const std::size_t beside = (Rows - 1) * stride, length = taps + 2 * beside;
         std::vector<double> padded(pixels * length);
         for (std::size_t k = 0; k < pixels; ++k) {
@@ -93,10 +93,10 @@ struct PixelFilter {
         });
     }
 
-    // Computes a row of pixels from a line of samples, in its precision; taps are of[pixel][tap].
+    // Row of pixels from a line of samples, in the precision of the samples; taps of[pixel][tap].
     template <class I, class Sum>
     LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, const Sum* of, double* to) const {
-        // Strands hold samples `stride` apart next to each other, so that adjacent pixels load vectors.
+        // Strand: samples `stride` apart stored contiguously, so that adjacent pixels load vectors.
         const std::size_t each = (wide + stride - 1) / stride, count = (width - 1) / pixels + 1;
         thread_local Aligned<Sum> strands, sets;
         thread_local std::vector<std::size_t> lines;
@@ -127,8 +127,8 @@ struct PixelFilter {
         }
     }
 
-    // out[r][x] = sum_k of[r][k] from[lines[k] + x], in the precision of `out`; in single precision returns the largest sample,
-    // or more. Bound by loads of samples or, for four rows, by products.
+    // out[r][x] = sum_k of[r][k] from[lines[k] + x], in the precision of `out`; in single precision returns an upper bound on
+    // the samples. Limited by loads of samples or, for four rows, by products.
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {
@@ -186,7 +186,7 @@ struct PixelFilter {
 template <class T>
 void PixelFilter::average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to,
                           std::size_t pitch, int threads) const {
-    // Rows that share most of their samples are summed together, to load these once.
+    // Rows that share most of their samples are summed together, so that these are loaded once.
     if (2 * (rows_together - 1) * stride < pixels * taps) {
         average<rows_together>(from, count, height, width, to, pitch, threads);
     } else {

@@ -1,4 +1,4 @@
-// Inner loops for windows of pixel averages: weights, weighted sums, and azimuthal harmonics.
+// Inner loops of pixel averages: weights, weighted sums, and azimuthal harmonics.
 #pragma once
 
 #include <algorithm>
@@ -12,16 +12,16 @@
 namespace lommel {
 
 using RadialDegree = std::integral_constant<std::size_t, 16>;
-constexpr std::size_t radial_degree = RadialDegree::value;  // Chebyshev coefficients across a ring
-constexpr std::size_t block_outputs = 16;  // values that share a block of weights
+constexpr std::size_t radial_degree = RadialDegree::value;  // number of Chebyshev coefficients across a ring
+constexpr std::size_t block_outputs = 16;  // number of values that share a block of weights
 
-// Number of positions is padded to a multiple of this.
+// The number of positions is padded to a multiple of this.
 constexpr std::size_t position_step = 2 * row_lanes;
 
-// Computes row[k], the weight of node k: sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for the polynomial f through the nodes.
-// Lagrange's polynomials are products of the factors before and after node k, without cancellation; scale[k] is 1 / the product of
-// nodes[k] - nodes[j] over j != k. z and share are padded, with a share of 0; scratch has room for 3 count vectors. Four chains of
-// products overlap, as the latency of a product limits the speed.
+// Compute row[k], the weights of the nodes: sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for the polynomial f through the
+// nodes. Lagrange polynomials are products of the factors before and after node k, without cancellation; scale[k] = 1 / the
+// product of nodes[k] - nodes[j] over j != k. z and share are padded, with a share of 0; scratch has room for 3 count vectors.
+// Four chains of products overlap to hide their latency.
 template <class I>
 LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
                                 const double* scale, std::size_t count, double* scratch, double* row) {
@@ -31,7 +31,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     std::fill_n(sums, count * lanes, 0.0);
     const std::size_t half = count / 2;
     for (std::size_t i = 0; i < positions; i += 2 * lanes) {
-        V twice[2], below[2], above[2];  // products of factors of the nodes before, and after a node
+        V twice[2], below[2], above[2];  // products of the factors of the nodes before and after a node
         for (std::size_t u = 0; u < 2; ++u) {
             twice[u] = load<V>(z + i + u * lanes) * splat<V>(2.0);
             below[u] = load<V>(share + i + u * lanes);
@@ -71,14 +71,14 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     }
 }
 
-// Computes sums[p][offset .. offset + block_outputs) of `Together` pupils: intensities at the nodes times a block of weights
-// [node][block_outputs]. Bound by reading the weights, once for all pupils.
+// Compute sums[p][offset .. offset + block_outputs) of `Together` pupils: intensities at the nodes times a block of weights
+// [node][block_outputs]. Limited by reading the weights, once for all pupils.
 template <std::size_t Together, class I>
 LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, const double* const* intensity,
                                  double* const* sums, std::size_t offset) {
     using V = typename I::pack;
     constexpr std::size_t packs = Together == 1 && 4 * I::lanes <= block_outputs ? 4 : 2;
-    constexpr std::size_t chains = Together == 1 ? 2 : 1;  // of sums, for multiply-adds to overlap
+    constexpr std::size_t chains = Together == 1 ? 2 : 1;  // independent chains of sums, so that multiply-adds overlap
     for (std::size_t j = 0; j < block_outputs; j += packs * I::lanes) {
         V sum[Together][chains][packs] = {};
         const auto add = [&](std::size_t chain, std::size_t n) LOMMEL_INLINE_LAMBDA {
@@ -114,7 +114,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// Returns the sum of |coefficient| times penalty.
+// Sum of |coefficient| x penalty.
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;
@@ -126,7 +126,7 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
     return lane_sum(sum);
 }
 
-// Clenshaw's recurrence along the radius for `Orders` harmonics of some vectors of pixels, with `degree` coefficients each: of
+// Clenshaw recurrence in the radius for `Orders` harmonics of some vectors of pixels, each with `degree` coefficients: of
 // T_k(x) or, if `Odd`, of T_(2k+1)(r) / r with x = 2 r^2 - 1.
 template <std::size_t Orders, std::size_t Vectors, bool Odd = false, class Degree, class V>
 LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const V (&x)[Vectors], V (&out)[Orders][Vectors]) {
@@ -165,7 +165,7 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
     }
 }
 
-// Computes `count` pixels, in whole steps of four vectors, for one harmonic. Bound by arithmetic.
+// Compute `count` pixels, in whole steps of four vectors, for a single harmonic. Limited by arithmetic.
 template <class I>
 LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients, const double* x, std::size_t count,
                                double* out) {
@@ -182,7 +182,7 @@ LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients
     }
 }
 
-// Passes each harmonic of two vectors of pixels, in turn, to take(values).
+// Call take(values) with each harmonic of two vectors of pixels, in order.
 template <bool Odd, class I, class Degree, class V, class Take>
 LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, std::size_t harmonics, const V (&at)[2],
                                  const Take& take) {
@@ -196,7 +196,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         j += orders;
     };
     // `some` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
-    // A single order would be one chain of dependent operations; four at once need more than sixteen registers.
+    // A single order is one chain of dependent operations; four at once need more than sixteen registers.
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
             some(std::integral_constant<std::size_t, 4>{});
@@ -214,8 +214,8 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
     }
 }
 
-// Computes `count` pixels of a ring from coefficients [harmonic][degree]: x from -1 to 1 across the ring, cosine that of four
-// times the angle. Bound by arithmetic.
+// Compute `count` pixels of a ring from coefficients [harmonic][degree]; x: -1 to 1 across the ring, cosine: of four times the
+// angle. Limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                  const double* cosine, std::size_t count, double* out) {
@@ -243,8 +243,8 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
     }
 }
 
-// Computes the sums over odd orders 2j+1 of coefficients times T_(2k+1)(r) / r and cos((2j+1) angle) / cos(angle), `across`,
-// and the same for the angle from the other axis, `down`; `cosine` is that of twice the angle. Bound by arithmetic.
+// Compute `across`, the sum over odd orders 2j+1 of coefficients times T_(2k+1)(r) / r times cos((2j+1) angle) / cos(angle),
+// and `down`, the same with the angle from the other axis; `cosine` is that of twice the angle. Limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_odd_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                      const double* cosine, std::size_t count, double* across, double* down) {

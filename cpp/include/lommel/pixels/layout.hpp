@@ -1,4 +1,4 @@
-// Distinct radii of a grid around the centre of a pixel, of an edge or of a corner, and the index of each pixel's radius.
+// Distinct radii of a grid around the centre of a pixel, an edge or a corner, and for each pixel the index of its radius.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Ascending radii, padded so that the widest kernel can read anywhere; their unit is the owner's.
+// Ascending radii, padded so that the widest kernel can read anywhere; in the unit of the owner.
 struct Radii {
     Doubles radii;
     std::size_t count = 0;  // without padding
@@ -36,7 +36,7 @@ struct Layout : Radii {  // distinct radii in pixels
         const std::size_t at = dy * columns.distances() + dx;
         return of_many_.empty() ? of_few_[at] : of_many_[at];
     }
-    // Writes the rows at distances [first, last), on both sides of the axis, from values at the radii.
+    // Write the rows at distances [first, last), on both sides of the axis, from values at the radii.
     template <class T>
     void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 
@@ -52,8 +52,8 @@ struct Layout : Radii {  // distinct radii in pixels
     }
 
    private:
-    // [distance along y][distance along x]: rank of each pixel's radius, in one of the two; 16 bits halve the time of reads
-    // from memory.
+    // [distance along y][distance along x]: rank of each pixel's radius, stored in one of these; 16 bits halve the time of
+    // memory reads.
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };

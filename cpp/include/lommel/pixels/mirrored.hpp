@@ -12,12 +12,12 @@
 namespace lommel {
 
 struct MirroredPixels {
-    std::int64_t height, width, row, column;  // of the image; pixel of the axis, which may be outside
+    std::int64_t height, width, row, column;  // of the image; pixel of the axis, possibly outside
     struct Group {
         std::int32_t a, b;  // a >= b >= 0, in pixels
         std::int64_t square() const { return std::int64_t{a} * a + std::int64_t{b} * b; }
     };
-    std::vector<Group> groups;  // by ascending distance
+    std::vector<Group> groups;  // in ascending order of distance
 
     MirroredPixels(std::int64_t h, std::int64_t w, std::int64_t r, std::int64_t c) : height(h), width(w), row(r), column(c) {
         const std::int64_t far_y = std::max(std::abs(r), std::abs(h - 1 - r));

@@ -1,4 +1,4 @@
-// Quadrature nodes for averages over pixels: radii within a ring, and places within a pixel.
+// Quadrature nodes for pixel averages: radii within a ring, and positions within a pixel.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is a polynomial in the squared
-// distance, which interpolates the even function on both sides.
+// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is interpolated as a polynomial of
+// the squared distance, as I is even.
 struct RingNodes {
     double low, high;
     bool even;
@@ -34,7 +34,7 @@ struct RingNodes {
         error = off(count);
     }
 
-    // A copy with at least `least` points.
+    // Copy with at least `least` points.
     RingNodes of(std::size_t least) const {
         RingNodes more = *this;
         more.count = std::max(count, least);
@@ -44,7 +44,7 @@ struct RingNodes {
     double radius(std::size_t i) const {
         return even ? high * std::sqrt(0.5 * (1.0 + point(i))) : 0.5 * (low + high + (high - low) * point(i));
     }
-    // Maps squared distances to [-1, 1], where the points are.
+    // Map squared distances to [-1, 1], the interval of the points.
     LOMMEL_INLINE void squeeze(double* squares, std::size_t length) const {
         if (even) {
             const double slope = high > 0.0 ? 2.0 / (high * high) : 0.0;
@@ -61,7 +61,7 @@ struct RingNodes {
 };
 
 // Gauss nodes and weights, padded to vectors: of a square, with weights that sum to 1; or of two opposite sides, for the
-// average along the side before the middle less that along the side behind it.
+// average along the side before the middle minus that along the side behind it.
 struct Points {
     std::size_t padded;
     Doubles across, down, share;

@@ -1,5 +1,5 @@
-// Windows with an axis of its own for each pupil: samples or averages as polynomials of the distance from the axis, with
-// weights that depend on pitch and reach only (certificate, section 9, "An axis for each pupil").
+// Windows with a separate axis for each pupil: samples or averages as polynomials of the distance from the axis, with weights
+// that depend only on pixel pitch and largest distance (certificate, section 9, "An axis for each pupil").
 #pragma once
 
 #include <algorithm>
@@ -20,23 +20,23 @@
 namespace lommel {
 
 struct AnywhereTable : Radii {  // radii at which I is needed, in v
-    // Beyond, polynomials are so long that tables for one window are faster.
+    // Largest distance in v: beyond it, the polynomials are so long that tables of a single window are faster.
     static constexpr double most_reach = 110.0;
 
     double step;     // pixel pitch in v
-    bool integrate;  // as PixelWindow::integrate
+    bool integrate;  // see PixelWindow::integrate
     double farthest;  // largest distance of a pixel centre from the axis, in pixels
-    int level;        // errors are about 10^-level; the bound is `error`
+    int level;        // the error is about 10^-level, its bound `error`
     std::size_t harmonics = 1, gauss, degree, outputs;
-    Doubles weights, penalty;  // [block of outputs][node][output]; roundings in each coefficient
-    double error, of_nodes = 1.0, of_grid, rounding;  // as PixelTable's
+    Doubles weights, penalty;  // [block of outputs][node][output]; rounding of each coefficient
+    double error, of_nodes = 1.0, of_grid, rounding;  // see PixelTable
 
     AnywhereTable(double pitch, bool averages, double pixels, int digits);
 
     double magnification() const { return of_grid * of_nodes; }
-    // Largest distance from the axis of any point of a pixel, in v.
+    // Largest distance of any point of a pixel from the axis, in v.
     double outermost() const { return step * (farthest + (integrate ? 0.70710678118654752 : 0.0)); }
-    // Factor from the error of values of I to that of values of v I', the derivative of an image by the logarithm of its scale
+    // Factor from an error of I to an error of v I', the derivative of an image with respect to the logarithm of its scale
     // (section 15).
     double growth() const { return 2.0 * (outermost() + static_cast<double>(std::max({count, degree, gauss, 4 * harmonics}))); }
     std::size_t bytes() const { return sizeof(double) * (weights.size() + penalty.size() + radii.size()); }
@@ -48,8 +48,8 @@ struct AnywhereTable : Radii {  // radii at which I is needed, in v
         return cache<AnywhereTable>.get(pitch, averages, pixels, digits);
     }
 
-    // Computes the pixels of a window, in whole vectors, from I at the radii; returns the rounding of evaluating the
-    // polynomials, in units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    // Compute the pixels of a window, in whole vectors, from I at the radii; returns the rounding of the polynomials in units
+    // of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
@@ -111,7 +111,7 @@ struct AnywhereTable : Radii {  // radii at which I is needed, in v
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // Squared distances are off by 15 units of half the largest, T_k by k^2 times that.
+            // Squared distances have an error of 15 units of half the largest one, T_k of k^2 times that.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);
@@ -130,7 +130,7 @@ LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pix
     const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
     degree = std::max<std::size_t>(2, places.count);
     of_grid = by_angle * lebesgue(degree);
-    // Samples need no other radii than the interpolation points themselves.
+    // Samples need I only at the interpolation points themselves.
     const RingNodes nodes =
         integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
     for (std::size_t i = 0; i < nodes.count; ++i) {

@@ -1,5 +1,5 @@
-// Polynomials through 16 Chebyshev points, cut into polynomials of fewer terms on equal parts (certificate, section 9,
-// "Samples").
+// Polynomials through 16 Chebyshev points, and their approximation by polynomials of fewer terms on equal parts (certificate,
+// section 9, "Samples around one axis").
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace lommel {
 
-// Linear maps of values at 16 ascending Chebyshev points of [-1, 1] to outputs at places x > 0, of the even and of the odd part
-// of the interpolating polynomial: their sum is the output at x, their difference that at -x, up to sign.
+// Linear maps from values at 16 ascending Chebyshev points of [-1, 1] to outputs at points x > 0, for the even and the odd part
+// of the interpolating polynomial: their sum is the output at x, their difference the output at -x, up to sign.
 struct Halves {
     static constexpr std::size_t points = 16, half = points / 2, together = 8;
     std::size_t count, pitch;
@@ -40,7 +40,7 @@ struct Halves {
         }
     };
 
-    // Passes the outputs of both parts to take(start, even, odd), `together` at a time.
+    // Call take(start, even, odd) with the outputs of both parts, `together` at a time.
     template <class I, class Take>
     LOMMEL_INLINE void each(I, const Values& values, const Take& take) const {
         using V = typename I::pack;
@@ -67,11 +67,11 @@ struct Halves {
     void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const;
 };
 
-// Coefficients of the polynomials through `Terms` Chebyshev points of each of `count` equal parts of [-1, 1], in a place that
-// runs from -1/2 to 1/2 in each.
+// Coefficients of the polynomials through `Terms` Chebyshev points of each of `count` equal parts of [-1, 1], in a variable
+// from -1/2 to 1/2 across each part.
 template <std::size_t Terms>
 struct Parts {
-    static constexpr std::size_t most = 64;  // largest number of parts, an even one
+    static constexpr std::size_t most = 64;  // largest number of parts, even
     std::size_t parts;
     double sizes = 0.0;  // sum over powers of the largest 1-norm of coefficients
     Halves halves;       // outputs [part above the middle][power]
@@ -80,8 +80,8 @@ struct Parts {
 
     bool is(std::size_t count) const { return parts == count; }
     std::size_t bytes() const { return sizeof(double) * (halves.even.size() + halves.odd.size()); }
-    // mu of the certificate: largest distance of a polynomial within 1 from those of its parts, by Markov's bound on its
-    // derivative.
+    // mu of the certificate: largest difference between a polynomial within [-1, 1] and its approximations on the parts, by
+    // Markov's bound on the derivative.
     double bent() const {
         const double degree = static_cast<double>(Halves::points - 1);
         double size = 2.0;
@@ -94,7 +94,7 @@ struct Parts {
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
     static std::shared_ptr<const Parts> get(std::size_t count) { return cache<Parts>.get(count); }
 
-    // Computes coefficients of all parts of a piece, to[part][power]; raises largest[power] to their moduli.
+    // Compute the coefficients of all parts of a piece, to[part][power]; largest[power] becomes their largest modulus.
     template <class I, class To>
     LOMMEL_INLINE void cut(I isa, const Halves::Values& values, To* to, double* largest) const {
         constexpr std::size_t lanes = std::min(I::lanes, Terms);
@@ -125,9 +125,9 @@ struct Parts {
     }
 };
 
-// Bounds on the second and on the fourth derivative of the polynomial of a piece.
+// Bounds on the second and the fourth derivative of the polynomial of a piece.
 struct Bends {
-    static constexpr std::size_t second = 32, fourth = 16;  // numbers of Chebyshev points at which they are evaluated
+    static constexpr std::size_t second = 32, fourth = 16;  // number of Chebyshev points where they are evaluated
     static_assert(second / 2 % Halves::together == 0 && fourth / 2 % Halves::together == 0);
 
     struct Sizes {
@@ -166,7 +166,7 @@ std::array<double, Count * Count> through_points() {
     std::array<double, Count * Count> made{};
     for (std::size_t i = 0; i < Count; ++i) {
         double values[Count] = {};
-        values[Count - 1 - i] = 1.0;  // points there descend
+        values[Count - 1 - i] = 1.0;  // there the points descend
         taken(values, 1, made.data() + i * Count);
     }
     return made;
@@ -227,8 +227,8 @@ LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[hal
 
 LOMMEL_ONCE Bends::Bends() {
     const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
-        // A polynomial of degree d is at most 1 / cos(pi d / 2 n) times its largest value at n > d Chebyshev points (Ehlich and
-        // Zeller).
+        // The maximum of a polynomial of degree d is at most 1 / cos(pi d / 2 n) times its largest value at n > d Chebyshev
+        // points (Ehlich and Zeller).
         const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
         const double by = 1.0 / std::cos(0.5 * pi * share);
         for (std::size_t at = 0; at < count / 2; ++at) {

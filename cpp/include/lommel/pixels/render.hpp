@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// Side of a window whose axis is at the centre of a pixel or midway between two. `low`: last pixel up to the axis, `high`:
-// first pixel from it on.
+// Side of a window whose axis is at a pixel centre or midway between two. `low`: last pixel up to the axis, `high`: first pixel
+// from the axis on.
 struct FoldedSide {
     std::size_t count, low, high;
 
@@ -31,18 +31,17 @@ struct FoldedSide {
     std::size_t between() const { return high - low; }  // 1 if the axis is between two pixels
     // Number of distinct distances: 0, 1, ... pixels from `high`, or from `low` downwards.
     std::size_t distances() const { return std::max(low + 1, count - high); }
-    // First pixel at a distance, and whether there is a second, high + distance.
+    // First pixel at a distance; twice(): there is a second one, high + distance.
     std::size_t first(std::size_t distance) const { return distance <= low ? low - distance : high + distance; }
     bool twice(std::size_t distance) const {
         return distance <= low && high + distance < count && high + distance > low - distance;
     }
 };
 
-// Distinct squared radii of a quadrant of rows x columns distances; all pixels with the same dy^2 + dx^2 share one value. If
-// the axis is between two rows, y (y + 1) + 1/4 is the square of y + 1/2, so numbers are dy^2 + dx^2 less 1/4, or, if it is
-// between rows and columns, half of dy^2 + dx^2 - 1/2, which is even. One bit for each number up to the largest, and the count
-// of bits before each word: linear in the largest number, without sorting, and small enough for the first-level cache, which a
-// rank for each number is not.
+// Distinct squared radii of a quadrant of rows x columns distances; pixels with the same dy^2 + dx^2 share a value. Each has an
+// integer number: dy^2 + dx^2 or, if the axis is between two rows, that minus 1/4, as (y + 1/2)^2 = y (y + 1) + 1/4; if it is
+// between rows and columns, half of dy^2 + dx^2 - 1/2. Stored as one bit for each number, and the count of bits before each
+// word: linear time, without sorting, and small enough for the first-level cache, unlike a rank for each number.
 class SquaredRadii {
    public:
     SquaredRadii(const FoldedSide& rows, const FoldedSide& columns)
@@ -50,7 +49,7 @@ class SquaredRadii {
           words_(number(rows_ - 1, cols_ - 1) / 64 + 1) {
         for (std::size_t y = 0; y < rows_; ++y) {
             look();
-            // If rows and columns are alike, (x, y) stands for (y, x).
+            // If rows and columns are alike, (x, y) represents (y, x) too.
             for (std::size_t x = odd_y_ == odd_x_ && y < std::min(rows_, cols_) ? y : 0; x < cols_; ++x) {
                 const std::size_t s = number(y, x);
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;
@@ -69,20 +68,20 @@ class SquaredRadii {
         return odd_y_ + odd_x_ == 2 ? 2.0 * s + 0.5 : s + 0.25 * static_cast<double>(odd_y_ + odd_x_);
     }
 
-    // Passes the numbers, ascending, to take(rank, number).
+    // Call take(rank, number) with the numbers in ascending order.
     template <class Take>
     void each(const Take& take) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             std::size_t rank = 0;
             for (std::size_t word = 0; word < words_.size(); ++word) {
                 for (std::uint64_t bits = words_[word].bits; bits != 0; bits &= bits - 1) {
-                    take(rank++, 64 * word + set(~bits & (bits - 1)));  // zeros below the last bit
+                    take(rank++, 64 * word + set(~bits & (bits - 1)));  // removes zeros below the last bit
                 }
             }
         });
     }
 
-    // Writes the rank of each pixel's radius.
+    // Write the rank of each pixel's radius.
     template <class Rank>
     void ranks(Rank* index) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where vectors are available
@@ -110,7 +109,7 @@ class SquaredRadii {
     std::vector<Word> words_;
 };
 
-// Squared radii around the centre of a pixel, ascending; `index` receives the rank of each pixel's.
+// Ascending squared radii around the centre of a pixel; `index` becomes the rank of each pixel's radius.
 std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
@@ -122,7 +121,7 @@ LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size
 }
 #endif
 
-// Largest of values >= 0, in eight chains that compilers vectorise.
+// Maximum of values >= 0, in eight chains that compilers vectorise.
 LOMMEL_INLINE double largest(const double* values, std::size_t count) {
     double top[8] = {};
     std::size_t i = 0;
@@ -146,7 +145,7 @@ LOMMEL_ONCE double largest_value(const double* values, std::size_t count) {
 }
 #endif
 
-// Stores values times a scale; `out` may be `values`.
+// Store values times a scale; `out` may be `values`.
 template <class From, class T>
 void store_scaled(const From* values, double scale, std::size_t count, T* out) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -155,7 +154,7 @@ void store_scaled(const From* values, double scale, std::size_t count, T* out) {
         }
     });
 }
-// As store_scaled(), clamped to `least`: intensities are not negative, so that clamping to 0 does not increase their error.
+// Like store_scaled(), clamped to `least`: intensities are not negative, so clamping to 0 does not increase their error.
 template <class T>
 void store_least(const double* values, double scale, std::size_t count, T least, T* out) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -172,7 +171,7 @@ extern template void store_least<float>(const double*, double, std::size_t, floa
 extern template void store_least<double>(const double*, double, std::size_t, double, double*);
 #endif
 
-// Writes a row to both sides of its middle. Not inlined: in callers with few free registers its end would be loaded for each
+// Write a row to both sides of its middle. Not inlined: in callers with few free registers its end would be loaded for each
 // pixel.
 template <class T, class Rank>
 LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_t count, T* right, T* left) {
@@ -183,13 +182,13 @@ LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_
     }
 }
 
-// Writes the rows at distances [first, last) on both sides of the axis from the values at the distinct radii. Each row is
-// gathered once and its mirror image copied: bound by the loads of the gather and by memory writes.
+// Write the rows at distances [first, last) on both sides of the axis from the values at the distinct radii. Each row is
+// gathered once and its mirror image copied; limited by the loads of the gather and by memory writes.
 template <class T, class Rank>
 LOMMEL_INLINE void scatter_rows(const T* profile, const Rank* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {
     const std::size_t width = columns.count, right = width - columns.high, left = columns.low + 1, both = std::min(left, right);
-    constexpr std::size_t ahead = 6;  // rows to prefetch ahead: those of large images are in memory, not in a cache
+    constexpr std::size_t ahead = 6;  // number of rows to prefetch ahead: those of large images are in memory, not in a cache
     for (std::size_t dy = first; dy < last; ++dy) {
         const Rank* from = index + dy * columns.distances();
         T* row = out + rows.first(dy) * width;

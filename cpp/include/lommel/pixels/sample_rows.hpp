@@ -1,4 +1,5 @@
-// Rows of pixels around an axis anywhere: the part of a piece of the distance that each pixel is in, and its place in it.
+// Rows of pixels around an arbitrary axis: for each pixel, the part of a piece that contains its distance, and its position in
+// that part.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 
 namespace lommel {
 
-// A window or, if its axis is at the centre of a pixel or midway between two, the quarter with one row and one column for each
+// A window or, if its axis is at a pixel centre or midway between two, the quarter with one row and one column for each
 // distance from the axis.
 class FoldedWindow {
    public:
@@ -35,7 +36,7 @@ class FoldedWindow {
 
     bool folds() const { return folds_; }
 
-    // Copies a row of the part to all its places in the image.
+    // Copy a row of the quarter to all its mirror images.
     template <class T>
     LOMMEL_NOINLINE void unfold(std::size_t row, const T* values, T* image) const {
         T* const line = image + rows_.first(row) * columns_.count;
@@ -53,21 +54,21 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// The place of a pixel is counted in parts of pieces, 0 at the middle of the first. It is linear in the distance near the axis,
-// and in the squared distance on each of the zones beyond, which are each twice as far out as the last.
+// Positions are in parts of pieces, from the middle of the first part on. They are linear in the distance near the axis, and in
+// the squared distance on each zone beyond, which ends at twice the distance of the previous one.
 class SampleRows {
    public:
-    struct Zone {  // squared distance where it begins, in squared pieces; line of places
+    struct Zone {  // squared distance of its start, in squared pieces; linear function that gives positions
         double begin, slope, shift;
     };
-    using Zones = std::array<Zone, 40>;  // reach up to max_reach; the last one begins at infinity
+    using Zones = std::array<Zone, 40>;  // reach up to max_reach; the last zone begins at infinity
 
-    static constexpr std::size_t longest = 128;  // largest number of pixels of a row passed together
+    static constexpr std::size_t longest = 128;  // largest number of pixels in a run
     static constexpr std::size_t most_lanes = 16;
 
-    // Adjacent pixels of a row: for each the index of its part less `base`, both times the stride of parts in the coefficients,
-    // and its place in the part, from -1/2 to 1/2. Arrays are padded to whole vectors, with existing parts. `straight`: parts
-    // are lines, with stride 2.
+    // Run: adjacent pixels of a row. For each, the index of its part minus `base`, both times the stride of parts in the
+    // coefficients, and its position in the part, from -1/2 to 1/2. Arrays are padded to whole vectors, with existing parts.
+    // `straight`: the polynomials are lines, with stride 2.
     template <class Real>
     struct Run {
         std::size_t row, start, count;
@@ -80,14 +81,14 @@ class SampleRows {
     SampleRows(const PixelWindow& window, double width, const Zones& zones)
         : window_(window), pieces_(window.step / width), zones_(zones) {}
 
-    // Computes places in single precision as whole multiples of 2^-bits parts, if they are then off by less than about `room`
-    // in v; returns their largest error in parts (0: not used).
+    // Compute positions in single precision as multiples of 2^-bits parts, if their error is then below about `room` in v;
+    // returns the largest error in parts (0: not used).
     double by_integers(double room);
-    // Marks runs in single precision as straight if all their pixels are at least `pieces` pieces from the axis; returns the
-    // largest distance of others, in pieces.
+    // Mark single-precision runs as straight if all their pixels are at least `pieces` pieces from the axis; returns the
+    // largest distance of the others, in pieces.
     double straight_from(double pieces);
 
-    // Passes the pixels of rows [begin, end) to take(run).
+    // Call take(run) for the pixels of rows [begin, end).
     template <class Real, std::uint32_t Apart, class Take>
     LOMMEL_INLINE void each(std::size_t begin, std::size_t end, const Take& take) const {
         constexpr std::size_t block = most_lanes;
@@ -96,7 +97,7 @@ class SampleRows {
         alignas(64) Real x[longest];
         Lines lines;
         Glance glance;
-        // All rows of some columns in turn, so that a row mostly uses the pieces of the row before.
+        // All rows of some columns, then the next columns, so that a row mostly uses the pieces of the previous row.
         for (std::size_t start = 0; start < window_.width; start += tile_) {
             const std::size_t here = std::min(tile_, window_.width - start), padded = (here + block - 1) / block * block;
             for (std::size_t i = 0; i < padded; ++i) {
@@ -107,7 +108,7 @@ class SampleRows {
             Row ahead = seen(begin, least, most, {});
             for (std::size_t row = begin; row < end; ++row) {
                 glance(4 * padded);
-                // Prepares the next row's scalars while the pixels of this row are computed.
+                // Prepare the next row's scalars while the pixels of this row are computed.
                 const Row seen_here = ahead;
                 ahead = seen(std::min(row + 1, end - 1), least, most, ahead);
                 const auto [square, low, high, first, other, straight] = seen_here;
@@ -162,9 +163,9 @@ class SampleRows {
     }
 
    private:
-    // A row: its squared distance; the zones of its nearest and of its farthest pixel; the places of the nearest by the first
-    // of these zones and by the next. Zones are tangent to each other and their curve is concave, so the least of their lines
-    // is the place.
+    // Row: its squared distance; the zones of its nearest and farthest pixels; the positions of the nearest pixel by the linear
+    // functions of this zone and of the next. Zones are tangent to each other and their curve is concave, so the position is
+    // the minimum of the linear functions.
     struct Row {
         double square = 0.0;
         std::size_t low = 0, high = 0;
@@ -183,12 +184,12 @@ class SampleRows {
         return r;
     }
 
-    // For some columns: what their squared distances add to the places by two zones, as integers.
+    // For some columns: contributions of their squared distances to the positions in two zones, as integers.
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;
         float scale = 1.0f;
-        int bits = 0;  // fraction bits
+        int bits = 0;  // number of fraction bits
 
         LOMMEL_INLINE void prepare(const double* squares, std::size_t padded, double least, double most, double slope,
                                    double other_slope) {
@@ -202,8 +203,8 @@ class SampleRows {
             }
         }
 
-        // Splits places into parts and positions, starting from the places of the nearest pixel by one or both zones. Returns
-        // the part from which indices are counted, one or two before the nearest pixel's, times the stride of parts, 2 or 4.
+        // Split positions into parts and remainders, from the positions of the nearest pixel in one or both zones. Returns the
+        // part from which indices are counted, one or two before that of the nearest pixel, times the stride of parts, 2 or 4.
         template <bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t apart,
                                            std::int32_t* at, float* x) const {
@@ -221,7 +222,7 @@ class SampleRows {
         }
         static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
     };
-    // Number of fraction bits: places up to 1.5 span + 3 fit 32 bits, and fractions single precision.
+    // Number of fraction bits: positions up to 1.5 span + 3 fit into 32 bits, and fractions into single precision.
     static int fraction_bits(double span) { return 31 - std::max(7, std::ilogb(1.5 * span + 4.0)); }
 
     LOMMEL_INLINE double squared(double pixels) const { return pieces_ * pixels * (pieces_ * pixels); }
@@ -236,11 +237,11 @@ class SampleRows {
     double place_error() const;
 
     PixelWindow window_;
-    double pieces_;  // pieces per pixel
+    double pieces_;  // number of pieces per pixel
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;
-    double straight_ = HUGE_VAL;  // least squared distance of straight runs
+    double straight_ = HUGE_VAL;  // smallest squared distance of straight runs
 };
 
 #if defined(LOMMEL_DEFINES)

@@ -1,5 +1,5 @@
 // Derivatives of pixel averages with respect to the position of the axis: differences of averages along opposite sides of a
-// pixel. docs/certificate.md, section 15.
+// pixel (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace lommel {
 struct ShiftTable {
     std::shared_ptr<const AnywhereTable> pixels;  // keeps the key alive
     std::size_t harmonics, degree;
-    Doubles weights, penalty;  // as AnywhereTable's
+    Doubles weights, penalty;  // see AnywhereTable
     double error, of_grid, rounding;
 
     explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of);
@@ -33,8 +33,8 @@ struct ShiftTable {
         return cache<ShiftTable>.get(of);
     }
 
-    // Computes the change of each pixel as the axis moves by a pixel along columns (down) and rows (across), in whole vectors,
-    // from I at the radii; returns the rounding of evaluating the polynomials, in units of roundoff.
+    // Derivative of each pixel with respect to the axis position along columns (down) and rows (across), per pixel, in whole
+    // vectors, from I at the radii; returns the rounding of the polynomials in units of roundoff.
     double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const;
 
    private:
@@ -96,8 +96,8 @@ struct ShiftTable {
                           pixels->of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0));
         for (std::size_t o = 0; o < weights.size() / pixels->count; ++o) {
             const double j = static_cast<double>(o / degree), k = static_cast<double>(o % degree);
-            // A rounding in step m of a recurrence counts 2m + 1 times, as a factor r or cos(angle) is multiplied afterwards;
-            // places are off as in AnywhereTable.
+            // Rounding in step m of a recurrence counts 2m + 1 times, as a factor r or cos(angle) multiplies afterwards; the
+            // error of positions is that of AnywhereTable.
             const double each = 0.5 * (k + 1.0) * (k + 2.0) * (2.0 * k + 3.0) + 5.0 * k * (k + 1.0) * (2.0 * k + 1.0) +
                                 (2.0 * j + 1.0) * (10.0 * (j + 1.0) * (j + 1.0) + 4.0 * orders);
             penalty.push_back(o < degree * harmonics ? each : 0.0);
@@ -115,7 +115,7 @@ LOMMEL_ONCE ShiftTable::ShiftTable(const std::shared_ptr<const AnywhereTable>& o
     of_grid = by_angle * lebesgue(2 * degree);
     const RingNodes nodes = RingNodes(0.0, reach, side * 0.70710678118654752, 1.0).of(of->count);
     weigh(reach, nodes, Points::sides(side, of->gauss));
-    // Error of the difference of two averages, each off as averages over pixels are.
+    // Error of the difference of two averages, each with the error of a pixel average.
     error = 2.0 * (of_grid * (interpolation_error(nodes.high, 2 * nodes.count) + gauss_error(side, of->gauss)) +
                    by_angle * interpolation_error(reach, 2 * degree)) +
             shift_harmonics_error(side, harmonics);

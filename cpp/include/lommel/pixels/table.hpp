@@ -1,5 +1,5 @@
-// Windows of pixel averages, or of samples with an axis off the pixel centres: each value is a weighted sum of I at few radii.
-// The weights depend on the window only, so one table serves every pupil (certificate, section 9).
+// Pixel averages of a window, or samples with an axis off the pixel centres: each value is a weighted sum of I at few radii.
+// The weights depend only on the window, so one table serves all pupils (certificate, section 9).
 #pragma once
 
 #include <algorithm>
@@ -29,48 +29,48 @@
 
 namespace lommel {
 
-// Rings of pixels, expanded in the distance and the angle, or with weights for each pixel.
+// Rings of pixels, whose values are expanded in distance and angle, or have weights for each pixel.
 struct PixelRings : Radii {  // radii at which I is needed, in v
-    // Shares of the error requested of a table.
+    // Error budget of a table: shares of the requested error.
     struct Budget {
-        static constexpr double gauss = 0.1;      // the rule over a pixel
-        static constexpr double harmonics = 0.2;  // interpolation along the angle,
-        static constexpr double rings = 0.3;      // and across a ring,
-        static constexpr double nodes = 0.2;      // of I between the radii of a ring, magnified by these two
-        static constexpr double window = 0.5;     // of I between the radii where one ring does for the window
+        static constexpr double gauss = 0.1;      // quadrature over a pixel
+        static constexpr double harmonics = 0.2;  // interpolation in the angle
+        static constexpr double rings = 0.3;      // interpolation across a ring
+        static constexpr double nodes = 0.2;  // interpolation of I between the radii of a ring, times the factors of both
+        static constexpr double window = 0.5;  // interpolation of I between the radii if the window is one ring
         static_assert(gauss + harmonics + rings + nodes <= 1.0 && gauss + window <= 1.0);
     };
-    static constexpr std::size_t most_nodes = 900;  // of a ring: products of Lagrange's polynomials stay in range
+    static constexpr std::size_t most_nodes = 900;  // per ring: products of Lagrange polynomials stay in range
     static constexpr std::size_t most_weights = std::size_t{1} << 27;
-    static constexpr double near_weights = 32768.0;  // weights that fit a near cache
+    static constexpr double near_weights = 32768.0;  // number of weights that fit into a near cache
 
     struct Ring {
         RingNodes nodes;
-        double middle, half;              // of the pixel centres, in v
-        std::size_t first_node;           // in `places`
+        double middle, half;  // middle and half width of the range of pixel centres, in v
+        std::size_t first_node;  // index in `places`
         std::size_t first_value, values, padding;  // first value; values, padded to blocks; padding
         std::size_t first_weight, outputs;
-        bool direct;  // outputs are the values; else coefficients [harmonic][radial_degree]
+        bool direct;  // outputs are the pixel values; otherwise coefficients [harmonic][radial_degree]
     };
 
-    std::vector<Ring> rings;           // empty if I is needed at the pixels themselves
+    std::vector<Ring> rings;  // empty if I is needed at the pixels themselves
     std::vector<std::int32_t> places;  // index of each ring's nodes among the radii
-    Doubles weights;                   // of each ring: [block of outputs][node][output]
-    Doubles x, cosine;                 // x: from -1 to 1 across the ring; cosine of four times the angle
-    Doubles penalty;                   // roundings in each coefficient
+    Doubles weights;  // for each ring: [block of outputs][node][output]
+    Doubles x, cosine;  // x: from -1 to 1 across the ring; cosine of four times the angle
+    Doubles penalty;  // rounding of each coefficient
     std::size_t harmonics = 1, gauss = 1;
-    double error = 0.0;    // of values over half the range of I, for I exact at the radii
+    double error = 0.0;  // error of values over half the range of I, if I is exact at the radii
     double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants Lambda_n and Lambda_g
-    double rounding = 0.0;  // of making and applying the weights, in units of roundoff times the largest I
+    double rounding = 0.0;  // of computing and applying the weights, in units of roundoff times the largest I
 
-    // Factor from an error of I at the radii to one of a value.
+    // Factor from an error of I at the radii to an error of a value.
     double magnification() const { return of_grid * of_nodes; }
 
    protected:
-    // Computes `values` values of a ring, in whole steps of four vectors, from its coefficients.
+    // Compute `values` values of a ring, in whole steps of four vectors, from its coefficients.
     void sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values, double* out) const;
 
-    // Computes the weights of all rings, and their errors.
+    // Compute the weights of all rings, and their errors.
     void weigh(double side, double half, int threads) {
         weights.resize(rings.back().first_weight + rings.back().nodes.count * rings.back().outputs);
         const Points square = Points::square(side, gauss);
@@ -81,7 +81,7 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         judge(side, half);
     }
 
-    // Sets gauss and harmonics for pixels of a side; returns half the largest width of rings.
+    // Choose the numbers of Gauss nodes and harmonics for pixels of a side; returns the largest half width of rings.
     double plan(double side, double allowed) {
         gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
         harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
@@ -96,7 +96,7 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         return Budget::nodes * allowed / (lebesgue(harmonics) * lebesgue(radial_degree));
     }
 
-    // Sorts `v` into radii; returns the index of each among them.
+    // Sort `v` into radii; returns the index of each among them.
     std::vector<std::int32_t> sort_radii(const std::vector<double>& v) {
         std::vector<std::size_t> order(v.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -116,7 +116,7 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         Doubles rows(ring.outputs * ring.nodes.count);
         average_rows(
             isa, ring.nodes, square, ring.outputs,
-            // Direct: the pixels; else Chebyshev points of the radius and, for each harmonic, of the cosine.
+            // Direct: the pixels; otherwise Chebyshev points of the radius and, for each harmonic, of the cosine.
             [&](std::size_t o) {
                 const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
                 return ring.middle + ring.half * at;
@@ -166,8 +166,8 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
 
 struct PixelTable : PixelRings {
     PixelWindow window;
-    int level;  // errors are about 10^-level; the bound is `error`
-    bool shared;  // for images computed many at a time, which load weights once; weights exist only if one ring serves
+    int level;  // the error is about 10^-level, its bound `error`
+    bool shared;  // for many images at a time, which load weights once; weights exist only if one ring suffices
     PixelGroups groups;
     std::size_t value_count = 0;
 
@@ -175,7 +175,7 @@ struct PixelTable : PixelRings {
 
     bool serves_together() const { return rings.size() <= 1 && count > 0; }
 
-    // As AnywhereTable's.
+    // See AnywhereTable.
     double outermost() const { return rings.empty() ? reach() : rings.back().nodes.high; }
     double growth() const {
         std::size_t most = std::max({radial_degree, gauss, 4 * harmonics});
@@ -196,8 +196,8 @@ struct PixelTable : PixelRings {
         return cache<PixelTable>.get(window, level, threads, many);
     }
 
-    // Computes the values of `Together` windows from I at the radii, for rings [first, last); raises `penalties` to the
-    // rounding of evaluating harmonics, in units of roundoff.
+    // Compute the values of `Together` windows from I at the radii, for rings [first, last); `penalties` become the rounding of
+    // the harmonics in units of roundoff.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity, double* const* out,
                              double* penalties, Doubles& scratch) const {
@@ -231,7 +231,7 @@ struct PixelTable : PixelRings {
         harmonics = 0;
     }
 
-    // Makes rings of half width `half` from `least` on, each with contiguous values, and their nodes.
+    // Divide the pixels from `least` on into rings of half width `half`, each with contiguous values, and choose their nodes.
     void make_rings(double least, double half, double slack, bool one, double allowed) {
         std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
         Glance glance;
@@ -272,7 +272,7 @@ struct PixelTable : PixelRings {
             x[at] = half > 0.0 ? (groups.v[i] - middle[ring_of[i]]) / half : 0.0;
             cosine[at] = groups.cosine[i];
         }
-        // Padding repeats a pixel of the ring, so that the largest value is one of the window's.
+        // Padding repeats a pixel of the ring, so that the largest value is that of the window.
         for (const Ring& ring : rings) {
             const std::size_t end = ring.first_value + ring.values, used = end - ring.padding;
             std::fill(x.begin() + used, x.begin() + end, x[ring.first_value]);
@@ -299,8 +299,8 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
     const double half = plan(w.side(), allowed);
 
-    // Multiply-adds of one image and a share of those of the table, counted, not measured, for the three alternatives: rings so
-    // narrow that `radial_degree` coefficients suffice, the window as one ring, or I at the pixels.
+    // Number of multiply-adds of one image, plus a share of those of the table, for the three alternatives: rings so narrow
+    // that `radial_degree` coefficients suffice, the window as one ring, or I at the pixels.
     const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
     const RingNodes whole(least, most, slack, Budget::window * allowed);
@@ -309,7 +309,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // A weight beyond the near cache takes as long as four others if it is loaded anew for each image.
+    // A weight that is loaded from beyond the near cache for each image takes as long as four others.
     const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
     const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {

@@ -14,17 +14,17 @@
 
 namespace lommel {
 
-// A pixel is at (right, down) from the axis; a >= b >= 0 are |right| and |down| in either order. Pixels with the same (a, b)
-// are evaluated together, in eight directions: with psi = atan(b / a), at the angles psi + k pi/2, k = 0..3, and (k+1) pi/2 -
-// psi.
+// The pixel (right, down) from the axis has a >= b >= 0, which are |right| and |down| in either order. Pixels with the same
+// (a, b) are evaluated together, in eight directions: with psi = atan(b / a), at the angles psi + k pi/2, k = 0..3, and (k+1)
+// pi/2 - psi.
 class Tiles {
    public:
     static constexpr std::int64_t side = 16;
     static constexpr std::size_t directions = 8;
     struct Tile {
-        std::int64_t a, b;  // least of its pixels
+        std::int64_t a, b;  // minimum of its pixels
     };
-    // Pixels of the same a, with `count` values from b on.
+    // Pixels of the same a, and `count` values of b from `b` on.
     struct Line {
         std::int64_t a, b, count;
     };
@@ -36,9 +36,9 @@ class Tiles {
         near_x_ = c < 0 ? -c : std::max<std::int64_t>(0, c - w + 1);
     }
 
-    const std::int64_t height, width, row, column;  // of the image; pixel of the axis, which may be outside
+    const std::int64_t height, width, row, column;  // of the image; pixel of the axis, possibly outside
 
-    // Squared distances of the nearest and of the farthest pixel.
+    // Squared distances of the nearest and the farthest pixel.
     std::int64_t nearest() const { return near_x_ * near_x_ + near_y_ * near_y_; }
     std::int64_t farthest() const { return far_x_ * far_x_ + far_y_ * far_y_; }
 
@@ -58,7 +58,7 @@ class Tiles {
         return made;
     }
 
-    // Whether a tile is in the image in all directions; whether a pixel is in the image in one direction.
+    // Return whether a tile is in the image in all directions, or whether a pixel is in the image in one direction.
     bool whole(const Tile& tile) const {
         const std::int64_t most = tile.a + side - 1;
         return most <= std::min(std::min(row, column), std::min(height - 1 - row, width - 1 - column));
@@ -69,7 +69,7 @@ class Tiles {
         return x >= 0 && x < width && y >= 0 && y < height;
     }
 
-    // Calls f(line) for the lines of a tile whose squared distances are in [low, high).
+    // Call f(line) for the lines of a tile whose squared distances are in [low, high).
     template <class F>
     void lines(const Tile& tile, std::int64_t low, std::int64_t high, const F& f) const {
         const std::int64_t end_a = tile.a + side - 1, end_b = tile.b + side - 1;
@@ -81,7 +81,7 @@ class Tiles {
             if (square >= high) {
                 return;
             }
-            // (|x|, |y|) = (a, b) or (b, a): two ranges of b, which may overlap.
+            // (|x|, |y|) = (a, b) or (b, a): two ranges of b, possibly overlapping.
             std::int64_t first[2] = {near_y_, near_x_}, last[2] = {far_y_, far_x_};
             const bool here[2] = {a >= near_x_ && a <= far_x_, a >= near_y_ && a <= far_y_};
             const std::int64_t least = std::max(tile.b, root(low - square - 1) + 1);
@@ -91,7 +91,7 @@ class Tiles {
                 last[i] = here[i] ? std::min(last[i], most) : -1;
             }
             if (first[1] <= last[1] && first[0] <= last[0]) {
-                // The gap between the two ranges is computed, too, and not used.
+                // The gap between the two ranges is computed too, but not used.
                 first[0] = std::min(first[0], first[1]);
                 last[0] = std::max(last[0], last[1]);
                 last[1] = -1;
@@ -109,7 +109,7 @@ class Tiles {
     struct Buffer {
         alignas(64) T squares[directions][side * side];
 
-        // Stores values[pixel][direction] of a line of a tile.
+        // Store values[pixel][direction] of a line of a tile.
         template <class Real>
         void put(const Tile& tile, const Line& line, const Real (*values)[directions]) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { put(isa, tile, line, values); });
@@ -148,7 +148,7 @@ class Tiles {
         }
     };
 
-    // Prefetches the memory that copy() writes.
+    // Prefetch the memory that copy() writes.
     template <class T>
     LOMMEL_INLINE void prefetch(const Tile& tile, const T* image) const {
         for (std::size_t d = 0; d < squares(tile); ++d) {
@@ -156,11 +156,11 @@ class Tiles {
         }
     }
 
-    // Copies a tile to its eight places in the image.
+    // Copy a tile to its eight mirror images.
     template <class T>
     void copy(const Tile& tile, Buffer<T>& buffer, T* image) const {
-        // For each direction's square in the image: whether it is transposed (a ascends along its rows), its rows descend, its
-        // columns descend.
+        // Orientation of each direction's square in the image: transposed (a ascends along its rows), rows descending, columns
+        // descending.
         constexpr bool turned[directions] = {true, false, true, false, false, true, false, true},
                        up[directions] = {false, false, true, true, false, false, true, true},
                        left[directions] = {false, true, true, false, false, true, true, false};
@@ -195,11 +195,11 @@ class Tiles {
     }
 
    private:
-    // Number of squares of a tile in the image: on the diagonal two directions share one.
+    // Number of squares of a tile in the image: on the diagonal, two directions share one.
     static std::size_t squares(const Tile& tile) { return tile.a == tile.b ? directions / 2 : directions; }
 
-    // Calls f(line, at, first, end) for each line of a square that has columns [first, end) in the image; `at` is the image
-    // index of the line's first column, which may be outside.
+    // Call f(line, at, first, end) for each line of a square that has columns [first, end) in the image; `at`: image index of
+    // the line's first column, which may be outside.
     template <class F>
     LOMMEL_INLINE void on_lines(const Tile& tile, std::size_t d, const F& f) const {
         const std::int64_t a = tile.a, b = tile.b, far_a = 1 - side - a, far_b = 1 - side - b;
@@ -221,7 +221,7 @@ class Tiles {
         });
     }
 
-    // Transposes a square and, if `left`, reverses its rows.
+    // Transpose a square and, if `left`, reverse its rows.
     template <class T>
     static void turn(const T* from, bool left, T* to) {
         constexpr std::size_t n = side;
@@ -239,7 +239,7 @@ class Tiles {
             }
         }
     }
-    // Reverses the rows of a square.
+    // Reverse the rows of a square.
     template <class T>
     static void mirror(const T* from, T* to) {
         constexpr std::size_t n = side;
@@ -271,7 +271,7 @@ class Tiles {
     }
 #endif
 
-    // The largest integer whose square is at most x; -1 for negative x.
+    // Largest integer whose square is at most x; -1 for negative x.
     static std::int64_t root(std::int64_t x) {
         if (x < 0) {
             return -1;

@@ -1,4 +1,4 @@
-// Weights that turn I at the radii of a ring into averages over pixels.
+// Weights for pixel averages from I at the radii of a ring.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// Computes rows[output][node]: weights of the average over the points around the place at radius(output), angle(output).
+// Compute rows[output][node]: weights of the average over the points `around` the position at radius(output), angle(output).
 template <class I, class Radius, class Angle>
 LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& around, std::size_t outputs, const Radius& radius,
                                 const Angle& angle, double* rows) {
@@ -41,7 +41,7 @@ LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& aro
     }
 }
 
-// Angle in [0, pi/4] whose fourfold has this cosine.
+// Angle in [0, pi/4] from the cosine of four times it.
 inline double quarter_angle(double cosine) { return 0.25 * std::acos(std::max(-1.0, std::min(1.0, cosine))); }
 
 // Matrix [degree][point] from values at Chebyshev points to Chebyshev coefficients.
@@ -70,7 +70,8 @@ inline Doubles odd_transform(std::size_t points) {
     return matrix;
 }
 
-// Multiplies each of `sets` sets of rows by a square matrix; sets begin `apart` rows, their rows `stride` rows from each other.
+// Multiply each of `sets` sets of rows by a square matrix; sets begin `apart` rows from each other, their rows are `stride`
+// rows apart.
 LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t apart, std::size_t stride, std::size_t length,
                              Doubles& rows) {
     const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
@@ -93,7 +94,7 @@ LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_
     }
 }
 
-// Reorders rows for weighted_sums(): [block of outputs][node][output].
+// Reorder rows for weighted_sums(): [block of outputs][node][output].
 inline void block_rows(const double* rows, std::size_t outputs, std::size_t length, double* out) {
     for (std::size_t o = 0; o < outputs; ++o) {
         double* block = out + o / block_outputs * block_outputs * length + o % block_outputs;

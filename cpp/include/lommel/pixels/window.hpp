@@ -1,4 +1,4 @@
-// Positions of a window's pixels around an axis anywhere, and groups of pixels that share a value.
+// Positions of a window's pixels around an arbitrary axis, and groups of pixels with the same value.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +17,14 @@ namespace lommel {
 struct PixelWindow {
     std::size_t height, width;
     double center_y, center_x, step;  // axis in pixels, 0 at the centre of the first pixel; pitch in v
-    bool integrate;                   // average over the pixels, or sample their centres
+    bool integrate;                   // average over the pixels, otherwise sample their centres
 
     bool operator==(const PixelWindow& o) const {
         return height == o.height && width == o.width && center_y == o.center_y && center_x == o.center_x && step == o.step &&
                integrate == o.integrate;
     }
     double side() const { return integrate ? step : 0.0; }
-    // Least and largest distance of the pixel centres from the axis, in pixels (bounds).
+    // Bounds on the smallest and largest distance of the pixel centres from the axis, in pixels.
     void reach(double (&ends)[2]) const {
         const auto near = [](double center, std::size_t side) {
             return std::max(0.0, std::max(-center, center - static_cast<double>(side - 1)));
@@ -43,13 +43,13 @@ struct PixelWindow {
         };
         return along(center_y, height) * along(center_x, width);
     }
-    // Sides folded about the axis, see render.hpp; they exist if folds().
+    // Sides folded about the axis (render.hpp), defined if folds().
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }
     bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
 
-    // Calls f(i, dx, dy, dx^2 + dy^2) for each pixel i in row order, in pixels from the axis.
+    // Call f(i, dx, dy, dx^2 + dy^2) for each pixel i in row order, in pixels from the axis.
     template <class F>
     LOMMEL_INLINE void each(const F& f) const {
         for (std::size_t row = 0, i = 0; row < height; ++row) {
@@ -68,7 +68,7 @@ LOMMEL_INLINE double cosine_of_four(double x, double y, double square) {
     return 1.0 - 8.0 * product * product;
 }
 
-// Windows of a stack of pupils: around one axis, or each around its own.
+// Windows of a stack of pupils, with a common axis or one axis each.
 struct PixelWindows {
     PixelWindow first;
     const double* centers = nullptr;  // [pupil](row, column); null: the axis of `first`
@@ -93,7 +93,7 @@ struct PixelWindows {
     }
 };
 
-// Distances from the axis along one side of a window: the distinct ones, ascending, and the rank of each pixel's.
+// Distinct distances from the axis along one side of a window, ascending, and the rank of each pixel's distance.
 struct Fold {
     std::vector<double> distances;
     std::vector<std::int32_t> rank;
@@ -112,7 +112,7 @@ struct Fold {
     }
 };
 
-// Groups of pixels with the same value: those at (a, b) and (b, a) from the axis, if the window has both.
+// Groups of pixels with the same value: those at (a, b) and (b, a) from the axis, if the window contains both.
 struct PixelGroups {
     Fold rows, columns;
     std::vector<std::int32_t> index;  // [distance along y][distance along x]
@@ -139,7 +139,7 @@ struct PixelGroups {
         }
     }
 
-    // Replaces each group's number i by place[i].
+    // Replace each group's number i by place[i].
     void renumber(const std::vector<std::int32_t>& place) {
         Glance glance;
         for (std::int32_t& group : index) {
@@ -148,7 +148,7 @@ struct PixelGroups {
         }
     }
 
-    // Writes the rows of an image whose distances along y have ranks in [first, last).
+    // Write the image rows whose distances along y have ranks in [first, last).
     template <class T>
     void paint(const T* values, std::size_t first, std::size_t last, T* out) const;
 };

@@ -1,4 +1,4 @@
-// Images of pixel averages, or of samples about an axis anywhere, each with its error bound.
+// Images of pixel averages, or of samples around an arbitrary axis, with error bounds.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@
 
 namespace lommel {
 
-// Bounds of an aperture: `area`, sup|U| or at most its error above; `light`, about the transmitted light over pi.
+// Bounds of an aperture. area: sup|U| without aberrations, at most its error above; light: transmitted light over pi,
+// approximately.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -30,14 +31,14 @@ struct Aperture {
     Aperture(double eps, const Amplitude& amplitude)
         : area(bright(eps, amplitude)), light(amplitude.raised(2.0).integral(eps)), obscuration(eps) {}
 
-    // Bound on int t^power exp(i Phi) J0 dt.
+    // Bound on |int t^power exp(i Phi) J0 dt|.
     double moment(std::size_t power) const {
         const double k = static_cast<double>(power);
         return std::min(area, (1.0 - std::pow(obscuration, 2.0 * (k + 1.0))) / (k + 1.0));
     }
 
    private:
-    // Closed form if there is one, else the computed U on the axis plus its error.
+    // Closed form if there is one, otherwise the computed U on the axis plus its error.
     static double bright(double eps, const Amplitude& amplitude);
 };
 
@@ -58,15 +59,15 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // Error bounds are over a lower bound on the largest value in the plane or, if values are divided by their largest one, in
+    // Error bounds are relative to a lower bound on the maximum over the plane or, if values are divided by their maximum, over
     // the window.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
-    // Whether filters of finer samples are faster for averages than all methods of this class.
+    // Return whether averages by filters of finer samples are faster than by all methods of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Whether filters are faster for derivatives: beside averages from the light that crosses edges, these take weights.
+    // Return whether filters are faster for derivatives, which take weights if averages come from the flux through pixel edges.
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {
@@ -76,18 +77,18 @@ class PixelRenderer {
             light_ = coarse(box.worst(stack_.amplitude));
         }
         // Estimated time of the stack in microseconds. Measured on the processor of radial/images.hpp: 1.2 for each of 300
-        // images of 33^2, 40 for one of 128^2; on an older one 400 for averages of 128^2 by rings.
+        // images of 33^2, 40 for one of 128^2; on an older processor 400 for averages of 128^2 by rings.
         const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
         const bool batch =
             answer_.derivatives == 0 && Batch::fits(stack_) && !light_ && (window_.integrate || pixels() <= most_sampled);
-        // A table for one window does not serve pupils with other axes.
+        // A table of one window is not valid for pupils with other axes.
         const bool one_axis = windows_.centers == nullptr;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
             if (window_.integrate && !light_) {
                 for (std::size_t pupil = 0; pupil < stack_.count; ++pupil) {
-                    level_ = first_attempt(stack_[pupil]).level;  // raises it to the highest that any pupil needs
+                    level_ = first_attempt(stack_[pupil]).level;  // raises it to the highest level of all pupils
                 }
             }
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
@@ -95,44 +96,44 @@ class PixelRenderer {
     }
 
    private:
-    // Accuracy of tables in decimal digits: highest that is tried; from which on tables are as exact as they can be.
+    // Accuracy of tables in decimal digits: highest level to try; level from which on tables cannot be more accurate.
     static constexpr int last_level = 15, exact_level = 14;
-    // Filters serve pixels up to `widest_filtered` v wide. The light that crosses edges is faster for tolerances below
-    // `least_filtered`, which take long filters, and if rings are needed by at most beside_filters * pitch^4 pixels: the
-    // samples of a pixel grow as its area, and so do filters.
+    // Filters apply to pixels of up to `widest_filtered` in v. The flux through pixel edges is faster for tolerances below
+    // `least_filtered`, which need long filters, and if at most beside_filters * pitch^4 pixels need interference rings: the
+    // number of samples of a pixel, and the length of filters, grow with its area.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
-    // Weights are faster than filters if they take about this many products per pupil or less; so are those of derivatives up
-    // to this many pixels.
+    // Weights are faster than filters up to about `light_work` products per pupil, and for derivatives up to `most_weighed`
+    // pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
-    static constexpr std::size_t most_tabled = 40000;  // pixels whose weights still take reasonable memory and time
+    static constexpr std::size_t most_tabled = 40000;  // number of pixels whose weights take reasonable memory and time
     static constexpr std::size_t most_sampled = 8192;  // pixels of a batch: beyond, its table costs more than it saves
 
-    // Shares of the tolerance times the likely largest value.
+    // Error budget: shares of the tolerance times the estimated maximum.
     struct Budget {
-        // First attempt: error of the table; of U, which counts twice in I, times the table's magnification; of cubics, half of
-        // it if values are divided by their largest; of places.
+        // First attempt: error of the table; of U, which counts twice in I, times the factor of the table; of cubics, half of
+        // it if values are divided by their maximum; of positions.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
-        // Later attempts: table and U each, half of it if values are divided by their largest.
+        // Later attempts: table and U each, half of it if values are divided by their maximum.
         static constexpr double each = 0.2;
-        // Coarse pixels: rings left out, and each quadrature.
+        // Coarse pixels: omitted interference rings, and each quadrature.
         static constexpr double rings = 0.6, sums = 0.05;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
 
     struct Attempt {
-        double error;  // requested of U
-        int level;     // requested of the table, in digits
+        double error;  // requested error of U
+        int level;     // requested accuracy of the table, in digits
     };
-    // Values of a window and their errors.
+    // Error bounds of the values of a window.
     template <class Table>
     struct Found {
         std::shared_ptr<const Table> table;
-        double bound, size;                    // error of U; largest I at the radii
-        double top, off, by_field, by_table;   // largest value, bound on its error, parts of that
+        double bound, size;                    // error bound of U; largest I at the radii
+        double top, off, by_field, by_table;   // maximum of the values, bound on its error, and the parts of that bound
     };
 
-    // Image that SamplePieces write directly.
+    // Destination of pixels that SamplePieces write directly.
     struct Painted {
         double scale = 1.0;
         T* image = nullptr;
@@ -145,7 +146,7 @@ class PixelRenderer {
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
 
-    // Whether tables for any axis serve: for stacks whose pupils have axes of their own, or for so few pupils, with the axis
+    // Return whether tables for any axis are used: for stacks with one axis per pupil, or for so few pupils, with the axis
     // within the window, that a table for this axis would cost more than it saves.
     bool any_axis(double farthest) const {
         double ends[2];
@@ -177,7 +178,7 @@ class PixelRenderer {
         }
     }
 
-    // Guess at the largest value of a window: the peak of I or, for pixels that contain all light, their average.
+    // Estimate of the maximum over a window: the peak of I or, for pixels that contain all light, their average.
     double likely_value(const Phase& phase) const {
         const double root = likely_peak(phase, stack_.obscuration);
         return 1.0 / (1.0 / (root * root) + window_.side() * window_.side() / (12.566370614359172 * aperture_.light));
@@ -199,7 +200,7 @@ class PixelRenderer {
                             0.5 * aperture_.area * aperture_.area);
     }
 
-    // Computes the values of a window, to `made` or to painted.image; returns their errors.
+    // Compute the values of a window, to `made` or to painted.image; returns their error bounds.
     template <class Table>
     Found<Table> measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
                          Doubles& at_radii, WindowValues& made, const Painted& painted = {}) const {
@@ -230,8 +231,8 @@ class PixelRenderer {
         return f;
     }
 
-    // Lower bound on the largest value over the plane: a window may miss the peak, which for a defocused lens need not be on
-    // the axis. Computed at pixels along a line from the axis to where the last rays arrive.
+    // Lower bound on the maximum over the plane, from pixels on a line from the axis to the farthest rays: a window may miss
+    // the peak, which for a defocused lens need not be on the axis.
     double peak_at_least(const Phase& phase, const Attempt& attempt) const {
         const double blur = 4.0 + phase.blur();
         constexpr double most = 512.0;
@@ -245,42 +246,42 @@ class PixelRenderer {
         return f.top - f.off;
     }
 
-    // Error of the stored values over the peak, which is at least `elsewhere` if it is not in the window.
+    // Error of stored values over the peak, which is at least `elsewhere` if it is outside the window.
     double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
     }
 
-    // Whether weights would serve only few pupils and no two pixels.
+    // Return whether weights would be shared by few pupils only and by no two pixels.
     bool few_share() const { return !window_.folds() && stack_.count <= CoarseAverages::few; }
-    // Whether filters of finer samples may average these pixels.
+    // Return whether filters of finer samples can average these pixels.
     bool filters_serve() const {
         return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }
 
-    // Whether weights for this axis take few products per pupil.
+    // Return whether weights for this axis need few products per pupil.
     bool weights_are_few() const {
         const double places = 0.8 * window_.step + 8.0;
         return static_cast<double>(pixels()) * places * places <= light_work * static_cast<double>(stack_.count);
     }
-    // Whether averages may come from the light that crosses edges: coarse pixels, or tables at their limit of accuracy.
+    // Return whether averages can come from the flux through pixel edges: coarse pixels, or tables at their limit of accuracy.
     bool crossings_serve(const Phase& phase) const {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        // For few pupils that share an axis, from a smaller pitch on if rings would take too many weights.
+        // For few pupils with a common axis also from a smaller pitch on, if rings would need too many weights.
         const bool wide = window_.step >= CoarseAverages::least ||
                           (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
                            any_axis(AverageRings::most_reach) && !of_rings());
         return wide || first_attempt(phase).level >= exact_level;
     }
-    // Approximate distance from the axis, in pixels, beyond which rings are left out.
+    // Approximate distance from the axis, in pixels, from which on interference rings are omitted.
     double ringed(const Phase& phase) const {
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
         return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
     }
-    // Whether the light that crosses edges is faster than weights, which a stack shares: the weights of a pixel take as long as
-    // the light of 20 + step^2 / 4 pixels, measured.
+    // Return whether the flux through pixel edges is faster than weights, which a stack shares: the weights of a pixel take as
+    // long as the flux of 20 + step^2 / 4 pixels, by measurement.
     bool coarse(const Phase& phase) const {
         const bool serve = crossings_serve(phase);
         if (!serve || stack_.count == 1 || pixels() > most_tabled) {
@@ -289,7 +290,7 @@ class PixelRenderer {
         const double weights = static_cast<double>(pixels()) * (20.0 + 0.25 * window_.step * window_.step);
         return static_cast<double>(stack_.count) * window_.within(ringed(phase)) < CoarseAverages::of_weights * weights;
     }
-    // Whether the light that crosses edges is faster than filters, for all pupils.
+    // Return whether the flux through pixel edges is faster than filters, for all pupils.
     bool light_pays() const {
         const double most = beside_filters * std::pow(window_.step, 4.0);
         const bool many = tol_ >= least_filtered && static_cast<double>(pixels()) > most;
@@ -307,7 +308,7 @@ class PixelRenderer {
         return {Budget::rings * room, std::max(RadialBudget::least, first_attempt(phase).error), Budget::sums * room};
     }
 
-    // Lower bound on the largest average over the plane, as peak_at_least().
+    // Lower bound on the largest average over the plane, like peak_at_least().
     double coarse_peak_at_least(const Phase& phase, const CoarseAverages::Attempt& asked) const {
         const std::size_t pixels =
             static_cast<std::size_t>(std::min(512.0, std::ceil((4.0 + phase.blur()) / window_.step)) + 1.0);
@@ -362,7 +363,7 @@ class PixelRenderer {
             try {
                 return render_by<SamplePieces>(pupil, threads);
             } catch (const ToleranceNotMet&) {
-                // Not met, as powers of the distance round: the methods below round less.
+                // Not met because powers of the distance round; the methods below round less.
             }
         }
         if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {
@@ -374,7 +375,7 @@ class PixelRenderer {
                 return render_by<AverageRings>(pupil, threads);
             }
         } catch (const ToleranceNotMet&) {
-            // Weights for every pixel round less than long polynomials do.
+            // Weights for each pixel round less than long polynomials.
         }
         const bool many = rings || (window_.integrate && few_share() && !weights_are_few());
         if (!light_ && many && stack_.amplitude.closed() && rendered_coarse(pupil, threads)) {
@@ -382,7 +383,7 @@ class PixelRenderer {
         }
         render_by<PixelTable>(pupil, threads);
     }
-    // Returns false if the tolerance is not met: differences of light within circles round more than weights do.
+    // Returns false if the tolerance is not met: differences of encircled energies round more than weights do.
     bool rendered_coarse(std::size_t pupil, int threads) {
         try {
             render_coarse(pupil, threads);
@@ -427,7 +428,7 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // Allowed parts of the error; a guess while all values are below their error.
+            // Allowed contributions to the error; an estimate as long as all values are below their error.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = asked;
@@ -473,12 +474,12 @@ class PixelRenderer {
         thread_local std::vector<T> kept;
         kept.resize(count);
         store_least(values, scale, count, least, kept.data());
-        const T* from = kept.data();  // of this thread, for whichever thread paints
+        const T* from = kept.data();  // scratch of this thread, read by all threads
         for_rows(groups.rows.distances.size(), width, threads,
                  [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
     }
 
-    // Computes derivatives by weights, for an image made without.
+    // Compute derivatives by weights, for an image computed without them.
     void differentiate(std::size_t pupil, int threads) {
         if (answer_.derivatives > 0) {
             Field field;
@@ -493,7 +494,7 @@ class PixelRenderer {
         }
     }
 
-    // Computes dI/dc_k, averaged as I is: it is of exponential type 2, too.
+    // Compute dI/dc_k, averaged like I; it is of exponential type 2 too.
     template <class Table>
     void differentiate(std::size_t pupil, std::size_t which, const PixelWindow& window, Field& field, const Found<Table>& f,
                        double error, int threads) {
@@ -519,8 +520,8 @@ class PixelRenderer {
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
     }
 
-    // Renders many pupils on one small window, or on windows around their own axes, with one table of radii. Returns false if
-    // that would not pay.
+    // Compute many pupils on one small window, or on windows around separate axes, with one table of radii. Returns false if
+    // that is not faster.
     template <class Table>
     bool render_batch() {
         const Box box(stack_);
@@ -565,16 +566,16 @@ class PixelRenderer {
     Stack stack_;
     Aperture aperture_;
     PixelWindows windows_;
-    PixelWindow window_;  // the first
-    double tol_, allowed_;  // allowed_: before values are stored
-    int level_ = 0;         // least accuracy of tables, which the stack shares
-    bool light_ = false;    // averages from the light that crosses edges, pupil by pupil
+    PixelWindow window_;  // of the first pupil
+    double tol_, allowed_;  // allowed_: before storing
+    int level_ = 0;         // minimum accuracy of tables, common to the stack
+    bool light_ = false;    // averages from the flux through pixel edges, pupil by pupil
     int threads_;
     Answer<T> answer_;
 };
 
-// Renders a stack. About an axis that folds the window, I is computed at its distinct distances, unless these are so many that
-// look-ups take longer than interpolation.
+// Compute a stack. If the axis folds the window, I is computed at its distinct distances, unless their number makes look-ups
+// slower than interpolation.
 template <class T>
 void render_radial(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer) {
     constexpr std::size_t most_looked_up = std::size_t{1} << 21;

@@ -1,4 +1,4 @@
-// Values of a window from profiles at the radii of its table, with their error bound.
+// Values of a window from I at the radii of its table, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@ namespace lommel {
 struct WindowValues {
     Doubles values;
     std::size_t count = 0;
-    double penalty = 0.0;  // rounding of evaluating harmonics, in units of roundoff
+    double penalty = 0.0;  // rounding of the harmonics in units of roundoff
 
-    // With a table for any axis.
+    // From a table for any axis.
     template <class Table>
     void make(const Table& table, const PixelWindow& window, const double* at_radii, int threads) {
         thread_local Doubles scratch;
@@ -66,7 +66,7 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
 }
 #endif
 
-// Computes the windows of some pupils from I at the radii, at_radii[pupil * stride + radius], as made[pupil * apart + value];
+// Compute the windows of some pupils from I at the radii, at_radii[pupil * stride + radius], to made[pupil * apart + value];
 // returns the largest penalty.
 double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
                      std::size_t stride, double* made, std::size_t apart);
@@ -78,7 +78,7 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
     double penalties[at_once] = {};
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         for (std::size_t p = 0; p < pupils; p += at_once) {
-            // Slots of missing pupils exist in the buffers and are computed, too.
+            // Buffers include missing pupils, which are computed too.
             const double* from[at_once];
             double* to[at_once];
             for (std::size_t k = 0; k < at_once; ++k) {
@@ -101,11 +101,11 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     return penalty;
 }
 
-// Bound on the error of a table's values (certificate, section 9, "Together"): at the radii I is at most `size` and in error by
-// `given`, its derivative along a line is at most `slope`, and I is within `swing` of a constant.
+// Error bound of a table's values (certificate, section 9, "Together"). At the radii I is at most `size` and has the error
+// `given`; its derivative along a line is at most `slope`, and I differs from a constant by at most `swing`.
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
-    // Radii are off by 3 roundings, places in a pixel by 6, pixels by 4.
+    // Roundings: 3 of radii, 6 of positions in a pixel, 4 of pixel positions.
     const double places = table.reach() * slope * (3.0 * table.magnification() + 6.0 * table.of_grid + 4.0);
     return table.magnification() * given + table.error * swing + unit_roundoff * (table.rounding * size + penalty + places);
 }

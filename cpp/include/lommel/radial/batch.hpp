@@ -1,4 +1,4 @@
-// Many pupils on one small window: transforms of the Legendre polynomials at its radii, and one matrix product for all fields.
+// Many pupils on one small window: transforms of Legendre polynomials at its radii, and one matrix product for all fields.
 #pragma once
 
 #include <algorithm>
@@ -36,21 +36,21 @@ struct RadiusTable {
     }
 
     bool is(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n) const {
-        return layout == l && step == pixel_step && terms == n;  // as many, lest roundings depend on other stacks
+        return layout == l && step == pixel_step && terms == n;  // exactly, so that rounding does not depend on other stacks
     }
     std::size_t bytes() const { return sizeof(double) * rows.size(); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    // From the cache, with terms rounded up so that a little more defocus takes no new table.
+    // From the cache, with terms rounded up so that slightly more defocus needs no new table.
     static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step, std::size_t terms) {
         return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }
 };
 
-constexpr std::size_t block_pupils = 3;  // twelve chains of multiply-adds, as many as sixteen registers hold
+constexpr std::size_t block_pupils = 3;  // twelve chains of multiply-adds, as many as fit in sixteen registers
 
-// Computes the intensities of `block_pupils` pupils at all radii: out[p * stride + i], from coefficients beta_re and beta_im[p
-// * beta_stride + n]. Bound by multiply-adds as long as the table stays in the second-level cache.
+// Intensities of `block_pupils` pupils at all radii, out[p * stride + i], from coefficients beta_re and
+// beta_im[p * beta_stride + n]. Limited by multiply-adds as long as the table stays in the second-level cache.
 template <class I>
 LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t terms, const double* beta_re,
                                      const double* beta_im, std::size_t beta_stride, double* out) {
@@ -76,15 +76,15 @@ LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t te
     }
 }
 
-// Stack without obscuration, all of whose pupils share one table of radii.
+// Stack without obscuration whose pupils share one table of radii.
 class Batch {
    public:
     static constexpr std::size_t group = 32;  // pupils per task
 
     static bool fits(const Stack& stack) { return stack.count >= 4 && stack.terms <= 4 && stack.obscuration == 0.0; }
 
-    // Whether the table takes fewer multiply-adds than pieces, pupil by pupil; the stack shares the making of the table.
-    // Counted from the loops, not measured.
+    // Return whether the table needs fewer multiply-adds than pieces for each pupil, by the lengths of the loops; the stack
+    // shares the computation of the table.
     static bool pays(const Stack& stack, const Phase& worst, const Radii& at, double step) {
         const double reach = at.reach() * step, radii = static_cast<double>(at.count);
         const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
@@ -102,7 +102,7 @@ class Batch {
     // Bound on the error of U of one pupil.
     double error(std::size_t pupil) const { return plan_.error(stack_[pupil]) + rounding_; }
 
-    // Passes I at the radii to take(first, count, values, stride) for each group of pupils.
+    // Call take(first, count, values, stride) with I at the radii for each group of pupils.
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, std::size_t stride)>;
     void run(int threads, const Take& take) const;
 
@@ -119,7 +119,7 @@ LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
     parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
         thread_local SeriesScratch scratch;
         thread_local Doubles re, im, values;
-        // Each stage runs for a whole group, so that the first-level cache holds one table at a time.
+        // Each stage handles a whole group, so that the first-level cache holds one table at a time.
         const std::size_t first = task * group, here = std::min(group, stack_.count - first);
         constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
         re.resize(rounded * room);

@@ -1,5 +1,5 @@
-// Averages of a radially symmetric PSF over pixels wider than its rings, from the light that crosses their edges (certificate,
-// section 9, "Coarse pixels").
+// Averages of a radially symmetric PSF over pixels wider than its interference rings, from the flux through their edges: E(r)
+// r / r^2 has the divergence I, E the encircled energy (certificate, section 9, "Coarse pixels").
 #pragma once
 
 #include <algorithm>
@@ -23,13 +23,13 @@
 
 namespace lommel {
 
-// Tables that depend on the window only: its distinct pixels, and the average of r^-3 over each.
+// Tables of a window: its distinct pixels, and the average of r^-3 over each.
 struct CoarseWindow {
     PixelWindow window;
     PixelGroups groups;
-    std::vector<double> edges;  // distances of the sides of pixels from the axis, in pixels, ascending
+    std::vector<double> edges;  // distances of pixel sides from the axis, in pixels, ascending
     std::vector<std::int32_t> left, right, top, bottom;  // [column] or [row]: index into edges
-    Doubles means;  // [group]: average of r^-3, in pixels
+    Doubles means;  // [group]: average of r^-3, in pixels^-3
 
     explicit CoarseWindow(const PixelWindow& w);
 
@@ -38,14 +38,14 @@ struct CoarseWindow {
     static constexpr std::size_t most_bytes = std::size_t{48} << 20;
     static std::shared_ptr<const CoarseWindow> get(const PixelWindow& w) { return cache<CoarseWindow>.get(w); }
 
-    // Calls f(group, column, row) once for each distinct pixel whose nearer sides are less than `limit` pixels from the axis.
+    // Call f(group, column, row) once for each distinct pixel whose nearer sides are less than `limit` pixels from the axis.
     template <class F>
     void each(double limit, const F& f) const {
         const std::size_t columns = left.size(), rows = top.size();
         for (std::size_t i = 0; i < rows && edges[top[i]] < limit; ++i) {
             for (std::size_t k = 0; k < columns && edges[left[k]] < limit; ++k) {
                 const std::int32_t group = groups.index[i * columns + k];
-                // The mirror image (k, i) in the window was visited before.
+                // The mirror image (k, i) in the window has been visited.
                 if (!(k < i && i < columns && k < rows && group == groups.index[k * columns + i])) {
                     f(static_cast<std::size_t>(group), k, i);
                 }
@@ -53,7 +53,7 @@ struct CoarseWindow {
         }
     }
     bool holds_axis(std::size_t column, std::size_t row) const { return edges[left[column]] < 0.0 && edges[top[row]] < 0.0; }
-    // Squared distances from the axis, in pixels, of the nearest and of the farthest point of a pixel's edges.
+    // Squared distances from the axis, in pixels^2, of the nearest and the farthest point of a pixel's edges.
     double nearest(std::size_t column, std::size_t row) const {
         const double x0 = edges[left[column]], x1 = edges[right[column]], y0 = edges[top[row]], y1 = edges[bottom[row]];
         if (holds_axis(column, row)) {
@@ -109,23 +109,23 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 }
 #endif
 
-// Light within a circle, E(r) = int_0^r I s ds, as polynomials on panels, with its error bound.
+// Encircled energy E(r) = int_0^r I s ds as polynomials on panels, with an error bound.
 class EnergyWithin {
    public:
-    static constexpr double width = 2.0;  // of a panel, in v
-    double rounding = 0.0;                // of any value of E
+    static constexpr double width = 2.0;  // width of a panel in v
+    double rounding = 0.0;                // bound on the rounding of E
 
-    // Computes E up to `reach` from I at `points` Chebyshev points per panel, requesting U to the error `asked`. `swing` is half of
-    // the largest value that I may have.
+    // Compute E up to `reach` from I at `points` Chebyshev points per panel, with a requested error `asked` of U. `swing`: half
+    // of the largest possible I.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double asked, std::size_t points,
               double swing, int threads);
 
     struct Crossed {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
-    // Integrates along an edge at x from `start` to start + 1, in pixels of `step`, by Gauss's rule: light, E x / r^2; turn, x
-    // / r^2, about the angle subtended at the axis; off, bound on the effect of errors of E. The number of nodes is a multiple
-    // of `together`. Bound by loads.
+    // Integrals along an edge at x from `start` to start + 1, in pixels of `step`, by Gauss quadrature. light: of E x / r^2;
+    // turn: of x / r^2, about the angle of the edge seen from the axis; off: bound on the contribution of errors of E. The
+    // number of nodes is a multiple of `together`. Limited by loads.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
@@ -143,9 +143,9 @@ class EnergyWithin {
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
-    std::vector<Doubles> transforms_;  // [points]: matrix from values at Chebyshev points to coefficients, [point][coefficient]
+    std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values at Chebyshev points
     std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // scratch
-    // E, [panel][power of the place in it]; [panel][error of E at its beginning, of I within it].
+    // energies_: E, [panel][power of the position in it]; offs_: [panel][error of E at its start, error of I within it].
     std::vector<double> energies_, offs_;
 };
 
@@ -207,8 +207,8 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     mean_.resize(points);
     moment_.resize(points + 3);
     series_.resize(count_);
-    monomials_.assign(count_ * count_, 0.0);  // of T_k: [k][power]
-    sizes_.assign(count_, 0.0);  // [k]: roundings of evaluating T_k by powers
+    monomials_.assign(count_ * count_, 0.0);  // coefficients of T_k: [k][power]
+    sizes_.assign(count_, 0.0);  // [k]: roundings of T_k evaluated by powers
     for (std::size_t k = 0; k < count_; ++k) {
         for (std::size_t power = k % 2; power <= k; power += 2) {
             const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
@@ -224,7 +224,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // Rounding of E: of its coefficients, and of places; I is at most `tall` on the panel.
+        // Rounding of E: of its coefficients, and of positions; I is at most `tall` on the panel.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -276,37 +276,37 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 }
 #endif
 
-// Averages of one pupil over the pixels of a window. Near the axis they are the light that crosses a pixel's four edges, by
-// Gauss's rule along each; farther out they are the smooth tail, and a bound holds for the rings left out.
+// Averages of one pupil over the pixels of a window: near the axis from the flux through a pixel's four edges, by Gauss
+// quadrature along each; farther out from the smooth tail, with a bound on the omitted interference rings.
 class CoarseAverages {
    public:
-    // Error of averages without rings, and of those with rings; the largest average.
+    // Errors of averages without and with interference rings; the largest average.
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
 
-    static constexpr double least_exact = 2.0;  // v per pixel, from which on this may serve high accuracy
-    static constexpr std::size_t few = 8;  // largest number of pupils for which filters may serve
+    static constexpr double least_exact = 2.0;  // minimum pitch in v for high accuracy
+    static constexpr std::size_t few = 8;  // largest number of pupils for which filters may be faster
 #if defined(__wasm__)
-    // The live page has one image of a window, whose weights no other image would share.
+    // The live page has one image per window, whose weights no other image would share.
     static constexpr double least = 3.0, least_alone = least, of_weights = 1e9;
 #else
-    static constexpr double least = 7.4;         // v per pixel, from which on this serves
-    static constexpr double least_alone = 4.0;   // for few pupils, whose weights would be made for them alone
-    static constexpr double of_weights = 0.125;  // limit on its time over that of weights, which stacks share
+    static constexpr double least = 7.4;         // minimum pitch in v
+    static constexpr double least_alone = 4.0;   // minimum pitch in v for few pupils, whose weights no others share
+    static constexpr double of_weights = 0.125;  // largest ratio of its time to that of weights, which stacks share
 #endif
 
     struct Attempt {
-        double rings, field, sums;  // requested errors: of averages by rings left out; of U; of averages by quadrature
+        double rings, field, sums;  // requested errors: omitted rings in averages; U; quadrature in averages
     };
 
-    // Bound on the error of averages without rings, over pixels at a distance of r or more. The two edges that face the axis
-    // subtend at most step sqrt(2) / r, and the others as much in the opposite sense. A pixel that contains the axis is at
-    // least 2 r wide; both parts are then at most pi / 2 times those of a subtended angle of step / r.
+    // Error bound of averages without interference rings, over pixels at a distance of at least r. The two edges that face the
+    // axis subtend an angle of at most step sqrt(2) / r, and the others as much in the opposite sense. A pixel that contains
+    // the axis is at least 2 r wide; both parts are then at most pi / 2 times those of an angle of step / r.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
-    // Least distance, found by bisection, beyond which averages without rings are off by at most `asked`.
+    // Smallest distance, by bisection, from which on averages without rings have an error of at most `asked`.
     static double without_rings(const EnergyTail& tail, double step, double asked) {
         double low = 1.0, high = 1e8;
         while (high > 1.01 * low) {
@@ -316,7 +316,7 @@ class CoarseAverages {
         return high;
     }
 
-    // `light` is int E_0^2 dt, `area` the largest possible |U|.
+    // light: int E_0^2 dt; area: largest possible |U|.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
               const Attempt& asked, int threads);
 
@@ -368,7 +368,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
             fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= asked.sums; });
         energy_.make(field_, phase, obscuration, reach, asked.field, points, swing, threads);
         constexpr std::size_t together = EnergyWithin::together;
-        nodes_.assign(q + together, 0.0);  // nodes beyond the last have weight 0
+        nodes_.assign(q + together, 0.0);  // extra nodes have weight 0
         weights_.assign(q + together, 0.0);
         gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
         for (std::size_t j = 0; j < q; ++j) {
@@ -401,7 +401,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of E is multiplied by the sum of the angles that the edges subtend, which nearly cancel.
+            // A constant error of E is multiplied by the sum of the signed angles of the edges, which nearly cancel.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

@@ -1,4 +1,4 @@
-// Legendre series of one disk: number of terms and nodes, coefficients, and error bound.
+// Legendre series of one disk: numbers of terms and nodes, coefficients, and error bound.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace lommel {
 
-// Terms and quadrature nodes of a disk's series that keep the error of U below a given one at every v up to a reach.
+// Numbers of terms and quadrature nodes for a given error of U at every v up to `reach`.
 struct Expansion {
     std::size_t terms = 0;
     std::shared_ptr<const LegendreRule> rule;
@@ -26,8 +26,8 @@ struct Expansion {
 
     std::size_t room() const { return rule->blocks * 2 * row_lanes; }
 
-    // Roundings of exp(i Phi) at the nodes reach U undiminished at most (Parseval, twice); those of the sums over half the
-    // nodes, in two chains, are multiplied by the root of the number of terms: certificate, section 4.
+    // Rounding of exp(i Phi) at the nodes is not amplified in U (Parseval, twice). Rounding of the sums over half the nodes, in
+    // two chains, is multiplied by sqrt(terms) (certificate, section 4).
     double error(const Phase& phase) const {
         const double rounding = phase.sensitivity() + 8.0 +
                                 std::sqrt(static_cast<double>(terms)) *
@@ -41,7 +41,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
     check_reach(reach);
     const double left = RadialBudget::truncation * error;
     std::tie(terms, truncation) = ellipses.terms(left);
-    // Computed only if the window takes fewer terms than the phase.
+    // Used only if the window needs fewer terms than the phase.
     if (terms > 1 && window_tail(terms - 1, reach) <= left) {
         terms = window_terms(reach, left);
         truncation = window_tail(terms, reach);
@@ -57,22 +57,22 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
 }
 #endif
 
-// Effect on U of the rounding of radii up to v: three roundings in units of a piece and three of the step; |U'| <= int sqrt(t)
+// Error of U from the rounding of radii up to v: three roundings in units of a piece and three of the step. |U'| <= int sqrt(t)
 // |J_1(v sqrt t)| dt is at most 1/2 and, as |J_1(x)| <= 0.826 / sqrt(x), at most 0.661 / sqrt(v).
 inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
 
-// Rounding of the sum of a series at one radius: by Cauchy and Parseval, the moduli of its terms sum to at most 1.
+// Rounding of the series at one radius: by Cauchy and Parseval, the moduli of its terms sum to at most 1.
 inline double series_rounding(std::size_t terms) { return unit_roundoff * (static_cast<double>(terms) + 16.0); }
 
-// The Legendre series of t^power exp(i Phi) on a full disk.
+// Legendre series of t^power exp(i Phi) on a full disk.
 struct Disk {
     Doubles re, im;
     std::size_t terms = 0;
 
-    // Expands to `error` in U at every v up to `reach`; returns the bound that was reached, rounding included.
+    // Expand with an error `error` of U at every v up to `reach`; returns the resulting bound, including rounding.
     double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch);
 
-    // Adds a constant to the phase.
+    // Add a constant to the phase.
     void turn(double angle) {
         const double c = std::cos(angle), s = std::sin(angle);
         for (std::size_t n = 0; n < terms; ++n) {

@@ -1,4 +1,5 @@
-// Light of a radially symmetric pupil far from the axis: its mean falls as r^-3, and a bound holds for its rings.
+// Encircled energy of a radially symmetric pupil far from the axis, where the mean intensity falls as r^-3; its interference
+// rings are bounded.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,10 @@
 
 namespace lommel {
 
-// Beyond the rays only the edges of the aperture contribute. By partial integration U is a sum of Bessel functions times
+// Beyond the rays, only the edges of the aperture contribute. By partial integration U is a sum of Bessel functions times
 // derivatives of the pupil function at the edges, hence of exp(+- i v) and exp(+- i eps v) times powers of 1 / v. I is a mean
-// with the leading part mean() / v^3, and rings, whose integral is bounded by its value at the lower end: certificate, section
-// 9, "Farther out".
+// with the leading part mean() / v^3, plus rings whose integral is bounded by its value at the lower end (certificate, section
+// 9, "Farther out").
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
@@ -45,7 +46,7 @@ class EnergyTail {
     }
 
     double mean() const { return means_[0]; }
-    // B(r): bound on the error of int_r^inf I s ds when its rings are left out.
+    // B(r): error bound of int_r^inf I s ds without its interference rings.
     double rings(double r) const {
         double sum = 0.0, size = 0.0, power = 1.0;
         for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
@@ -68,14 +69,15 @@ class EnergyTail {
     }
 
    private:
-    // Derivatives expanded in waves; powers of 1 / v of a wave; derivatives bounded for the remainder.
+    // Number of derivatives expanded in waves; number of powers of 1 / v in a wave; number of derivatives bounded for the
+    // remainder.
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
     struct Wave {
         double frequency = 0.0;
         std::array<std::complex<double>, powers> parts{};  // [n]: coefficient of v^(-3/2 - n)
     };
-    // Remainder of a Hankel expansion: at most factor * v^-power.
+    // Remainder of a Hankel expansion, at most factor * v^-power.
     struct Left {
         double factor = 0.0, power = 0.0;
     };
@@ -86,9 +88,9 @@ class EnergyTail {
         return 0.674886 * std::sqrt(third + 1.855757 / third + 1.0331501 / static_cast<double>(n));
     }
 
-    // Returns E^(k), the derivatives with respect to t of the pupil function at rho = edge.
+    // Derivatives E^(k) of the pupil function with respect to t at rho = edge.
     static std::array<std::complex<double>, terms> derivatives(const Phase& phase, double edge) {
-        // [k]: k-th derivatives with respect to x = 2t - 1 of the Legendre polynomials of the two preceding degrees.
+        // [k]: k-th derivatives of the two preceding Legendre polynomials with respect to x = 2t - 1.
         std::array<double, terms> below{}, before{};
         std::array<std::complex<double>, terms> exponent{}, made{};
         const double x = 2.0 * edge * edge - 1.0;
@@ -123,8 +125,8 @@ class EnergyTail {
         return made;
     }
 
-    // Adds the waves of sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v). In U those of the inner edge are subtracted; the
-    // sign is left out, as neither means nor bounds depend on it.
+    // Add the waves of sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v). U subtracts those of the inner edge; the sign is
+    // omitted, as neither means nor bounds depend on it.
     void add_waves(const Phase& phase, double edge) {
         const auto slopes = derivatives(phase, edge);
         Wave forth{edge, {}}, back{-edge, {}};
@@ -132,7 +134,8 @@ class EnergyTail {
             const double order = static_cast<double>(k + 1);
             const std::complex<double> factor =
                 (k % 2 == 0 ? 1.0 : -1.0) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
-            // Hankel's expansion: from `count` terms on, an even number, its remainder is below the next two (DLMF 10.17(iii)).
+            // Hankel's expansion: from `count` terms on, an even number, its remainder is below the next two terms (DLMF
+            // 10.17(iii)).
             const std::size_t least = std::max(k + 1, terms - k + 1), count = least + least % 2;
             double hankel = 1.0;
             const auto advance = [&](std::size_t l) {
@@ -156,7 +159,7 @@ class EnergyTail {
         waves_[wave_count_++] = back;
     }
 
-    // Bounds the derivatives of the pupil function over the whole aperture.
+    // Bound the derivatives of the pupil function over the whole aperture.
     void bound_derivatives(const Phase& phase, double obscuration) {
         std::array<double, orders> slopes{}, series{};
         for (std::size_t j = 1; j <= phase.terms; ++j) {
@@ -181,8 +184,8 @@ class EnergyTail {
         }
     }
 
-    // Bound on the part of U that the waves leave out. It falls as v^(-terms - 3/2) or faster, on which rings() counts: the
-    // remainder of the integration by parts does so from N = terms + 1 on.
+    // Bound on the part of U without these waves. It falls as v^(-terms - 3/2) or faster, as rings() requires: the remainder of
+    // the partial integration does so for N >= terms + 1.
     double remainder(double r) const {
         double sum = 0.0, least = 1e150;
         for (std::size_t i = 0; i < left_count_; ++i) {

@@ -1,4 +1,4 @@
-// Images of radially symmetric pupils, each with its error bound.
+// Images of radially symmetric pupils, with error bounds.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class Renderer {
         for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
     }
 
-    // Renders one pupil, by pieces.
+    // Compute one pupil, by pieces.
     void render(std::size_t pupil, int threads) {
         thread_local std::vector<T> profile;
         thread_local Field field;
@@ -54,7 +54,7 @@ class Renderer {
         const bool divide = answer_.scales[pupil] == 0.0;
         const double scale = divide ? 1.0 : answer_.scales[pupil];
         profile.resize(layout_->count);
-        T* const values = profile.data();  // of this thread, for whichever thread fills it
+        T* const values = profile.data();  // scratch of this thread, filled by all threads
         const auto take = [&](std::size_t first, std::size_t count, const double* intensity) {
             store_scaled(intensity, scale, count, values + first);
         };
@@ -81,7 +81,7 @@ class Renderer {
    private:
     std::size_t pixels() const { return layout_->height() * layout_->width(); }
 
-    // Images whose bound in the batch exceeds the tolerance are rendered again one by one.
+    // Images whose bound in the batch exceeds the tolerance are computed again one by one.
     void render_batch(const Batch& batch) {
         batch.run(threads_, [&](std::size_t first, std::size_t here, const double* intensity, std::size_t stride) {
             for (std::size_t p = 0; p < here; ++p, intensity += stride) {
@@ -105,7 +105,7 @@ class Renderer {
         if (pixels() * sizeof(T) > (std::size_t{1} << 14)) {
             return paint(profile.data(), image, 1);
         }
-        // A small image is assembled in the first-level cache and written in one stream, not by rows and mirrored rows.
+        // A small image is assembled in the first-level cache and written in one stream, instead of by rows and mirrored rows.
         assembled.resize(pixels());
         paint(profile.data(), assembled.data(), 1);
         std::memcpy(image, assembled.data(), pixels() * sizeof(T));

@@ -1,4 +1,4 @@
-// Intensity of one pupil at given radii and its derivatives, refined until the tolerance is met.
+// Intensity of one pupil and its derivatives at given radii, refined until the tolerance is met.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@
 
 namespace lommel {
 
-constexpr std::size_t chunk_radii = 4096;  // radii per chunk; their values fit the first-level cache
+constexpr std::size_t chunk_radii = 4096;  // radii per chunk, whose values fit in the first-level cache
 
-// Passes I at the places that `field` is prepared for to take(first, count, values), chunk by chunk; returns the largest.
+// Call take(first, count, values) with I at the radii that `field` is prepared for, chunk by chunk; returns the maximum.
 using TakeIntensities = Reference<void(std::size_t first, std::size_t count, const double* values)>;
 double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     const auto work = [&](Field& own, std::size_t task) {
-        // Vectors are stored beyond the end of a chunk, where another chunk begins: hence a buffer.
+        // Buffer, as vectors are stored beyond the end of a chunk, where another chunk begins.
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
         double top = 0.0;
@@ -44,7 +44,7 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
         }
         return top;
     }
-    // The scratch of a field belongs to one thread, and so does its largest value.
+    // Each thread has a field with its own scratch, and a maximum.
     std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
     std::vector<double> tops(fields.size(), 0.0);
     parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) {
@@ -54,13 +54,12 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
 }
 #endif
 
-// dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: sums of the Bessel table that U is summed from, with other
-// coefficients.
+// dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: sums over the Bessel table of U, with other coefficients.
 struct Slopes {
     Doubles values;
-    double error = 0.0, size = 0.0, steepest = 0.0;  // bound on the error of T, largest |T|^2, largest |dI/dc_k|
+    double error = 0.0, size = 0.0, steepest = 0.0;  // error bound of T, largest |T|^2, largest |dI/dc_k|
 
-    // `field` must be prepared for `places`; `asked` is the error of T that is requested.
+    // `field` must be prepared for `places`; `asked`: requested error of T.
     Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double asked);
 };
 
@@ -70,7 +69,7 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
     : values(places.count) {
     Field derivative;
     error = derivative.prepare(phase, power, obscuration, places, asked);
-    // Vectors overlap where pieces meet, so results are not written over their input.
+    // Vectors overlap where pieces meet, so results must not overwrite their input.
     Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
     for (std::size_t first = 0; first < places.count; first += chunk_radii) {
         look();
@@ -94,8 +93,8 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
 }
 #endif
 
-// Returns the largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not
-// be on the axis.
+// Largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not be on the
+// axis.
 double scanned_peak(const Phase& phase, double obscuration, double error);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double error) {
@@ -113,14 +112,14 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
 #endif
 
 struct Settled {
-    double error, bound;  // of U: requested, proven
-    double relative;      // proven bound of the finished values
+    double error, bound;  // error of U: requested, and its bound
+    double relative;      // error bound of the finished values
     double top, peak;     // largest I in the window; peak, if it was searched elsewhere
 };
 
-// Prepares `field` for `places` with less and less error until values of type T are within `tol` of the peak of the PSF.
-// `evaluate` computes the intensities of the window and returns the largest, by which they are divided if `normalize`, after
-// they were stored.
+// Prepare `field` for `places` with smaller and smaller errors until values of type T are within `tol` of the peak of the PSF.
+// `evaluate` computes the intensities of the window and returns their maximum; if `normalize`, they are divided by it after
+// storing.
 template <class T, class Evaluate>
 Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
                      const Evaluate& evaluate) {

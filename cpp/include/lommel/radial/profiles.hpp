@@ -1,4 +1,4 @@
-// Fields and intensities at radii that the caller chooses.
+// Fields and intensities at radii given by the caller.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 
 namespace lommel {
 
-// Copy of ascending v, padded for whole vectors.
+// Ascending v, padded to whole vectors.
 inline Doubles padded(const double* v, std::size_t count) {
     Doubles radii(v, v + count);
     radii.resize(count + widest_step, count > 0 ? v[count - 1] : 0.0);
     return radii;
 }
 
-// Computes U at ascending v, out[pupil * count + i], with the phase that is 0 at the centre of the pupil, to an error that
-// keeps the intensity within `tol` of the likely peak.
+// Compute U at ascending v, out[pupil * count + i], with a phase that is 0 at the centre of the pupil and an error that keeps
+// the intensity within `tol` of the estimated peak.
 inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
                    double* bounds) {
     const Doubles radii = padded(v, count);
@@ -48,8 +48,8 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
     }
 }
 
-// Computes I at ascending v, out[pupil * count + i], error bounds over the peak, negative if `tol` is not met, and the peaks
-// they refer to.
+// Compute I at ascending v, out[pupil * count + i], error bounds relative to the peak (negative if `tol` is not met), and these
+// peaks.
 inline void profiles(const Stack& stack, const double* v, std::size_t count, double tol, double* out, double* bounds,
                      double* peaks, int threads = 1) {
     const Doubles radii = padded(v, count);

@@ -19,8 +19,8 @@ namespace lommel {
 // Gauss nodes of [0, 1] and the weighted Legendre polynomials there. P_n is even or odd about the middle, so half the nodes
 // suffice: even orders multiply the sum of exp(i Phi) at mirrored nodes, odd orders the difference.
 struct LegendreRule {
-    std::size_t half;    // nodes in the upper half, a multiple of 8
-    std::size_t blocks;  // groups of 16 orders, 8 even ones and 8 odd ones
+    std::size_t half;    // number of nodes in the upper half, a multiple of 8
+    std::size_t blocks;  // number of groups of 16 orders, 8 even and 8 odd ones
     Doubles upper, lower;  // t of the upper nodes and of their mirror images
     Doubles even, odd;     // [block][node][lane]: (2n+1) w P_n
     Doubles polynomials;   // [n - 1][node]: P_1, P_2, ... at the upper nodes, for the phase
@@ -53,7 +53,7 @@ struct LegendreRule {
     std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + polynomials.size() + 2 * half); }
 
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
-    // From the cache, with sizes rounded up so that few tables are made.
+    // From the cache, with sizes rounded up so that few tables are computed.
     static std::shared_ptr<const LegendreRule> get(std::size_t nodes, std::size_t terms) {
         const std::size_t n = round_up(nodes, nodes < 256 ? 16 : 64), k = round_up(terms, n <= 256 ? 16 : 64);
         return cache<LegendreRule>.get(n, k);
@@ -68,8 +68,8 @@ struct SeriesScratch {
     Doubles sum_re, sum_im, difference_re, difference_im;
 };
 
-// Computes beta_re, beta_im: the first `terms` Legendre coefficients of t^power A exp(i Phi), up to whole blocks of 16, with
-// the phase Phi = sum_n phase[n - 1] P_n(2t - 1) and the amplitude A.
+// Compute beta_re, beta_im: the first `terms` Legendre coefficients of t^power A exp(i Phi), up to whole blocks of 16, with the
+// phase Phi = sum_n phase[n - 1] P_n(2t - 1) and the amplitude A.
 template <class I>
 LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const double* phase, std::size_t phase_terms,
                                          const Amplitude& amplitude, std::size_t power, std::size_t terms, double* beta_re,
@@ -80,7 +80,7 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
         v->resize(std::max(v->size(), half));
     }
     for (std::size_t q = 0; q < half; q += I::lanes) {
-        // Odd polynomials change their sign at the mirrored nodes.
+        // Odd polynomials change sign at the mirrored nodes.
         V parts[2] = {splat<V>(0.0), splat<V>(0.0)};
         for (std::size_t k = 0; k < phase_terms; ++k) {
             parts[k % 2] = parts[k % 2] + splat<V>(phase[k]) * load<V>(&rule.polynomials[k * half + q]);
@@ -115,7 +115,7 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
         for (std::size_t lane = 0; lane < row_lanes; lane += I::lanes) {
             const double* even = &rule.even[b * half * row_lanes + lane];
             const double* odd = &rule.odd[b * half * row_lanes + lane];
-            // Two nodes at a time: eight chains of multiply-adds hide the latency of one.
+            // Two nodes at a time: eight chains of multiply-adds hide their latency.
             V sums[2][4] = {};
             for (std::size_t q = 0; q < half; q += 2) {
                 for (std::size_t j = 0; j < 2; ++j) {

@@ -11,23 +11,23 @@
 
 namespace lommel {
 
-// Pupil function A exp(i Phi): coefficients (rad) of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, and the amplitude, which is
-// not copied.
+// Pupil function A exp(i Phi): phase coefficients (rad) of R_2^0 = P_1(2t - 1), R_4^0, ..., and the amplitude A, which is not
+// copied.
 struct Phase {
     const double* coefficients;
     std::size_t terms;
     const Amplitude* amplitude = &even_light;
 
     double size() const { return weighted(0.0, 0.0, 1.0); }
-    // Rounding of the phase, its mean over t in units of roundoff (certificate, section 4): two of each coefficient, one of
-    // P_j(x), K + 1 of products and sum for K nonzero coefficients, and that of the node x, half a unit magnified by the mean
-    // of |P_j'|, at most sqrt(j (j + 1) / 2) by Cauchy.
+    // Rounding of the phase in units of roundoff, mean over t (certificate, section 4): two of each coefficient, one of P_j(x),
+    // K + 1 of products and sum for K nonzero coefficients, and that of the node x, half a unit times the mean of |P_j'|, at
+    // most sqrt(j (j + 1) / 2) by Cauchy.
     double sensitivity() const {
         const double used =
             static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
         return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
     }
-    // Largest distance from the axis that rays reach, in v: |dR_2j/drho| <= 2 j (j + 1).
+    // Largest distance of rays from the axis, in v: |dR_2j/drho| <= 2 j (j + 1).
     double blur() const { return weighted(2.0, 2.0, 0.0); }
 
    private:
@@ -74,8 +74,8 @@ struct Box {
     Phase worst(const Amplitude& amplitude) const { return {farthest.data(), farthest.size(), &amplitude}; }
 };
 
-// Output arrays. For each pupil: the image, the factor of the intensity (0 on entry: divide by the largest value), the error
-// bound over the peak, that peak, and dI/dc_k for each of `derivatives`.
+// Output arrays. For each pupil: image, factor of the intensity (0 on entry: divide by the maximum), error bound relative to
+// the peak, this peak, and dI/dc_k for each of `derivatives`.
 template <class T>
 struct Answer {
     T* images;
@@ -83,9 +83,9 @@ struct Answer {
     const std::size_t* powers;  // [derivative]: k of dI/dc_k
     std::size_t derivatives;
     T* derivative_images;  // [derivative][pupil][height][width]
-    double* derivative_bounds;  // [derivative][pupil], over the peak of the intensity
+    double* derivative_bounds;  // [derivative][pupil], relative to the peak of the intensity
 
-    // Stores the numbers of a pupil, `top` being the largest value of its image; returns the scale.
+    // Store the numbers of a pupil, `top` the maximum of its image; returns the scale.
     double finish(std::size_t pupil, double top, double peak, double bound) const {
         bounds[pupil] = bound;
         peaks[pupil] = peak;
@@ -95,19 +95,19 @@ struct Answer {
 
 // Error budget of an image (certificate, section 6).
 struct RadialBudget {
-    // Error of U over the tolerance times the peak of |U|. It counts twice in I; the rest is a margin, as the peak is a guess.
+    // Error of U over (tolerance x peak of |U|). It counts twice in I; the rest is a margin, as the peak is an estimate.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the error of U: the disk, the obscuration, and interpolation between the radii of pieces.
+    // Shares of the error of U: full disk, obscuration, and interpolation between the radii of pieces.
     static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
-    // Shares of the error of a disk: terms left out (by the phase or by the window), and quadrature.
+    // Shares of the error of a disk: omitted terms (by the phase or by the window), and quadrature.
     static constexpr double truncation = 0.5, quadrature = 0.1;
     static_assert((outer + inner) * (truncation + quadrature) + pieces <= 1.0);
-    // Factor on the error of U for another attempt, and the least error that is tried.
+    // Factor on the error of U for the next attempt, and the smallest error to try.
     static constexpr double again = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Guess at sup|U|. Most PSFs exceed it; for others the error is tightened once the peak is known.
+// Estimate of sup|U|. Most PSFs exceed it; for others the error is reduced once the peak is known.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

@@ -1,6 +1,6 @@
-// The universal table: 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends only on the width of the
-// pieces, so one table serves every pupil, wavelength and pixel. A second one, of 2 (-1)^n J_{2n+2}(v) / v, serves the odd
-// azimuthal orders of pupils that are not radially symmetric.
+// Common table of 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends only on the width of the pieces,
+// so one table serves all pupils, wavelengths and pixels. A second table, of 2 (-1)^n J_{2n+2}(v) / v, serves the odd azimuthal
+// orders of pupils without radial symmetry.
 #pragma once
 
 #include <algorithm>
@@ -18,30 +18,30 @@
 
 namespace lommel {
 
-// Widths to choose from: the error of interpolation, relative to sup|U|, and the size of the coefficients, which
-// magnifies rounding, both rise with the width.
+// Permitted widths of pieces. With the width, both the interpolation error relative to sup|U| and the size of the coefficients,
+// which amplifies rounding, increase.
 constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
 
-// Bound on the error of a piece relative to sup|U|: U is of exponential type 1, so |U^(16)| <= sup|U| (Bernstein), and
-// interpolation at Chebyshev points errs by 2 (H/4)^16 / 16! of that.
+// Error bound of a piece relative to sup|U|: U is of exponential type 1, so |U^(16)| <= sup|U| (Bernstein), and interpolation
+// at Chebyshev points has an error of at most 2 (H/4)^16 / 16! times that.
 inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
 
 struct PieceTable {
     double width = 0.0;
     std::size_t terms = 0;  // rows of each piece, unless it needs fewer
-    // Maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2), C_nk the coefficient of x^k in row n. As U = sum_n beta_n row_n with
-    // sum |beta_n|^2 / (2n+1) <= 1 (certificate, identity A), it bounds the
-    // sum of the magnitudes of all that is added up for one value of U, hence the rounding.
+    // Maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2), C_nk the coefficient of x^k in row n. As U = sum_n beta_n row_n
+    // with sum |beta_n|^2 / (2n+1) <= 1 (certificate, identity A), it bounds the sum of the moduli of all summands of U, hence
+    // the rounding.
     double magnitude = 0.0;
     // Like magnitude, for all azimuthal orders together: maximum of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
     double azimuthal = 0.0;
     std::vector<std::shared_ptr<const Piece>> pieces;  // [piece]; null if never requested
-    std::size_t leading = 0;  // number of leading pieces that exist
+    std::size_t leading = 0;  // number of first pieces, all of which exist
 
     bool has(std::size_t s) const { return s < pieces.size() && pieces[s] != nullptr; }
 };
 
-// Pieces requested: all below `leading`, and some beyond, ascending.
+// Requested pieces: all below `leading`, and some beyond, ascending.
 struct WantedPieces {
     std::size_t leading = 0;
     std::vector<std::size_t> others;
@@ -52,8 +52,8 @@ class PieceTables final : Shared {
    public:
     explicit PieceTables(std::size_t parity) : parity_(parity) {}
 
-    // Returns a table with at least these pieces and rows. Missing pieces are made, shared by all threads,
-    // and kept until all pieces of their parity exceed the limit.
+    // Return a table with at least these pieces and rows. Missing pieces are computed, shared by all threads, and kept until
+    // all pieces of their parity exceed the limit.
     std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
         if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
             return found;
@@ -119,11 +119,11 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
                                                                     const WantedPieces& wanted, std::size_t terms) {
     auto table = std::make_shared<PieceTable>();
     table->width = width;
-    // Rounded up, so that a little more defocus takes no new table.
+    // Rounded up, so that slightly more defocus needs no new table.
     table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
     table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
     const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
-    // Old pieces with enough rows are reused: all of them, unless there are more terms now.
+    // Previous pieces with enough rows are reused: all of them, unless the number of terms has grown.
     for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
         if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
             table->pieces[s] = old->pieces[s];
@@ -156,8 +156,8 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);
 
-// Computes the 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading
-// the table once.
+// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Limited by reading the table
+// once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
                            double* im, std::size_t first = 0) {

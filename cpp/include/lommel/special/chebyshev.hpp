@@ -15,7 +15,7 @@ Real chebyshev_point(std::size_t j, std::size_t count) {
     return std::cos(std::acos(Real(-1)) * (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(count));
 }
 
-// Computes the `count` + 2 Chebyshev coefficients of the integral over r = middle + half x of r times a series of `count`
+// The `count` + 2 Chebyshev coefficients of the integral over r = middle + half x of r times a Chebyshev series of `count`
 // terms, with the value `before` at x = -1. `moment` has room for count + 3 numbers. Returns the integral at x = 1.
 inline double integrate_moment(double half, double middle, const double* series, std::size_t count, double before,
                                double* moment, double* out) {
@@ -38,8 +38,8 @@ inline double integrate_moment(double half, double middle, const double* series,
     return out[0] + end;
 }
 
-// Maps values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ..., by way of those of T_0, T_1, ..., whose errors
-// the integers of the second step leave unchanged; a single matrix would lose five digits in double.
+// Map from values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ..., by way of those of T_0, T_1, ...: the
+// second step, by integers, leaves their errors unchanged; a single matrix would lose five digits in double.
 template <std::size_t Count, class Real = wide>
 class ChebyshevToMonomials {
    public:
@@ -57,7 +57,7 @@ class ChebyshevToMonomials {
             }
         }
     }
-    // Keeps the coefficients of the first `kept` T_k; returns the sum of the magnitudes of the others.
+    // Keep the coefficients of the first `kept` T_k; return the sum of the moduli of the others.
     template <class In, class Out>
     Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
         std::array<Real, Count> sums{};

@@ -15,12 +15,12 @@ struct ChirpMoments {
     typename I::pack re[3], im[3];
 };
 
-// If a (high - low)^2 / 4 is below this, the error function cancels: the chirp is expanded as a wave times powers of its
+// If a (high - low)^2 / 4 is smaller, the error functions would cancel: the chirp is expanded as a wave times powers of its
 // curvature.
 constexpr double nearly_linear = 0.025;
 
-// Computes int_{-1}^1 x^k e^{iqx} dx, k = 0 .. 16, for several q at once, real for even k and without a factor i for odd k. By
-// parts: upwards from q = 2 on, where no error grows; below, downwards from 0 at k = 24.
+// int_{-1}^1 x^k e^{iqx} dx, k = 0 .. 16, for several q at once; real for even k, without a factor i for odd k. By partial
+// integration: upwards from q = 2 on, where no error grows; for smaller q downwards from 0 at k = 24.
 template <class I, std::size_t count>
 LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typename I::pack (&moments)[17][count]) {
     using V = typename I::pack;
@@ -36,7 +36,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
             (size[n][i] < 2.0 ? slow : fast) = true;
         }
     }
-    // Each step is a multiply-add that depends on the one before.
+    // Each step is a multiply-add that depends on the previous one.
     if (fast) {
         V turn[count], s[count], c[count];
         for (std::size_t n = 0; n < count; ++n) {
@@ -92,8 +92,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
     wave_moments(isa, q, waves);
     for (std::size_t n = 0; n < count; ++n) {
-        // int x^m e^{i (p x^2 + q x)} dx by the powers p^0 to p^7, |p| <= nearly_linear; for m = 1 divided by i, as waves[] of
-        // odd index are.
+        // int x^m e^{i (p x^2 + q x)} dx by the powers p^0 to p^7, |p| <= nearly_linear; for m = 1 divided by i, like waves[]
+        // of odd index.
         V sine, cosine, re[3], im[3], power = splat<V>(1.0);
         for (int m = 0; m < 3; ++m) {
             re[m] = im[m] = splat<V>(0.0);
@@ -120,8 +120,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
 }
 
-// Moments for several slopes b at once and positive curvature, by the error function at their ends. Its part that does not
-// oscillate is used, so that the phase b^2 / 4a of a distant stationary point does not appear.
+// Moments for several slopes b at once and positive curvature, by the error function at their ends. Only its non-oscillating
+// part is used, so that the phase b^2 / 4a of a distant stationary point cancels.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, const typename I::pack (&b)[count],
                                 typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
@@ -147,7 +147,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
         for (std::size_t i = 0; i < I::lanes; ++i) {
             inside = inside || (place[2 * n][i] < 0.0 && place[2 * n + 1][i] >= 0.0);
         }
-        if (inside) {  // the stationary point
+        if (inside) {  // the stationary point is inside
             V sine, cosine;
             sincos(isa, splat<V>(0.5) * b[n] * shift, sine, cosine);
             const V whole = below(place[2 * n], zero, below(place[2 * n + 1], zero, zero, splat<V>(2.0 * half_fresnel)), zero);
@@ -159,7 +159,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
         ChirpMoments<I>& m = out[n];
         m.re[0] = x;
         m.im[0] = y;
-        // By parts, with 1 / (2 i a) = i by.
+        // By partial integration, with 1 / (2 i a) = i by.
         m.re[1] = zero - by * (s[1] - s[0]) - shift * x;
         m.im[1] = by * (c[1] - c[0]) - shift * y;
         m.re[2] = zero - by * (high * s[1] - low * s[0] - y) - shift * m.re[1];
@@ -167,7 +167,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
     }
 }
 
-// Moments of chirps of one curvature on [low, high]. M_2 loses digits like (b / 2a)^2.
+// Moments of chirps of one curvature on [low, high]. M_2 loses digits in proportion to (b / 2a)^2.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void chirp_moments(I isa, const Auxiliary& auxiliary, double curvature, const typename I::pack (&slope)[count],
                                  typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {

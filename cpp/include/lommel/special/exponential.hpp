@@ -1,4 +1,4 @@
-// e^x of a vector of doubles, and an upper bound of it, for error bounds.
+// e^x of a vector of doubles, and an upper bound of e^x for error bounds.
 #pragma once
 
 #include "lommel/base/simd.hpp"
@@ -12,13 +12,13 @@ LOMMEL_INLINE V chord_of_exp(V x) {
     return from_bits(larger(x, low) * splat<V>(12102203.16f) + splat<V>(1065353216.0f));
 }
 
-// e^x for x <= 0, within a few roundings, and 0 below -700: whole powers of two times a Taylor polynomial of the remainder.
+// e^x for x <= 0 within a few roundings, and 0 below -700: integer powers of two times a Taylor polynomial of the remainder.
 template <class I>
 LOMMEL_INLINE typename I::pack exponential(I, typename I::pack x) {
     using V = typename I::pack;
     const V magic = splat<V>(6755399441055744.0), least = splat<V>(-700.0), at = larger(x, least);
     const V shifted = at * splat<V>(1.44269504088896340736) + magic, k = shifted - magic;
-    // ln 2 in two parts; products of whole numbers with the first are exact.
+    // ln 2 in two parts; products of integers with the first part are exact.
     const V r = (at - k * splat<V>(0.693147180369123816490)) - k * splat<V>(1.90821492927058770002e-10);
     V sum = splat<V>(1.0 / 6227020800.0);
     for (const double factorial :

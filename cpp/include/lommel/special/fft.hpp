@@ -1,7 +1,7 @@
-// Fourier transforms of lengths 2^a 3^b, of eight sequences at once.
+// Fourier transforms of lengths 2^a 3^b for eight sequences at once.
 //
-// Elements of all eight are interleaved: [element][eight real parts, eight imaginary parts]. Bound by loads and stores, two
-// passes of four multiply-adds per byte at best.
+// Elements of the eight sequences are interleaved: [element][eight real parts, eight imaginary parts]. Limited by loads and
+// stores, at best two passes of four multiply-adds per byte.
 #pragma once
 
 #include <cmath>
@@ -36,8 +36,8 @@ struct ComplexPack {
     LOMMEL_INLINE ComplexPack times(V c, V s) const { return {re * c - im * s, im * c + re * s}; }
 };
 
-// X_l = sum over j of x_j exp(2 pi i j l / n), by Stockham's passes: after one of radix r, the transforms left are r times
-// shorter, and there are r times as many. The first and the last have radix 4.
+// X_l = sum over j of x_j exp(2 pi i j l / n), by Stockham's passes: after a pass of radix r, there are r times as many
+// transforms, r times as short. The first and the last pass have radix 4.
 template <class Real>
 class RowFft {
    public:
@@ -63,7 +63,7 @@ class RowFft {
         }
     }
 
-    // Least supported length from `least` on.
+    // Smallest supported length of at least `least`.
     static std::size_t length(std::size_t least) {
         std::size_t best = 16;
         while (best < least) {
@@ -79,9 +79,9 @@ class RowFft {
 
     const std::size_t n;
 
-    // Bound on the error of any X_l, in units of roundoff and of sum |x_j|: a sum of complex numbers is off by one unit, a
-    // product by sqrt(5), a tabulated root of unity by one and, in double precision, by three of its angle; radix 3
-    // has one sum and two products more, for the two terms that it turns.
+    // Error bound of any X_l, in units of roundoff times sum |x_j|: one unit for a sum of complex numbers, sqrt(5) for a
+    // product, one for a tabulated root of unity and, in double precision, three of its angle; radix 3 has one more sum and two
+    // more products, for its two rotated terms.
     double rounding() const {
         constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
         double units = 2.0;
@@ -91,8 +91,8 @@ class RowFft {
         return units;
     }
 
-    // Runs all passes but the last; returns where y is, x or `other`. `Sparse`: only the first and the last quarter of x are
-    // read, the others being taken as 0.
+    // Run all passes but the last; return the result y, in x or `other`. `Sparse`: only the first and the last quarter of x are
+    // read, the rest being 0.
     template <bool Sparse = true, class I>
     LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
         using V = typename RowPack<I, Real>::type;
@@ -118,7 +118,7 @@ class RowFft {
         return x;
     }
 
-    // Runs the last pass for y from element q on: X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}.
+    // Run the last pass for y from element q on: X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}.
     template <class V>
     LOMMEL_INLINE void last(const Real* y, ComplexPack<V>* x) const {
         const auto at = [&](std::size_t j) LOMMEL_INLINE_LAMBDA {
@@ -133,7 +133,7 @@ class RowFft {
         x[3] = other - third;
     }
 
-    // Runs all passes on any x; returns where X is, x or `other`.
+    // Run all passes on arbitrary x; return the result X, in x or `other`.
     template <class I>
     LOMMEL_INLINE Real* whole(I isa, Real* x, Real* other) const {
         static constexpr Real none[] = {1, 0, 1, 0, 1, 0};

@@ -1,5 +1,5 @@
 // Smooth part of the Fresnel integral for the closed form, computed in three ways: G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d
-// tau for s >= 0, which does not oscillate. Kernels take `count` vectors at once, whose chains of multiply-adds overlap.
+// tau for s >= 0, which does not oscillate. Kernels handle `count` vectors at once, whose chains of multiply-adds overlap.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,16 @@
 
 namespace lommel {
 
-// Real and imaginary part of int_0^inf exp(i tau^2) d tau, sqrt(pi / 8).
+// Real and imaginary part of int_0^inf exp(i tau^2) d tau: sqrt(pi / 8).
 constexpr double half_fresnel = 0.62665706865775012560;
 
-// (s + 2) G(s) to rounding, as one polynomial in (s - a) / (s + a) and, for large s, by its asymptotic series (DLMF 7.12).
-// Cost: two divisions and 88 multiply-adds, or one and 16.
+// (s + 2) G(s) to rounding, as one polynomial in (s - a) / (s + a) or, for large s, by its asymptotic series (DLMF 7.12). Cost:
+// two divisions and 88 multiply-adds, or one and 16.
 class FresnelAuxiliary {
    public:
     static constexpr std::size_t terms = 44;
 
-    // From the cache; making it takes milliseconds.
+    // From the cache; its construction takes milliseconds.
     static std::shared_ptr<const FresnelAuxiliary> get() { return cache<FresnelAuxiliary>.get(); }
     static bool is() { return true; }
     static std::size_t bytes() { return sizeof(FresnelAuxiliary); }
@@ -71,7 +71,7 @@ class FresnelAuxiliary {
         }
     }
 
-    // Interpolates at Chebyshev points; the conversion to monomials is done in wider numbers where there are any.
+    // Interpolate at Chebyshev points; the conversion to monomials is in extended precision if there is any.
     FresnelAuxiliary() {
         std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {
@@ -106,7 +106,7 @@ class FresnelAuxiliary {
         im = scale * even;
     }
 
-    // On the turned path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in
+    // On the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in
     // x = e^{w - e^{-w}} (double exponential, for a half line) converges to the last digit.
     static std::complex<wide> by_quadrature(wide s) {
         using real = wide;
@@ -125,7 +125,7 @@ class FresnelAuxiliary {
     std::array<double, terms> re_{}, im_{};
 };
 
-// (s + 2) G(s), linear between its values at equal steps of s / (s + 2) from 0 to 1.
+// (s + 2) G(s), interpolated linearly between its values at equal steps of s / (s + 2) from 0 to 1.
 struct FresnelTable {
     const std::complex<double>* values;
     std::size_t samples;
@@ -149,7 +149,7 @@ struct FresnelTable {
     }
 };
 
-// 1 - erf(e^{-i pi/4} s) by the first terms of Abramowitz and Stegun 7.1.29. Cost: an exponential and a division per term.
+// 1 - erf(e^{-i pi/4} s) by the first terms of Abramowitz and Stegun 7.1.29. Cost: one exponential and one division per term.
 class FresnelSeries {
    public:
     explicit FresnelSeries(std::size_t terms) {

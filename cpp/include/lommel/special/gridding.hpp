@@ -1,5 +1,5 @@
-// Interpolation kernel of the non-uniform FFT, and its transform, by which the samples are divided beforehand (certificate,
-// section 11).
+// Interpolation kernel of the non-uniform FFT, and its transform, by which the samples are divided beforehand
+// (certificate, section 11).
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ namespace lommel {
 template <class Real>
 constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond |x| = w/2: the continuous one among the
-// Kaiser-Bessel windows. If F(j) are samples at unit steps of a function whose spectrum in omega (radians per step) has been
-// divided by the transform of phi, then sum_j phi(x - j) F(j) is that function, up to the aliases of every frequency.
+// phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond |x| = w/2: the continuous member of the
+// Kaiser-Bessel windows. If F(j) are samples at unit steps of a function whose spectrum in omega (radians per step) is divided
+// by the transform of phi, then sum_j phi(x - j) F(j) is the function itself, up to aliases of every frequency.
 class GriddingKernel {
    public:
     GriddingKernel(std::size_t taps, double beta) : w(taps), beta_(beta), top_(shape(1.0)) {}
@@ -41,13 +41,14 @@ class GriddingKernel {
         return y > 0.0 ? shape(y) / top_ : 0.0;
     }
 
-    // Integral of phi(x) cos(omega x): w beta (cosh y - sinh(y) / y) / y^2 / I_1(beta), y^2 = beta^2 - (w omega / 2)^2.
+    // Transform, integral of phi(x) cos(omega x): w beta (cosh y - sinh(y) / y) / y^2 / I_1(beta),
+    // y^2 = beta^2 - (w omega / 2)^2.
     double transform(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega;
         return scale() * quotient(beta_ * beta_ - zeta * zeta);
     }
 
-    // Bound on the sum over k != 0 of |transform(omega + 2 pi k)|, over transform(omega), for omega from 0 to pi; it rises with
+    // Bound on the sum over k != 0 of |transform(omega + 2 pi k)| / transform(omega), for omega from 0 to pi; it increases with
     // omega.
     double aliases(double omega) const {
         constexpr std::size_t counted = 64;
@@ -57,20 +58,20 @@ class GriddingKernel {
             // Aliases at omega + 2 pi k are below those at 2 pi k.
             sum += size(turns - omega) + size(turns);
         }
-        // For further k: (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2) and zeta >= w pi (k - 1/2).
+        // For larger k: (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2) and zeta >= w pi (k - 1/2).
         const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
         const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
         sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
         return sum / transform(omega);
     }
 
-    // Root mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: bounds their effect on a function
-    // whose spectrum is that density times g(s), g of mean square 1.
+    // Root mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: bound on the aliases of a
+    // function whose spectrum is that weight times g(s), g of mean square 1.
     double aliasing(double step) const {
         constexpr std::size_t cells = 192;
         double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
-            // s = cos(a); in a cell of a aliases are largest at its beginning, sin(a) at its end.
+            // s = cos(a); in a cell of a, aliases are largest at its start, sin(a) at its end.
             const double first = 0.5 * pi * static_cast<double>(i) / cells,
                          last = 0.5 * pi * static_cast<double>(i + 1) / cells;
             const double most = aliases(step * std::cos(first)), sine = std::sin(last);
@@ -82,14 +83,15 @@ class GriddingKernel {
     // Largest sum of the taps, by Poisson's formula.
     double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
 
-    // Bound, at any place, on the sum of (w - i) phi over the taps i = 0 .. w - 1: tap i takes part in w - i sums of a chain.
+    // Bound, at any position, on the sum of (w - i) phi over the taps i = 0 .. w - 1: tap i takes part in w - i sums of a
+    // chain.
     double chain() const {
         constexpr std::size_t cells = 64;
         double worst = 0.0;
         for (std::size_t cell = 0; cell < cells; ++cell) {
             double sum = 0.0;
             for (std::size_t i = 0; i < w; ++i) {
-                // Within a cell every tap is monotonic.
+                // Within a cell each tap is monotonic.
                 const double x = 0.5 * static_cast<double>(w) - 1.0 - static_cast<double>(i);
                 const double first = x + static_cast<double>(cell) / cells, last = x + static_cast<double>(cell + 1) / cells;
                 sum += static_cast<double>(w - i) * std::max((*this)(first), (*this)(last));
@@ -99,8 +101,8 @@ class GriddingKernel {
         return worst;
     }
 
-    // Computes the taps at t + w/2 - 1 - i, i < w, for t from 0 to 1, as polynomials of 2t - 1, highest power first:
-    // out[power][tap], `stride` taps to a row. Returns a bound on the sum of their errors.
+    // Taps at t + w/2 - 1 - i, i < w, for t from 0 to 1, as polynomials of 2t - 1, highest power first: out[power][tap], rows
+    // of `stride` taps. Returns a bound on the sum of their errors.
     double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const;
 
    private:
@@ -126,7 +128,7 @@ class GriddingKernel {
         return square > 0.0 ? (std::cosh(y) - std::sinh(y) / y) / square : (std::sin(y) / y - std::cos(y)) / -square;
     }
 
-    // Bound on |transform| at omega and beyond.
+    // Bound on |transform| at frequencies of at least omega.
     double size(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega, square = zeta * zeta - beta_ * beta_;
         if (square <= 0.0) {
@@ -140,14 +142,14 @@ class GriddingKernel {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
-#if defined(__wasm__)  // where long doubles are software, a fiftieth of the live page
+#if defined(__wasm__)  // software long doubles would add a fiftieth to the download of the live page
     using Number = double;
-    constexpr double roundings = 1e-11;  // of the sum over 16 taps; each has some 1e-13
+    constexpr double roundings = 1e-11;  // of the sum over 16 taps, each about 1e-13
 #else
     using Number = long double;
-    constexpr double roundings = 0.0;  // the last digits of double are not reached
+    constexpr double roundings = 0.0;  // rounding is negligible: long double is wider than the coefficients
 #endif
-    constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
+    constexpr std::size_t all = 32;  // number of Chebyshev coefficients, of which `terms` are kept
     static const ChebyshevToMonomials<all, Number> convert;
     out.assign(terms * stride, 0.0);
     double worst = roundings;
@@ -183,7 +185,7 @@ template <class Real, std::size_t Terms, std::size_t Most>
 struct TapPolynomials {
     static constexpr std::size_t terms = Terms, taps = Most;
     alignas(64) Real at[Terms][taps];  // highest power first
-    double error;                      // bound on the sum of the errors of all taps at any place, roundings included
+    double error;                      // bound on the sum of the errors of all taps at any position, including rounding
 
     explicit TapPolynomials(const GriddingKernel& kernel) {
         std::vector<double> exact;
@@ -204,7 +206,7 @@ using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
 
-// Up to four taps of each of two kernels, side by side in one vector.
+// Up to four taps of each of two kernels, in one vector.
 struct PairedTaps {
     static constexpr std::size_t terms = CoarseTaps::terms, taps = 8;
     static constexpr std::uint32_t halves[taps] = {0, 0, 0, 0, 1, 1, 1, 1};
@@ -219,7 +221,7 @@ struct PairedTaps {
     }
 };
 
-// A kernel with the numbers derived from it that are needed repeatedly.
+// Kernel with the derived numbers that are needed repeatedly.
 struct GriddingTaps {
     GriddingKernel kernel;
     double weight, chain;

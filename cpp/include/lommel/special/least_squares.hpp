@@ -1,4 +1,4 @@
-// Linear least squares of some hundred unknowns, on one thread: linear algebra libraries divide such problems among threads
+// Linear least squares with some hundred unknowns, on one thread: linear algebra libraries divide such problems among threads
 // that wait for one another, up to seconds if other programs use the processors.
 #pragma once
 
@@ -14,11 +14,11 @@
 
 namespace lommel {
 
-// Least squares by Householder reflections, one unknown at a time, each regularised by an equation of its own. Errors of the
+// Least squares by Householder reflections, one unknown at a time, each with its own regularising equation. Errors of the
 // solution show in the residuals, which callers evaluate.
 class LeastSquares {
    public:
-    // For at most `most` unknowns and several right-hand sides, wanted[side][equation]; `small` is the regularisation.
+    // For at most `most` unknowns and several right-hand sides, wanted[side][equation]; `small`: regularisation.
     LeastSquares(std::vector<std::vector<double>> wanted, std::size_t most, double small)
         : equations_(wanted[0].size()), small_(small), rest_(std::move(wanted)) {
         for (std::vector<double>& side : rest_) {
@@ -26,7 +26,7 @@ class LeastSquares {
         }
     }
 
-    // Adds an unknown with its factor in each equation.
+    // Add an unknown by its factor in each equation.
     template <class I = Portable>
     LOMMEL_INLINE void add(const std::vector<double>& factors) {
         const std::size_t k = columns_.size();
@@ -59,7 +59,7 @@ class LeastSquares {
     }
 
    private:
-    // Reflects at the vector of unknown k: the rows from its diagonal to its own equation; the rows beyond are 0.
+    // Reflection with the vector of unknown k: the rows from its diagonal to its own equation; the rows beyond are 0.
     template <class I>
     LOMMEL_INLINE void reflect(std::size_t k, std::vector<double>& of) const {
         const std::size_t count = equations_ + 1;
@@ -94,9 +94,9 @@ class LeastSquares {
         columns_;  // R above the diagonal; from the diagonal on, the Householder vector of each reflection
 };
 
-// Finds x[unknown][side] that minimise |A x - b| for A[row][unknown] and each column of b[row][side], ignoring directions in
-// which A is below about 1e-14 of its largest: each unknown is regularised by 1e-14 times the norm of the largest column times
-// the root of the number of columns.
+// Find x[unknown][side] that minimise |A x - b| for A[row][unknown] and each column of b[row][side], ignoring directions in
+// which A is below about 1e-14 of its maximum: each unknown is regularised by 1e-14 times the norm of the largest column times
+// sqrt(number of columns).
 void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
                    double* found);
 

@@ -9,8 +9,8 @@
 
 namespace lommel {
 
-// Calls f(n, P_n(1 - y)) for n < terms, 0 <= y <= 1, by the three-term recurrence (DLMF 18.9.1). Near 1, where its errors grow
-// as n^2, differences of successive polynomials are summed instead, which need y and lose only a few roundings.
+// Call f(n, P_n(1 - y)) for n < terms, 0 <= y <= 1, by the three-term recurrence (DLMF 18.9.1). Near 1, where its errors grow
+// as n^2, differences of successive polynomials are summed instead, which depend on y and have only a few roundings.
 template <class Real, class F>
 void each_legendre(Real y, std::size_t terms, const F& f) {
     const Real x = 1 - y;
@@ -29,8 +29,8 @@ void each_legendre(Real y, std::size_t terms, const F& f) {
     }
 }
 
-// Computes nodes (ascending) and weights of the n-point rule by Newton's method from Tricomi's initial guess, for the distance
-// from the end: weights from rounded nodes, or from eigenvalues, lose up to eight digits there.
+// Nodes (ascending) and weights of the n-point rule by Newton's method from Tricomi's initial guess, for the distance from the
+// end: weights from rounded nodes, or from eigenvalues, lose up to eight digits there.
 template <class Number, class Real = wide>
 void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     const Real pi = std::acos(Real(-1));
@@ -61,13 +61,13 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     }
 }
 
-// Computes P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if Real is wider.
+// P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if Real is wider.
 template <class Real = wide>
 void legendre_sequence(double x, std::size_t terms, double* out) {
     each_legendre(1 - static_cast<Real>(x), terms, [&](std::size_t n, Real p) { out[n] = static_cast<double>(p); });
 }
 
-// Error of a rule that was made in double: sqrt(2n+1) times the sum of the errors of w P_n, in units of roundoff. Measured by
+// Error of a rule computed in double: sqrt(2n+1) times the sum of the errors of w P_n, in units of roundoff. Measured by
 // cpp/tests/tables.cpp, not proven.
 inline double rule_rounding(std::size_t nodes) { return wider ? 0.0 : 1.5 * std::sqrt(static_cast<double>(nodes)); }
 

@@ -53,7 +53,7 @@ LOMMEL_INLINE double logarithm(double x) {
          {2.0 / 19.0, 2.0 / 17.0, 2.0 / 15.0, 2.0 / 13.0, 2.0 / 11.0, 2.0 / 9.0, 2.0 / 7.0, 2.0 / 5.0, 2.0 / 3.0}) {
         series = term + q * series;
     }
-    // ln 2 in two parts; products of whole numbers with the first are exact.
+    // ln 2 in two parts; products of integers with the first part are exact.
     return e * 0.693147180369123816490 + (2.0 * s + (s * (q * series) + e * 1.90821492927058770002e-10));
 }
 

@@ -1,6 +1,6 @@
-// One piece of the universal table: from Bessel functions at Chebyshev points to polynomials, for as many orders at once as a
-// vector has lanes. Computed in double to the accuracy of wider numbers: sums run in two words, the first of which is exact
-// (certificate, section 4).
+// One piece of the common Bessel table: from Bessel functions at Chebyshev points to polynomials, for as many orders at once as
+// a vector has lanes. Computed in double, but as accurate as in a wider type: sums are pairs of doubles, the first of which is
+// exact (certificate, section 4).
 #pragma once
 
 #include <algorithm>
@@ -17,20 +17,20 @@
 
 namespace lommel {
 
-constexpr std::size_t degree_count = 16;  // coefficients of a piece
+constexpr std::size_t degree_count = 16;  // number of coefficients of a piece
 
-// Rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ...; orders that vanish on the piece have no row.
+// Rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ...; orders that are negligible on the piece have no row.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
-    // Bound on the contribution to U of all rows left out, for any pupil; and the number of rows kept.
+    // Bound on what all omitted rows add to U, for any pupil; most(): number of rows in use.
     static constexpr double left_out = 1e-19;
     static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };
 
-// cos(k pi / 32) for k = 0 .. 16: a multiple of 2^-24, and the rest.
+// cos(k pi / 32) for k = 0 .. 16: a multiple of 2^-24, and the remainder.
 constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0x1.fd88dap-1, 0x1.e89292cf04139p-28},
                                    {0x1.f6297cp-1, 0x1.feeb96055885dp-26},
@@ -49,8 +49,8 @@ constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0x1.917a7p-4, -0x1.0f592f50789c6p-26},
                                    {0.0, 0.0}};
 
-// Maps values at the points to 8 times the coefficients of T_0, T_1, ..., by sums and differences of mirrored points, and
-// these, exactly, to coefficients of 1, x, x^2, ...
+// Map from values at the points to 8 times the coefficients of T_0, T_1, ..., by sums and differences of mirrored points, and
+// from these, exactly, to coefficients of 1, x, x^2, ...
 class PieceRule {
    public:
     constexpr PieceRule() {
@@ -71,14 +71,14 @@ class PieceRule {
         }
     }
 
-    // Point j, descending, rounded.
+    // Chebyshev point j, descending, rounded.
     static constexpr double point(std::size_t j) {
         const std::size_t k = 2 * j + 1;
         return k <= 16 ? cosines[k][0] + cosines[k][1] : -(cosines[32 - k][0] + cosines[32 - k][1]);
     }
 
-    // Maps `values` at the points, each a vector of orders, to coefficients. For |values| <= 1 every coefficient is rounded
-    // once and the polynomial otherwise off by less than 2^-66: multiples of 2^-25 times those of 2^-24 (2^-25 for i = 0), and
+    // Map `values` at the points, each a vector of orders, to coefficients. For |values| <= 1 each coefficient is rounded once,
+    // and the polynomial has a further error below 2^-66: multiples of 2^-25 times those of 2^-24 (2^-25 for i = 0), and
     // integers below 2^17 times multiples of 2^-32, sum to less than 2^53 of their units.
     template <class V>
     LOMMEL_INLINE void operator()(const V* values, V* out) const {
@@ -127,15 +127,14 @@ class PieceRule {
 };
 inline constexpr PieceRule piece_rule;
 
-// Computes 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms(), at the 16 points of a piece: values[16 n + point]. The
-// last point, the nearest to 0, must be at least half as far out as the first, so that the growth of the backward recurrence
-// stays in the range of numbers for orders that do not vanish at all points. Values do not depend on the number of terms, up to
-// `most`.
+// 2 (-1)^n J_{2n+1+parity}(v) / v, like zernike_transforms(), at the 16 points of a piece: values[16 n + point]. The last
+// point, nearest to 0, must be at least half as far out as the first, so that the backward recurrence does not overflow for
+// orders that matter at some point. Values do not depend on the number of terms, up to `most`.
 template <class I>
 LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
                                 double* values) {
     using V = typename I::pack;
-    constexpr std::size_t packs = degree_count / I::lanes;  // enough at once to hide the latency of the recurrence
+    constexpr std::size_t packs = degree_count / I::lanes;  // enough vectors at once to hide the latency of the recurrence
     const std::size_t count = 2 * terms + parity, upwards = rising(points[degree_count - 1]);
     V at[packs], turn[packs], before[packs], here[packs];
     for (std::size_t p = 0; p < packs; ++p) {
@@ -202,7 +201,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
 }
 
-// Computes the first rows of piece s, at most `terms`.
+// Compute the first rows of piece s, at most `terms`.
 Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {

@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// Coefficients of a step from degree m + 2k of Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1, that R_m^m, R_{m+2}^m,
-// ... follow (DLMF 18.9.1): the next is (slope x + shift) here - back before.
+// Step from degree m + 2k of Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1, which R_m^m, R_{m+2}^m, ... satisfy
+// (DLMF 18.9.1): next = (slope x + shift) here - back before.
 template <class Real>
 struct RadialStep {
     Real slope, shift, back = 0;
@@ -62,11 +62,11 @@ class ZernikeValues {
                   [](const Term& a, const Term& b) { return std::tie(a.m, a.sine, a.k) < std::tie(b.m, b.sine, b.k); });
     }
 
-    // Calls put(j, value) for each term, at a real or complex point.
+    // Call put(j, value) for each term, at a real or complex point.
     template <class Number, class Put>
     void at(Number x, Number y, const Put& put) const {
         const Number two = 2, one = 1, square = two * (x * x + y * y) - one;
-        Number re = 1, im = 0;  // the parts of (x + i y)^m
+        Number re = 1, im = 0;  // real and imaginary part of (x + i y)^m
         std::size_t m = 0;
         for (std::size_t i = 0; i < order_.size();) {
             const Term& first = order_[i];
@@ -98,12 +98,12 @@ class ZernikeValues {
     std::vector<std::vector<RadialStep<wide>>> steps_;  // [m][k]
 };
 
-// Zernike terms of a function on a smaller disk of radius a: R_n^m(a rho) contains R_k^m(rho) with the factor R_n^k(a) -
-// R_n^{k+2}(a), k = n, n - 2, ..., m (Janssen and Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006)). These factors
-// are cached.
+// Zernike terms of a function on a smaller disk of radius a: R_n^m(a rho) contains R_k^m(rho) with the factor
+// R_n^k(a) - R_n^{k+2}(a), k = n, n - 2, ..., m (Janssen and Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006)).
+// These factors are cached.
 class SmallerDisk {
    public:
-    // Calls add(k, c times the factor of R_k^m) for c R_n^m; returns a bound on the rounding, sums of `terms` terms included:
+    // Call add(k, c times the factor of R_k^m) for c R_n^m. Returns a bound on the rounding, including sums of `terms` terms:
     // n^2 roundings by the recurrence, in each of at most n / 2 + 1 factors; one of each factor, of its product and of the
     // sums.
     template <class Add>

@@ -1,4 +1,4 @@
-// Sums of waves at the integers, by a non-uniform fast Fourier transform.
+// Sums of waves at the integers by a non-uniform fast Fourier transform.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Kernel and transform shared by all sums of waves up to one length; sums are divided by the transform of the kernel.
+// Kernel and transform, shared by all sums of waves up to one length; sums are divided by the transform of the kernel.
 struct WaveKernel {
     static constexpr std::size_t most_taps = 16;
 
@@ -36,9 +36,9 @@ struct WaveKernel {
         }
     }
 
-    // Bound on the error of any sum over the sum of |a|, if at most `waves` waves reach any point of the grid: aliases
-    // (Poisson's formula); taps; roundings of sums of waves and of the transform; places, whose turns have one rounding of 1.
-    // Roundings of the steps are the caller's.
+    // Error bound of any sum relative to the sum of |a|, if at most `waves` waves contribute to a point of the grid: aliases
+    // (Poisson's formula), taps, rounding of sums of waves and of the transform, and positions, whose turns have one rounding
+    // of 1. Rounding of the steps s is not included.
     double error(double waves) const {
         const double weight = kernel.weight(), rounded = fft.rounding() + waves + 4.0;
         const double places = 1.1 * 6.3 * static_cast<double>(side / 2 + 1);
@@ -46,7 +46,7 @@ struct WaveKernel {
                unit_roundoff * places;
     }
 
-    // Largest number of waves that reach one point of the grid, for steps at(i), i < count.
+    // Largest number of waves that contribute to one point of the grid, for steps at(i), i < count.
     template <class At>
     std::size_t most_waves(std::size_t count, std::vector<std::uint32_t>& reached, const At& at) const {
         reached.assign(fft.n, 0);
@@ -55,14 +55,14 @@ struct WaveKernel {
         }
         std::size_t sum = 0, most = 0;
         for (std::size_t i = 0; i < fft.n + taps; ++i) {
-            // One more on either side, as places may round to the next point.
+            // One more on either side, as positions may round to the next point.
             sum += reached[i % fft.n];
             sum -= i >= taps + 2 ? reached[(i - taps - 2) % fft.n] : 0;
             most = std::max(most, sum);
         }
         return most;
     }
-    // Place on the grid of a wave of step s.
+    // Position on the grid of a wave of step s.
     double place(double s) const {
         const double n = static_cast<double>(fft.n), turns = -s / 6.283185307179586;
         return std::min((turns - std::floor(turns)) * n, n - 1e-9);
@@ -87,7 +87,7 @@ class WaveSums {
 
     void start() { std::fill(grid_.begin(), grid_.end(), 0.0); }
 
-    // Adds a wave to sum `r`.
+    // Add a wave to sum `r`.
     template <class I>
     LOMMEL_INLINE void add(I isa, std::size_t r, double re, double im, double s) {
         double weights[WaveKernel::most_taps];
@@ -97,7 +97,7 @@ class WaveSums {
             to[wide] += weights[i] * im;
         }
     }
-    // Adds a wave of the same step to all eight sums: amplitudes as eight real parts, eight imaginary ones.
+    // Add a wave of the same step to all eight sums; amplitudes: eight real parts, eight imaginary parts.
     template <class I, class T>
     LOMMEL_INLINE void add(I isa, const T* amplitudes, double s) {
         double weights[WaveKernel::most_taps];
@@ -109,7 +109,7 @@ class WaveSums {
         }
     }
 
-    // Calls at(j, sum), j = k + side / 2: eight real parts, eight imaginary ones, to be multiplied by `gain`.
+    // Call at(j, sum), j = k + side / 2, with eight real parts and eight imaginary parts, still to be multiplied by `gain`.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;
@@ -125,7 +125,7 @@ class WaveSums {
    private:
     static constexpr std::size_t wide = fft_rows, element = fft_element;
 
-    // Returns the first grid element that a wave is added to, and writes its weight on each.
+    // Return the first grid element to which a wave is added, and write its weight on each.
     template <class I>
     LOMMEL_INLINE double* taps_at(I, double s, double* weights) {
         using V = typename I::pack;

@@ -1,4 +1,4 @@
-// Spread of one image column of points into neighbouring columns, and its transpose, with or without occlusion.
+// Spread of the points of one image column into neighbouring columns, and its transpose, with or without occlusion.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,7 @@ struct Rows {
     }
 };
 
-// Calls visit(rows) for each block of columns of one or two points; a block of half width costs half as much.
+// Call visit(rows) for each block of columns of one or two points; a block of half width costs half as much.
 template <class I, std::size_t Points, bool Alike, class T, class Visit>
 LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
     using Whole = Rows<Packed<I, T>, T, Points, Alike>;
@@ -77,18 +77,18 @@ LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* point
     }
 }
 
-// Points first .. last of a column: index `at` of the column's first point in the image, its index `point` among all points,
-// largest half width of their windows, and whether any of them is partly occluded.
+// Points first .. last of a column. at: index of the column's first point in the image; point: its index among all points;
+// half: largest half width of their windows; hidden: some of them are partly occluded.
 struct Column {
     std::ptrdiff_t at;
     std::size_t point, first, last, half;
     bool hidden;
 };
 
-// Sheets: accumulators beside a column, [row, from `widest` above its first point][column, from the point outwards]. Windows
-// are symmetric, so one sheet serves both sides unless there is occlusion. Sums at the same addresses for every column,
-// aligned to cache lines, take half the time of sums in the image. There is one spare row: the last of an odd number of
-// points is paired with one that spreads nothing.
+// Sheets: accumulators for a column, [row, from `widest` above its first point][column, from the point outwards]. Windows are
+// symmetric, so one sheet serves both sides unless there is occlusion. Sums at the same cache-aligned addresses for every
+// column take half the time of sums in the image. There is one spare row, as the last of an odd number of points is paired with
+// an empty one.
 template <class I, class T>
 class Sheets {
    public:
@@ -108,13 +108,13 @@ class Sheets {
         return (widest_ + static_cast<std::size_t>(row)) * stride_ + from;
     }
 
-    // A zero, then ones: masks the middle column in vectors that start there.
+    // A zero, then ones: mask of the middle column in vectors that start there.
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 
-    // Calls f(place, right, left, beside) for all vectors that the points reach: offsets in a sheet and in the image on
-    // either side; `beside` is a mask that is 0 at the middle column, which would otherwise count twice. Narrow vectors are
-    // used where they suffice, as those across two cache lines are slow.
+    // Call f(place, right, left, beside) for all vectors that the points reach: offsets in a sheet and in the image on either
+    // side; `beside` is a mask that is 0 at the middle column, which would otherwise count twice. Narrow vectors are used where
+    // they suffice, as vectors across two cache lines are slow.
     template <class F>
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
         using Narrow = Packed<Half<I>, T>;
@@ -140,12 +140,12 @@ class Sheets {
         }
     }
 
-    // Reverses lanes: columns to the left in the order of those to the right.
+    // Permutation that reverses lanes: columns to the left in the order of those to the right.
     struct Mirror {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Calls f(place, right, left) with the fractions, 0 to 1, of layer `layer` that pixels on either side of the points see.
+    // Call f(place, right, left) with the fractions, 0 to 1, of layer `layer` that pixels on either side of the points see.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
@@ -163,8 +163,8 @@ class Sheets {
     Aligned<T> values_, sums_;
 };
 
-// Forward direction: points add their windows to the image. Points of a partly occluded layer are summed first, then
-// multiplied by the visible fractions.
+// Forward operator: points add their windows to the image. Points of a partly occluded layer are summed first, then multiplied
+// by the visible fractions.
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
@@ -199,8 +199,7 @@ struct Giving {
                 to(static_cast<std::ptrdiff_t>(row), above[0]), to(-static_cast<std::ptrdiff_t>(row), above[0]);
             }
         } else {
-            // Row r of the first point is row r - 1 below the second, and row r above the first is row r + 1 above the
-            // second.
+            // Row r of the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
                 to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1]);
@@ -219,8 +218,8 @@ struct Giving {
             if (column.hidden) {
                 here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
             }
-            // Both sides are loaded before either is stored: a load that overlaps a recent store only in part stalls the
-            // processor. The middle column lies in both vectors; `right`, which is stored last, holds its sum.
+            // Load both sides before storing either: a load that partly overlaps a recent store stalls the processor. The
+            // middle column is in both vectors; `right`, which is stored last, has its sum.
             here = load<W>(out + right) + here;
             store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * beside));
             store(out + right, here);
@@ -315,7 +314,7 @@ struct Taking {
         }
     }
 
-    // Lane sums by the shortest vectors, which every processor has.
+    // Lane sums with the shortest vectors, which every processor has.
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
         using Short = Packed<Portable, T>;
         constexpr std::size_t some = sizeof(Short) / sizeof(T);

@@ -1,5 +1,5 @@
-// Blur with occlusion: layers are composed front to back, each weighted by the part of the aperture that nearer layers leave
-// open.
+// Blur with occlusion: layers are composed front to back, each weighted by the fraction of the aperture that nearer layers do
+// not cover.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +21,14 @@
 namespace lommel {
 
 // Points in layers, [scene.height][scene.width] including border extension. `layers` and `behind` are indexed like
-// `scene.positions`; behind[p] is the index of the point that stands for the light hidden by p, negative if there is none.
+// `scene.positions`. behind[p]: index of the point that represents the light occluded by p, negative if there is none.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
     const std::int32_t* behind;  // or null
     std::size_t count;  // number of layers, at most 64
     std::size_t pad;  // rows and columns of border extension on either side
-    bool mirrored, dark;  // mirrored: light that leaves is reflected; dark: border extension only occludes
+    bool mirrored, dark;  // mirrored: light that leaves the image is reflected; dark: border extension only occludes
 };
 
 // Visibility per pixel, [height][width] without border extension: of layer l (numbered by level()) a pixel sees the fraction
@@ -39,9 +39,9 @@ struct Composite {
     T* out;  // or null
 };
 
-// Adds the light of points and, with `Cover`, their coverage (a white scene) to separate images. The product with the light
-// is rounded before it is added, so that both instances of the template give identical bits: a compiler may fuse products and
-// sums in one and not in the other.
+// Add the light of points and, with `Cover`, their coverage (a white scene) to separate images. The product with the light is
+// rounded before it is added, so that both instances of the template give identical bits: a compiler may fuse products and sums
+// in one and not in the other.
 template <class I, class T, bool Cover>
 struct GivingLight {
     T *white, *light;
@@ -70,8 +70,7 @@ struct GivingLight {
                 to(static_cast<std::ptrdiff_t>(row), above[0], lit), to(-static_cast<std::ptrdiff_t>(row), above[0], lit);
             }
         } else {
-            // Row r of the first point is row r - 1 below the second, and row r above the first is row r + 1 above the
-            // second.
+            // Row r of the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
             W first = loaded(above[0] * value[0]), second = loaded(above[1] * value[1]);
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
@@ -96,7 +95,7 @@ struct GivingLight {
     }
 
    private:
-    // The middle column lies in both vectors; `right`, which is stored last, holds its sum.
+    // The middle column is in both vectors; `right`, which is stored last, has its sum.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W beside) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
@@ -106,19 +105,19 @@ struct GivingLight {
     }
 };
 
-// Composes the layers of a scene front to back: computes how much of each layer a pixel sees, and adds the blurred light.
+// Composition of the layers of a scene front to back: visibility of each layer at each pixel, and sum of the blurred light.
 template <class T>
 class Compositor {
    public:
-    // `image`: values with strides `down` and `right`, or null for visibility alone.
+    // `image`: values with strides `down` and `right`, or null to compute only the visibility.
     Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
                std::ptrdiff_t right);
 
-    // Adds layers from .. to - 1. Visibility is computed on the way unless `known`; before the first layer `seen` must be
+    // Add layers from .. to - 1. Visibility is computed on the way unless `known`; before the first layer `seen` must be
     // beyond() and `total` 0.
     void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
-    // Layer number relative to the middle layer: smaller numbers leave `seen` more bits for the fraction.
+    // Layer number relative to the middle layer: small numbers leave more bits of `seen` for the fraction.
     T level(std::size_t layer) const { return static_cast<T>(static_cast<std::ptrdiff_t>(layer) - middle()); }
     T beyond() const { return level(layered_.count); }
 
@@ -131,12 +130,12 @@ class Compositor {
     std::size_t image_height() const { return scene_.height - 2 * layered_.pad; }
     std::size_t image_width() const { return scene_.width - 2 * layered_.pad; }
 
-    // Part of a tile, small enough that the points of a column are accumulated before they are added to the image.
+    // Part of a tile, so small that the points of a column are accumulated before they are added to the image.
     struct Part {
         std::size_t top, left, height, width;
     };
 
-    // Half-open range of rows and columns of the scene, which may reach beyond it; empty if bottom <= top or right <= left.
+    // Half-open range of rows and columns of the scene, which may extend beyond it; empty if bottom <= top or right <= left.
     struct Box {
         std::ptrdiff_t top, left, bottom, right;
 
@@ -184,7 +183,7 @@ class Compositor {
         return static_cast<std::size_t>(scene_.rows[y]) * scene_.across + static_cast<std::size_t>(scene_.columns[x]);
     }
 
-    // Find the layers present in each part, and their bounding boxes.
+    // Find the layers in each part, and their bounding boxes.
     void mark() {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             each_part(tile / columns_, tile % columns_, [&](std::size_t at, const Part& part) {
@@ -225,10 +224,10 @@ class Compositor {
             {at(pad), at(pad), at(pad + image_height()), at(pad + image_width())});
     }
 
-    // The shortest vectors, available on every processor of an architecture: results do not depend on the processor.
+    // Shortest vectors, available on every processor of an architecture, so that results do not depend on the processor.
     using Short = Packed<Portable, T>;
 
-    // Calls f(row, from, to) for each row of a box, with its range of columns.
+    // Call f(row, from, to) for each row of a box, with its range of columns.
     template <class F>
     static void each_row(const Box& box, const F& f) {
         for (std::ptrdiff_t y = box.top; y < box.bottom && box.left < box.right; ++y) {
@@ -236,7 +235,7 @@ class Compositor {
         }
     }
 
-    // For each tile, find the farthest layer that any pixel sees, and the number of pixels that are still open.
+    // For each tile, find the farthest layer visible at any pixel, and the number of pixels that are not closed.
     void look_at(const Composite<T>& made) {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             T most = level(0) - T(1);
@@ -262,7 +261,7 @@ class Compositor {
         return false;
     }
 
-    // Select the tiles that hold points of a layer which pixels in or next to the tile still see; returns whether there are
+    // Select the tiles with points of a layer that is visible from pixels in or next to the tile; returns whether there are
     // any.
     bool choose(std::size_t layer) {
         chosen_.assign(rows_ * columns_, 0);
@@ -285,12 +284,12 @@ class Compositor {
     struct Points {
         explicit Points(std::size_t tall)
             : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
-        std::unique_ptr<BankPlace<T>[]> places;  // [row, one spare][column], set within the layer's extent
-        std::unique_ptr<T[]> values;  // [column][row, one spare], set where there is a point of the layer
+        std::unique_ptr<BankPlace<T>[]> places;  // [row, one spare][column], set within the extent of the layer
+        std::unique_ptr<T[]> values;  // [column][row, one spare], set at points of the layer
         std::size_t first[part_width], last[part_width];
     };
 
-    // Spread the points of a layer in a tile; returns the box that they reach.
+    // Spread the points of a layer in a tile; returns the bounding box of the pixels that they reach.
     Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
         Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -331,7 +330,7 @@ class Compositor {
         return reached;
     }
 
-    // Set the bank positions and light of the points of a layer, and for each column the range of rows that has any.
+    // Set the bank positions and light of the points of a layer, and for each column the range of rows with points.
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {
@@ -370,7 +369,7 @@ class Compositor {
         return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
     }
 
-    // Spread one column of points; two vertically adjacent points at a time, as in Spreader. Returns the largest half width.
+    // Spread one column of points, two vertically adjacent points at a time as in Spreader. Returns the largest half width.
     template <class I, class Side>
     LOMMEL_INLINE std::size_t one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
                                          Sheets<I, T>& sheets, const Side& side) const {
@@ -447,8 +446,8 @@ class Compositor {
         }
     }
 
-    // Update the visibility of some pixels by a layer with coverage `cover`, and reset `cover` to zero. Returns 1 for pixels
-    // that become closed in this layer, 0 for others.
+    // Update the visibility of pixels by a layer with coverage `cover`, and reset `cover` to zero. Returns 1 for pixels that
+    // are closed by this layer, 0 for others.
     Short cover_pixels(T* total, T* seen, T* cover, T layer) const {
         constexpr T tiny = std::numeric_limits<T>::min(), never = std::numeric_limits<T>::infinity();
         const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());
@@ -521,12 +520,12 @@ class Compositor {
     std::size_t margin_;
     Mixer<T> mixture_;
     std::size_t tall_, broad_, rows_, columns_, parts_;
-    std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points there
+    std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points in the part
     std::vector<Extent> extents_;  // [tile][part][layer]
     std::vector<T> most_;  // [tile]: largest `seen` of its pixels
-    std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not closed yet
+    std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not closed
     std::vector<unsigned char> chosen_;
-    std::vector<Box> reached_;  // boxes reached by the current layer from each chosen tile
+    std::vector<Box> reached_;  // boxes reached by the current layer from each selected tile
 };
 
 // Defined outside the class so that it is not inline and is compiled once, by explicit instantiation.

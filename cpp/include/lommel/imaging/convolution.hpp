@@ -13,15 +13,14 @@
 
 namespace lommel {
 
-// FFT convolution of the planes (colours) of a picture with real PSFs. The upper and lower half of a plane, each with its
-// margins, are the real and imaginary part of one complex plane; convolution with a real PSF keeps them apart. Rows are
-// transformed eight at a time, then columns. A spectrum is stored as the column transform returns it: [group of eight
-// columns][frequency][re or im][column].
+// FFT convolution of the planes (colours) of an image with real PSFs. The upper and lower half of a plane, each with its
+// margins, are the real and imaginary part of one complex plane, which a real PSF does not mix. Rows are transformed eight at a
+// time, then columns. A spectrum has the layout of the column transform: [group of eight columns][frequency][re or im][column].
 //
-// Single precision: about 1e-6 of the brightest pixel, RowFft::rounding() units of rounding per transform.
+// Single precision: error of about 1e-6 of the brightest pixel, RowFft::rounding() units of rounding per transform.
 class Convolution {
    public:
-    // For pictures of height x width pixels and PSFs of at most 2 `reach` + 1 pixels a side.
+    // For images of height x width pixels and PSFs of at most 2 `reach` + 1 pixels a side.
     Convolution(std::size_t height, std::size_t width, std::size_t reach)
         : height_(height), width_(width), reach_(reach), half_((height + 1) / 2),
           across_(RowFft<float>::length(width + 2 * reach)), down_(RowFft<float>::length(half_ + 2 * reach)), wide_(across_.n),
@@ -58,7 +57,7 @@ class Convolution {
         spectrum_of(spread_);
     }
 
-    // Set plane `which` of the picture; its transform is reused if the values have not changed.
+    // Set plane `which` of the image; its transform is reused if the values have not changed.
     void set_plane(std::size_t which, const float* plane) {
         planes_.resize(std::max(planes_.size(), which + 1));
         Plane& here = planes_[which];

@@ -1,4 +1,5 @@
-// Layers of similar defocus, and a source for the light behind points of near layers, which one photograph does not show.
+// Layers of similar defocus, and for each occluding point a representative point for the light behind it, which a photograph
+// does not show.
 #pragma once
 
 #include <algorithm>
@@ -64,24 +65,24 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
     return count;
 }
 
-// For each occluding point p, finds a point whose light stands for what p hides.
-//
+// For each occluding point p, find a representative point for the light behind p.
 // A point p occludes a farther point q if their distance is less than radius(p) - radius(q): rays through the rim of the
-// aperture then pass the edge between them. Candidates q are visited by distance. Candidates in the layer of p or nearer are
-// skipped. A candidate too far away for its radius is skipped too, with all later ones that lie in no farther layer. The
-// light behind p is taken from the mirror image of p at q if that is as far away as q, else from q.
+// aperture then pass the edge between them. Candidates q are visited in order of distance. Candidates in the layer of p or
+// nearer are skipped; so is a candidate beyond this distance, with all later ones that are in no farther layer. The
+// representative of the light behind p is the mirror image of p at q, if its layer is farther than the skipped ones; otherwise
+// q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
         : layers_(layers), radius_(radius), height_(height), width_(width), threads_(threads) {}
 
-    // Write behind[point]: index of the stand-in point, or -1. Returns the number of points that have one.
+    // Write behind[point]: index of the representative point, or -1. Returns the number of points that have one.
     std::size_t find(std::int32_t* behind) const;
 
    private:
     static constexpr std::size_t block = 32, most_rings = 255;
 
-    // Offset to another point: its length, rows and columns in pixels, and the difference of indices.
+    // Offset to another point: distance, rows and columns in pixels, and difference of indices.
     struct Step {
         float distance;
         std::int32_t down, right, along;
@@ -91,9 +92,9 @@ class HiddenPoints {
         return y >= reach && x >= reach && y + reach < height_ && x + reach < width_;
     }
 
-    // Lower bound of min over q of radius(q) + distance(q, p) at each point p, by two sweeps over neighbours. Step lengths
-    // are scaled by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. Where the bound is not
-    // below radius(p), p occludes nothing. Returns an empty vector if that holds everywhere.
+    // Lower bound on min over q of radius(q) + distance(q, p) at each point p, by two sweeps over neighbours. Step lengths are
+    // multiplied by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. If the bound is not below
+    // radius(p), p occludes nothing. Returns an empty vector if no point occludes any other.
     std::vector<float> lowest() const {
         constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and sqrt(2) times that, rounded down
         std::vector<float> least(radius_, radius_ + height_ * width_);
@@ -161,7 +162,7 @@ class HiddenPoints {
         return both;
     }
 
-    // Offsets to other points, sorted by distance, ties in row order.
+    // Offsets to other points in order of distance, for equal distances in row order.
     std::vector<Step> by_distance(std::size_t reach) const {
         const auto most = static_cast<std::int32_t>(reach);
         std::vector<Step> steps;
@@ -178,8 +179,8 @@ class HiddenPoints {
         return steps;
     }
 
-    // For each point, a radius up to `most` pixels within which no point lies in a farther layer. Computed by dilation with
-    // octagons (squares and diamonds in turn), which contain the circles of these radii.
+    // For each point, a radius of at most `most` pixels without any point of a farther layer inside. By dilation with octagons
+    // (squares and diamonds alternately), which contain the circles of these radii.
     std::vector<std::uint8_t> alone(std::size_t most) const {
         const std::size_t height = height_, width = width_;
         std::vector<std::uint8_t> farthest(layers_, layers_ + height * width), wide(farthest), result(farthest.size(), 0);
@@ -194,7 +195,7 @@ class HiddenPoints {
                 }
                 row[width - 1] = std::max(here[width - 1], here[width - std::min<std::size_t>(2, width)]);
             }
-            // Odd rings (squares) include the diagonal neighbours, even ones (diamonds) do not.
+            // Odd rings (squares) include the diagonal neighbours, even rings (diamonds) do not.
             const std::vector<std::uint8_t> beside = ring % 2 == 1 ? wide : farthest;
             for (std::size_t y = 0; y < height; ++y) {
                 const std::uint8_t *const row = wide.data() + y * width, *const own = layers_ + y * width;
@@ -214,8 +215,8 @@ class HiddenPoints {
         return y >= 0 && x >= 0 && y < static_cast<std::ptrdiff_t>(height_) && x < static_cast<std::ptrdiff_t>(width_);
     }
 
-    // Return the index of the point that stands for the light behind point (y, x), or -1. Offsets before `from` lead to no
-    // farther layer; none of length `far` or more can be occluded.
+    // Index of the representative point of the light behind point (y, x), or -1. Offsets before `from` lead to no farther
+    // layer; points at distances of `far` or more cannot be occluded.
     template <bool Inner>
     std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from, float far) const {
         const auto row = static_cast<std::ptrdiff_t>(y), column = static_cast<std::ptrdiff_t>(x);
@@ -262,7 +263,7 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
     const std::vector<Step> steps = by_distance(reach);
     const std::size_t across = (width_ + block - 1) / block;
     const std::vector<float> around = least_around(reach);
-    // The search of alone() pays only if there are many candidates.
+    // alone() saves time only if there are many candidates.
     std::size_t candidates = 0;
     for (std::size_t i = 0; i < size; ++i) {
         candidates += reached[i] < radius_[i] ? 1 : 0;

@@ -24,9 +24,8 @@ struct FieldWindows {
 };
 
 // Source pixels: rows[y] and columns[x] of an image, so that border extension needs no copy.
-//
 // Across the image the splines are replaced by parabolas through their values at `places` (an odd number): column x of the
-// image mixes the three places from 2 tiles[x] on, with weights shares[x][3].
+// image is a mixture of the three places from 2 tiles[x] on, with weights shares[x][3].
 template <class T>
 struct FieldScene {
     const T *down, *places, *shares;  // [image row][node down], [place][node across], [image column][3]
@@ -37,7 +36,7 @@ struct FieldScene {
     std::size_t across, intervals, order;
 };
 
-// Spreads each source pixel over its interpolated window (forward), or returns the inner product with it (adjoint).
+// Spread each source pixel over its interpolated window (forward), or return the inner product with it (adjoint).
 template <class T>
 class FieldSpreader {
    public:
@@ -51,7 +50,8 @@ class FieldSpreader {
     // scene.
     void forward(const T* values, T* out) const;
 
-    // Transpose of forward(): each pixel takes the sum of window x `image`, the image having the size of forward()'s output.
+    // Transpose of forward(): each pixel becomes the sum of window x `image`, an image with the size of the output of
+    // forward().
     void adjoint(const T* image, T* out) const;
 
    private:
@@ -115,7 +115,7 @@ class FieldSpreader {
         }
     }
 
-    // One window is built while the previous one is added to the image: a load that overlaps a recent store only in part
+    // The next window is computed while the previous one is added to the image: a load that partly overlaps a recent store
     // stalls the processor.
     template <class I, std::size_t Order>
     LOMMEL_INLINE void one_row(std::size_t y, const T* nodes, const T* values, const T* image, T* out, T* windows) const {
@@ -212,8 +212,8 @@ class FieldSpreader {
         return sum;
     }
 
-    // Add a window to an image. The last columns of a row use the shortest sufficient vector, with excess lanes multiplied by
-    // 0.
+    // Add a window to an image. The last columns of a row use the shortest sufficient vector, whose excess lanes are multiplied
+    // by 0.
     template <class I>
     LOMMEL_INLINE void give(const T* window, T* out) const {
         constexpr std::size_t lanes = sizeof(Packed<I, T>) / sizeof(T);
@@ -244,7 +244,8 @@ class FieldSpreader {
         }
     }
 
-    // Copy the part of an image that a window covers. Vectors run over the end of a row; the next row overwrites the excess.
+    // Copy the part of an image that a window covers. Vectors extend beyond the end of a row; the next row overwrites the
+    // excess.
     template <class I>
     LOMMEL_INLINE void take(const T* image, T* window) const {
         using V = Packed<I, T>;

@@ -13,8 +13,8 @@
 
 namespace lommel {
 
-// Lookup table over the leading bits (exponent and part of the fraction) of a positive float. So many bits are used that each
-// interval holds at most one edge; the number of edges below each interval is tabulated.
+// Lookup table over the leading bits (exponent and part of the fraction) of a positive float, as many that each interval
+// contains at most one edge; the number of edges below each interval is tabulated.
 class Levels {
    public:
     // Edges: increasing, positive, at most 255 of them.
@@ -38,7 +38,7 @@ class Levels {
         }
     }
 
-    // Copied by value to stay in registers: bytes that are written may alias any object, hence would force reloads.
+    // Copied by value to stay in registers: written bytes may alias any object, and would force reloads.
     struct Reader {
         const float* edge;
         const std::uint8_t* below;
@@ -88,7 +88,7 @@ inline std::size_t levels(const float* light, std::size_t size, const float* edg
         for (std::size_t i = task * part; i < last; ++i) {
             out[i] = level(light[i]);
         }
-        std::uint32_t here = 0;  // 32 bits as the floats have, so that the loop vectorizes
+        std::uint32_t here = 0;  // 32 bits like the floats, so that the loop vectorizes
         for (std::size_t i = task * part; i < last; ++i) {
             here += static_cast<std::uint32_t>(light[i] < low) + static_cast<std::uint32_t>(light[i] > high);
         }

@@ -11,7 +11,7 @@
 
 namespace lommel {
 
-// Bank of PSF windows at equal steps of defocus, 2 widest + 1 pixels a side. Windows are symmetric about both axes, so one
+// Bank of PSF windows at equal steps of defocus, 2 widest + 1 pixels a side. Windows are symmetric about both axes, so only one
 // quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. Mixtures are
 // normalized by the same mixture of the energies, so that each sums to the value of its point.
 template <class T>
@@ -24,7 +24,7 @@ struct WindowBank {
     std::size_t room() const { return (widest + 1) * stride; }
 };
 
-// Position of a point in a bank: index of the first of its four windows (negative if the point spreads nothing), and the
+// Position of a point in a bank: index of the first of its four windows (negative: the point spreads no light), and the
 // distance from that window in steps of the bank.
 template <class T>
 struct BankPlace {
@@ -33,9 +33,7 @@ struct BankPlace {
 };
 
 // Interpolated window of one point: index of the first window, cubic Lagrange weights of the four, half width in pixels, and
-// occlusion layer.
-//
-// `any`: the point spreads light at all. `hidden`: some pixels that its window reaches see only part of it.
+// occlusion layer. `any`: the point spreads light. `hidden`: some pixels reached by its window see only a fraction of it.
 template <class T>
 struct Mixture {
     T weights[4];
@@ -44,7 +42,7 @@ struct Mixture {
     bool any, hidden;
 };
 
-// Computes the weights of mixtures or, with `slopes`, their derivatives with respect to the position in the bank.
+// Weights of mixtures or, with `slopes`, their derivatives with respect to the position in the bank.
 template <class T>
 class Mixer {
    public:

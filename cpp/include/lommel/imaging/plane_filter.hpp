@@ -16,9 +16,8 @@
 
 namespace lommel {
 
-// Numbers of planes of the specimen and of its recording; the recording starts at specimen plane `first`. `before` and
-// `after` count the planes beyond either end of the specimen whose light still reaches the recording; they repeat its
-// outermost planes.
+// Numbers of planes of the specimen and of its recording; the recording starts at specimen plane `first`. `before`, `after`:
+// numbers of planes beyond either end of the specimen whose light reaches the recording; they repeat its outermost planes.
 struct StackPlanes {
     std::size_t specimen, recording, first, before, after;
 };
@@ -31,18 +30,18 @@ struct PlaneTransfer {
     std::size_t rows, frequencies;
 };
 
-// Sum over kernels of (weight at each specimen plane) x specimen, convolved axially with the kernel; and the transpose of
-// this. Works in place on [plane][row][column], on eight columns at a time. Each row is first copied from all planes, because
-// every plane lies on a memory page of its own.
+// Sum over kernels of (weight at each specimen plane) x specimen, convolved axially with the kernel, and its transpose. Works
+// in place on [plane][row][column], on eight columns at a time. Each row is first copied from all planes, because each plane is
+// on a memory page of its own.
 class PlaneFilter {
    public:
-    // `length`: a length that RowFft supports, at least the number of all planes. weights[kernel][plane of the specimen].
+    // `length`: length supported by RowFft, at least the number of all planes. weights[kernel][plane of the specimen].
     PlaneFilter(StackPlanes planes, std::size_t length, std::size_t rows, std::size_t columns,
                 std::vector<PlaneTransfer> kernels, const float* weights)
         : planes_(planes), fft_(length), rows_(rows), columns_(columns), groups_((columns + 7) / 8),
           kernels_(std::move(kernels)), weights_(weights) {}
 
-    // Replaces the specimen's planes, the first of `room`, by those of the recording; transposed, the other way round.
+    // Replace the specimen's planes, the first of `room`, by those of the recording; if transposed, the reverse.
     void run(std::complex<float>* room, bool transposed, int threads) const;
 
    private:
@@ -65,7 +64,7 @@ class PlaneFilter {
     static LOMMEL_INLINE Pairs seconds(Pairs a, Pairs b) { return (a >> 32U) | (b & ~low); }
 #endif
 
-    // Copies one row of all planes, with re and im exchanged: an FFT of exchanged numbers is the inverse FFT. They stay
+    // Copy one row of all planes, with re and im exchanged: the FFT of exchanged numbers is the inverse FFT. They remain
     // exchanged up to the products in multiply(). Columns are in the order 0 4 1 5 2 6 3 7.
     LOMMEL_INLINE void take(const std::complex<float>* room, std::size_t row, std::size_t count, float* held) const {
         for (std::size_t plane = 0; plane < count; ++plane) {

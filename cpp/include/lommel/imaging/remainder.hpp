@@ -12,8 +12,8 @@
 
 namespace lommel {
 
-// Cubics values[interval][power][product] of the distance from the second of the four windows that they interpolate. Each
-// power has `stride` values, a multiple of 16, zero after the last product.
+// Cubics values[interval][power][product] of the distance from the second of the four windows that they interpolate. Each power
+// has `stride` values, a multiple of 16, zero after the last product.
 template <class T>
 struct RemainderCubics {
     const T* values;

@@ -17,7 +17,7 @@
 namespace lommel {
 
 // Source pixels [height][width] and their positions in the bank: pixel (y, x) has positions[rows[y]][columns[x]], so that
-// border extension needs no copy of the image. Pixels with a negative position spread nothing.
+// border extension needs no copy of the image. Pixels with a negative position spread no light.
 struct Scene {
     const double* positions;
     std::size_t across;
@@ -49,15 +49,15 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
 }
 #endif
 
-// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l, that is, all of the layers in front of
-// `seen`, part of the layer in which `seen` lies, nothing behind it.
+// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l: all of the layers in front of `seen`, a
+// fraction of the layer that contains `seen`, nothing behind it.
 template <class T>
 struct Screen {
     const T* layers = nullptr;  // indexed like `positions`; null: no occlusion
     const T* seen = nullptr;    // indexed like the output of forward()
 };
 
-// Spreads each source pixel over its mixed window (forward), or returns the inner product with it (adjoint).
+// Spread each source pixel over its mixed window (forward), or return the inner product with it (adjoint).
 template <class T>
 class Spreader {
    public:
@@ -66,7 +66,7 @@ class Spreader {
         : bank_(bank), scene_(scene), screen_(screen), height_(scene.height), width_(scene.width), threads_(threads),
           margin_(margin(bank.widest)), mixture_(bank, slopes) {}
 
-    // `reach`: number of values in the longest vector. margin(): columns that vectors may touch on either side of a pixel.
+    // `reach`: number of values in the longest vector. margin(): columns that vectors may access on either side of a pixel.
     static constexpr std::size_t reach = 16;
     static std::size_t margin(std::size_t widest) { return (widest / reach + 1) * reach; }
 
@@ -75,15 +75,15 @@ class Spreader {
     // its strides.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = for each source pixel the sum of window x image, the image having the size
-    // of forward()'s output.
+    // Transpose of forward(): out[height][width] = for each source pixel the sum of window x image, an image with the size of
+    // the output of forward().
     void adjoint(const T* image, T* out) const;
 
    private:
-    // Tall enough that the points of a column are accumulated in a cached sheet before they are added to the image.
+    // So tall that the points of a column are accumulated in a cached sheet before they are added to the image.
     static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
-    // Side of the squares of points that are tested for occlusion together: small against a window, so little is tested in
-    // vain.
+    // Side of the squares of points that are tested for occlusion together: much smaller than a window, so that few tests are
+    // wasted.
     static constexpr std::size_t near = 8;
     static constexpr std::size_t line = 64;  // bytes of a cache line
 
@@ -106,7 +106,7 @@ class Spreader {
     // Row stride of the image with margins.
     std::size_t across() const { return width_ + 2 * margin_; }
 
-    // Points of a part of the image, gathered row by row so that cache misses of many points overlap.
+    // Points of a part of the image, copied row by row so that cache misses of many points overlap.
     struct Tile {
         static constexpr std::size_t broad = 64;
         explicit Tile(std::size_t tall, bool screened)
@@ -115,10 +115,10 @@ class Spreader {
         std::size_t top, left, height, width;
         std::vector<BankPlace<T>> places;
         std::vector<T> values, layers;
-        std::vector<unsigned char> hidden;  // seen only in part by some pixel
+        std::vector<unsigned char> hidden;  // some pixel sees only a fraction of it
     };
 
-    // Runs one direction (`side`: Giving or Taking) for all source pixels of a part of the image.
+    // Run one direction (`side`: Giving or Taking) for all source pixels of a part of the image.
     template <class I, class Value, class Side>
     LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
                               const Value& value, const Side& side) const {
@@ -171,9 +171,9 @@ class Spreader {
         }
     }
 
-    // Handle the points of one column, two vertically adjacent points at a time unless occlusion separates them. Pairs are
-    // sorted by kind (same or different first window) to avoid branch mispredictions. Partly occluded points come first,
-    // layer by layer.
+    // Spread the points of one column, two vertically adjacent points at a time unless occlusion separates them. Pairs are
+    // sorted by kind (same or different first window) to avoid branch mispredictions. Partly occluded points come first, layer
+    // by layer.
     template <class I, class Side>
     LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
                                   const Side& side) const {
@@ -263,9 +263,9 @@ class Spreader {
         side.close(sheets, column);
     }
 
-    // For a square of neighbouring points, test against the extremes of `seen` over all pixels that their windows reach: drop
-    // points that no pixel sees, and mark those that some pixel sees only in part. Most points of a scene are neither, and
-    // then cost the same as without occlusion.
+    // Test a square of neighbouring points against the extremes of `seen` over all pixels that their windows reach: drop points
+    // that no pixel sees, and mark those that some pixel sees only in part. Most points of a scene are neither, and then cost
+    // the same as without occlusion.
     template <class I>
     LOMMEL_INLINE void look(I, Tile& tile, std::size_t down, std::size_t height, std::size_t along, std::size_t width) const {
         using V = Packed<I, T>;
@@ -322,7 +322,7 @@ void Spreader<T>::forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t ri
     const auto value = [&](std::size_t y, std::size_t x) -> const T& {
         return image[scene_.rows[y] * down + scene_.columns[x] * right];
     };
-    // Tiles at least as large as the area that a pixel writes to, so that alternate tiles do not overlap.
+    // Tiles at least as large as the area that a pixel spreads to, so that alternate tiles do not overlap.
     const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);
     tiles.each(threads_, [&](std::size_t row, std::size_t column) {
         const std::size_t y = row * tall, x = column * broad;

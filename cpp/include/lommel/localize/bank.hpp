@@ -15,7 +15,7 @@ namespace lommel {
 // Templates: molecule images minus their mean, divided by their norm.
 class Bank {
    public:
-    // `places` are positions in the first channel, sorted by z, `layer` of them for each z.
+    // `places`: positions in the first channel, sorted by z, `layer` of them for each z.
     Bank(const std::vector<Channel>& channels, const std::vector<Place>& places, std::size_t layer)
         : places_(places), layer_(layer) {
         for (const Channel& channel : channels) {
@@ -54,8 +54,7 @@ class Bank {
 
     static constexpr std::size_t together = 4;
 
-    // Inner products of `together` images of a channel, stored in rows of whole vectors, with all templates:
-    // to[together][padded()].
+    // Inner products of `together` images of a channel, in rows of whole vectors, with all templates: to[together][padded()].
     void products(std::size_t channel, const float* images, float* to) const {
         const Templates& all = channels_[channel];
         const std::size_t length = all.pixels, count = padded();
@@ -104,15 +103,15 @@ class Bank {
     std::vector<Templates> channels_;
 };
 
-// Images of many molecules in electrons, [molecule][height][width] without gaps; NaN marks invalid pixels. `read`: variance
-// of the read noise in electrons^2, likewise, or one image for all molecules if read_step is 0.
+// Images of many molecules in electrons, [molecule][height][width], contiguous; NaN marks invalid pixels. `read`: variance of
+// the read noise in electrons^2, in the same layout, or one image for all molecules if read_step is 0.
 struct BoxStack {
     const float* electrons;
     const float* read;
     std::size_t read_step;
 };
 
-// Fits molecules, each from its best templates.
+// Fits of molecules, each from its best templates.
 class Localizer {
    public:
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
@@ -124,7 +123,7 @@ class Localizer {
              int threads, Fitted* fitted) const;
 
    private:
-    // Copy an image into rows of whole vectors, as it is and with its mean subtracted; returns the mean.
+    // Copy an image into rows of whole vectors, unchanged and with its mean subtracted; returns the mean.
     static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
         const std::size_t size = table.height * table.width;
         const float* const electrons = stack.electrons + index * size;
@@ -193,7 +192,7 @@ class Localizer {
                 start[3 + fit.own() * c] = photons;
                 start[4 + fit.own() * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
             }
-            // Exclude neighbouring z, which would converge to the same position.
+            // Exclude neighbouring z, from which the fit would converge to the same position.
             for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {
                 alike[near] = tried;
             }
@@ -209,7 +208,7 @@ class Localizer {
 
     static constexpr double tried = -1e300;
     static bool in_doubt(const Fitted& fitted) { return fitted.state != FitState::converged || fitted.discrepancy > 2.5; }
-    // Prefer converged fits: one that ended otherwise must have a deviance lower by 9, an undetermined one never wins.
+    // Prefer converged fits: a fit that ended otherwise must have a deviance lower by 9; an undetermined fit never wins.
     static bool better(const Fitted& a, const Fitted& b) {
         const auto cost = [](const Fitted& each) {
             return each.deviance + (each.state == FitState::converged      ? 0.0

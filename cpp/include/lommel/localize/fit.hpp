@@ -25,14 +25,13 @@ constexpr std::size_t most_unknown = 3 + 4 * most_channels;
 
 enum class FitState : std::int32_t { converged, border, steps, undetermined };
 
-// Another channel: positions in it are matrix x (row, column in the first channel) + offset; matrix is [2][2], by rows.
+// Additional channel: its positions are matrix x (row, column in the first channel) + offset; matrix is [2][2], by rows.
 struct Channel {
     MoleculeTable table;
     double matrix[4];
 };
 
-// Molecule images in rows of whole vectors: electrons plus the read variance, the read variance (electrons^2), and `valid` (1
-// or 0).
+// Molecule images in rows of whole vectors: electrons plus read variance, read variance (electrons^2), and `valid` (1 or 0).
 struct Counts {
     Floats electrons, read, valid;
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
@@ -62,7 +61,7 @@ constexpr double noise = 1e-6;  // relative rounding of the deviance, a sum of f
 constexpr double singular = 1e-6;  // pivots below this share of the diagonal are rounding errors of float sums
 constexpr int most_steps = 50;
 
-// Light of a channel, in electrons: photons, background per pixel in the middle of the box, and its slopes per pixel.
+// Light of a channel, in electrons: photons, background per pixel at the middle of the box, and its slopes per pixel.
 struct Light {
     double photons, background, down, across;
 };
@@ -85,9 +84,9 @@ LOMMEL_INLINE double total(V v) {
     return sum;
 }
 
-// Score, information and deviance for the mean photons x images[value] + background + read. With 7 unknowns the background
-// has slopes; `ramps` are the row and the column of each pixel relative to the middle. Summed in float: the deviance is
-// accurate to about 1e-7 of the electrons.
+// Score, information and deviance for the mean photons x images[value] + background + read. With 7 unknowns the background has
+// slopes; `ramps`: row and column of each pixel relative to the middle. Sums are in float: the deviance is accurate to about
+// 1e-7 of the electrons.
 template <std::size_t Unknown>
 inline void add_up(const float* images, const float* ramps, std::size_t pixels, const Counts& counts, const Light& light,
                    Sums& sums) {
@@ -113,7 +112,7 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // The reference max(|d|, 1) only adds a constant, d log(reference); counts d may be 0 or negative.
+            // The reference max(|d|, 1) only adds a constant, d log(reference), as counts d may be 0 or negative.
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;
@@ -137,9 +136,9 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
     });
 }
 
-// Pearson's chi2 of a channel, its expectation and variance. With x = Poisson(mu) + N(0, read) - mu, x^2 has the mean v = mu
-// + read and the variance mu + 2 v^2. The part mu^2 / v of this variance is correlated with x and is subtracted, as the fit
-// makes the sum of x zero.
+// Pearson's chi2 of a channel, its expectation and variance. With x = Poisson(mu) + N(0, read) - mu, x^2 has the mean
+// v = mu + read and the variance mu + 2 v^2. The part mu^2 / v of this variance is correlated with x and is subtracted, as the
+// fit makes the sum of x zero.
 struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };
@@ -206,7 +205,7 @@ inline void solve(std::size_t n, const double (&a)[most_unknown][most_unknown], 
 
 }  // namespace localize
 
-// Fits molecules one after the other, reusing its memory.
+// Fit of one molecule after another, with reused memory.
 class MoleculeFit {
    public:
     MoleculeFit(const std::vector<Channel>& channels, const Limits& limits, bool tilted)
@@ -260,8 +259,8 @@ class MoleculeFit {
                     found.state = FitState::converged;
                     break;
                 }
-                // Fisher information differs from the curvature. If the derivative changes sign, the step overshot: increase
-                // the damping.
+                // Fisher information differs from the curvature. If the derivative changes sign, the step was too long:
+                // increase the damping.
                 const double turned = after / before;
                 damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
                           : turned < -0.2  ? damping
@@ -290,7 +289,7 @@ class MoleculeFit {
         const double* const m = channels_[c].matrix;
         const Place place{m[0] * at[0] + m[1] * at[1] + offsets[2 * c], m[2] * at[0] + m[3] * at[1] + offsets[2 * c + 1],
                           at[2]};
-        // Clamp: the transform may lead slightly out of the other channel's table.
+        // Clamp: the transform may lead slightly outside the other channel's table.
         images_[c].write(channels_[c].table.within(place), pictures_[c].data());
     }
 
@@ -369,7 +368,7 @@ class MoleculeFit {
     }
 
     // Take a step, limited to a pixel, to `stride` in z, and to a decrease of photons to 30 % and of the background to 20 %.
-    // Returns whether the step was shortened by these limits (those of confine() do not count).
+    // Returns whether these limits (not those of confine()) shortened the step.
     bool move(const double* at, const double* step, double* to) const {
         bool shortened = false;
         for (std::size_t k = 0; k < unknown_; ++k) {

@@ -1,5 +1,5 @@
-// Table of the images of a molecule: pixel averages and their derivatives at any position, by interpolation (certificate,
-// 19).
+// Table of the images of a molecule: interpolation of pixel averages and their derivatives at any position
+// (certificate, section 19).
 #pragma once
 
 #include <algorithm>
@@ -25,10 +25,9 @@ struct Place {
 
 // Along z: `pieces` equal intervals from `low` to `high`, with `terms` Chebyshev coefficients each. Along rows and columns:
 // `per` filtered samples per pixel, interpolated by taps polynomials[power][tap] in 2 t - 1, highest power first.
-//
-// coefficients[piece * terms + term][row][phase][column]: consecutive samples of a row differ in phase, so that one phase is
-// contiguous. Coefficient (0, 0) lies `first_row` and `first_column` samples from the molecule. MoleculeTable::beyond floats
-// after the last coefficient may be read.
+// coefficients[piece * terms + term][row][phase][column]: consecutive samples of a row differ in phase, so that each phase is
+// contiguous. Coefficient (0, 0) is `first_row` and `first_column` samples from the molecule. Up to MoleculeTable::beyond
+// floats after the last coefficient may be read.
 struct MoleculeTable {
     static constexpr std::size_t terms = 8, beyond = 256, most_taps = 16;
     const float* coefficients;
@@ -49,7 +48,7 @@ struct MoleculeTable {
 // Image of a molecule, and its derivatives with respect to row, column and z.
 constexpr std::size_t molecule_images = 4;
 
-// Interpolates the image of a molecule and its derivatives, reusing its memory.
+// Interpolation of the image of a molecule and its derivatives, with reused memory.
 class MoleculeImages {
    public:
     explicit MoleculeImages(const MoleculeTable& table)
@@ -69,7 +68,7 @@ class MoleculeImages {
         const std::size_t piece = along_z(place.z, z);
         const std::size_t top = taps_at(place.row, table.first_row, down);
         const std::size_t left = taps_at(place.column, table.first_column, right);
-        // Interpolate along z first, then rows, then columns, each in a loop of its own.
+        // Interpolate along z, then rows, then columns, in separate loops.
         const float* const from = table.coefficients + piece * MoleculeTable::terms * table.rows * line() + top * line();
         const std::size_t plane = table.rows * line(), all = needed();
         float* const value = between_.data();
@@ -77,8 +76,8 @@ class MoleculeImages {
         constexpr std::size_t together = 4;
         for (std::size_t i = 0; i < all; i += together * lanes) {
             V sum[together] = {}, rate[together] = {};
-            // Start with the highest term: the first one is usually the largest, and is then rounded only once (certificate,
-            // 19).
+            // Start with the highest term: the first one is usually the largest, and is then rounded only once
+            // (certificate, section 19).
             for (std::size_t n = MoleculeTable::terms; n-- > 0;) {
                 const V weight = splat<V>(z.value[n]), change = splat<V>(z.slope[n]);
                 for (std::size_t k = 0; k < together; ++k) {
@@ -176,7 +175,7 @@ class MoleculeImages {
         return piece;
     }
 
-    // Compute the tap weights of the first pixel for a molecule at `at` (pixels); returns the index of the first coefficient.
+    // Tap weights of the first pixel for a molecule at `at` (pixels); returns the index of the first coefficient.
     std::size_t taps_at(double at, double first, Weights& weights) const {
         const double per = static_cast<double>(table_.per), place = -per * at - first, whole = std::floor(place);
         const double x = 2.0 * (place - whole) - 1.0;

@@ -13,27 +13,27 @@
 namespace lommel {
 
 // Depth candidates, at equal steps of vergence. forms[candidate][product]: coefficients of the energy as a quadratic form in
-// the residual images. statistics[row][candidate]: energy of white noise; variance of half the derivative of the energy due
-// to texture, per unit of curvature, and due to noise; ratio of curvature to valley depth for the texture that the filters
-// are designed for; variance of the curvature due to noise.
+// the residual images. statistics[row][candidate]: energy of white noise; variance of half the derivative of the energy due to
+// texture, per unit of curvature, and due to noise; ratio of curvature to valley depth for the design texture of the filters;
+// variance of the curvature due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
     std::size_t count;  // 4 n + 1, at least 9
     const float *forms, *statistics;
-    float read_variance;  // of a dark pixel, after binning
-    float pixels;  // number in a window
+    float read_variance;  // of a pixel without light, after binning
+    float pixels;  // number of pixels in a window
     float first, step;  // vergence of the first candidate, and the step
     float low, high;  // valid range of positions, in candidates
     float largest;  // maximum standard error of a known depth, in candidates
 };
 
-// Depth estimate of one block, in units of candidates; `misfit` is 1 where the frames fit a single depth.
+// Depth estimate of one block, in units of candidates; `misfit` is 1 if the frames fit a single depth.
 struct FocalPlace {
     float position, error, misfit;  // candidates; NaN and infinite if unknown
 };
 
-// Searches for the depth of blocks: a coarse search over every fourth candidate, then the exact minimum around the best.
+// Search for the depth of blocks: coarse search over every fourth candidate, then the exact minimum around the best.
 class FocalSearch {
    public:
     FocalSearch(const FocalCandidates& given, std::size_t products)
@@ -60,8 +60,8 @@ class FocalSearch {
         Floats energies;
     };
 
-    // Estimate up to one vector of blocks. sums[product], `pitch` apart: averages over the window, divided by the noise
-    // variance. trust: the fraction of the window that is trusted.
+    // Estimate up to one vector of blocks. sums[product], at stride `pitch`: averages over the window, divided by the noise
+    // variance. trust: trusted fraction of the window.
     template <class I>
     LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, std::size_t blocks,
                                   Scratch& scratch, FocalPlace* out) const {
@@ -69,8 +69,7 @@ class FocalSearch {
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t count = roughs();
         float* const energies = scratch.energies.data();
-        // Coarse search at every fourth candidate, for all blocks at once. Eight sums run in parallel, because one sum alone
-        // would wait for the latency of each addition.
+        // Coarse search at every fourth candidate, for all blocks at once. Eight parallel sums hide the latency of additions.
         for (std::size_t c = 0; c < count; c += several) {
             V total[several] = {};
             for (std::size_t q = 0; q < products_; ++q) {
@@ -116,7 +115,7 @@ class FocalSearch {
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     // Minimum trusted fraction of a window.
     static constexpr float least_trust = 0.5f;
-    static constexpr float wide = 1.0f;  // candidates squared
+    static constexpr float wide = 1.0f;  // variance, in candidates^2, from which on the likelihood is broad
     static constexpr float unlike = 0.4f;  // relative scatter of the curvature over textures
     static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods; sure: standard deviations of an energy
 
@@ -195,8 +194,8 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= apart)) {
             return found;
         }
-        // Noise sharpens the minimum. The curvature is therefore shrunk towards the one expected from the depth of the
-        // valley, weighted by the variances of noise and of texture.
+        // Noise makes the minimum too sharp. The curvature is therefore shrunk towards the one expected from the depth of the
+        // valley, weighted by the variances due to noise and to texture.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
         const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));
@@ -209,7 +208,7 @@ class FocalSearch {
             float total = 0.0f, moment = 0.0f;
             for (std::size_t c = 0; c < count; ++c) {
                 const float apart_from = std::abs(static_cast<float>(rough_step * c) - found.position);
-                const float away = std::max(0.0f, apart_from - 1.0f);  // less the spread that coarse steps add
+                const float away = std::max(0.0f, apart_from - 1.0f);  // minus the spread that coarse steps add
                 const float chance = std::exp(likelihood * std::min(0.0f, here - rough(c)));
                 total += chance;
                 moment += chance * away * away;

@@ -1,5 +1,5 @@
-// Products of residual images, summed over blocks of pixels and smoothed over blocks: the energies at all candidates are
-// linear in these sums.
+// Products of residual images, summed over blocks of pixels and smoothed over blocks: the energies of all candidates are linear
+// in these sums.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 
 namespace lommel {
 
-// Linear combinations sum_{i,m} factors[image][i][m] T_m y_i of filtered frames y_i (see polynomials.hpp), several at a time.
+// Linear combinations sum_{i,m} factors[image][i][m] T_m y_i of filtered frames y_i (polynomials.hpp), several at a time.
 class FocalMixture {
    public:
-    // Uses `frames` frames, starting at index `first` of the rows. factors[images][frames][terms].
+    // Use `frames` frames from index `first` of the rows on. factors[images][frames][terms].
     FocalMixture(const float* factors, std::size_t images, std::size_t first, std::size_t frames, std::size_t terms)
         : images_(images), first_(first), frames_(frames), terms_(terms), factors_(factors, factors + images * frames * terms) {
     }

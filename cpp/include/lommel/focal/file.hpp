@@ -1,5 +1,4 @@
-// Reader for the tables that LiveDepth.save() writes, and depth from frames with them: all that a camera without Python
-// needs.
+// Reader of the tables written by LiveDepth.save(), and depth from frames with them, for cameras without Python.
 #pragma once
 
 #include <algorithm>
@@ -118,7 +117,7 @@ class FocalCamera {
         const std::size_t binning = whole(FocalFile::Binning), frames = whole(FocalFile::Frames);
         const auto reach = [&](FocalFile::Whole degree, FocalFile::Whole taps) { return whole(degree) * whole(taps); };
         const std::size_t least = std::min(height, width);
-        // No depth could be known in smaller frames; the check also bounds the row buffers, whose length the file sets.
+        // Smaller frames have no reliable depth; the check also limits the row buffers, whose length is set by the file.
         if (2 * whole(FocalFile::Blur) >= least / binning || reach(FocalFile::Degree, FocalFile::Reach) >= least / binning ||
             reach(FocalFile::ImageDegree, FocalFile::ImageReach) >= least) {
             throw std::invalid_argument("frames are smaller than the blur and the filters that the tables are for");
@@ -166,8 +165,8 @@ class FocalCamera {
     std::size_t down() const { return stream_->down(); }
     std::size_t across() const { return stream_->across(); }
 
-    // Compute depth from frames of 8 or 16 bits a pixel, rows `stride` pixels apart. Throws std::invalid_argument if a frame
-    // is dark.
+    // Compute depth from frames of 8 or 16 bits a pixel, rows `stride` pixels apart. Throws std::invalid_argument for a frame
+    // without light.
     void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* errors, float* misfit) {
         taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
@@ -217,8 +216,8 @@ class FocalCamera {
         taken_ = true;
     }
 
-    // Compute the sharp image of the frames of the last take(), which must still be in memory. Throws std::invalid_argument
-    // if the file has no tables for it.
+    // Compute the sharp image of the frames of the last take(), which must still be in memory. Throws std::invalid_argument if
+    // the file has no tables for it.
     void sharpen(float* image) {
         if (!pictures_ || !taken_) {
             throw std::invalid_argument(pictures_ ? "there are no frames yet" : "the tables have no sharp images: sharp=True");

@@ -1,4 +1,4 @@
-// Reads rows of camera frames, converts them to electrons per exposure, bins them, and marks unknown pixels.
+// Reader of camera frames: rows in electrons per exposure, binned, with unknown pixels marked.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// A frame of a camera: raw values, their calibration, and a mask of known pixels.
+// Camera frame: raw values, their calibration, and a mask of known pixels.
 struct FocalFrame {
     enum class Kind { bytes, words, floats };
 
@@ -23,7 +23,7 @@ struct FocalFrame {
     float offset;               // dark level
     float gain[6];              // electrons over exposure: factors of 1, x, x^2, y, x y, y^2; x, y = -1 .. 1 over the frame
     const std::uint8_t*
-        known;  // 1 for a known pixel, 0 for an unknown one, 2 for one that is lit but not to be trusted; null: all are known
+        known;  // 1 for a known pixel, 0 for an unknown one, 2 for an illuminated but not trusted one; null: all are known
     std::size_t known_stride;
 
     float value(std::size_t at) const {
@@ -34,14 +34,13 @@ struct FocalFrame {
     bool even() const { return gain[1] == 0.0f && gain[2] == 0.0f && gain[3] == 0.0f && gain[4] == 0.0f && gain[5] == 0.0f; }
 };
 
-// Reads rows of frames binned by `binning` x `binning` pixels; height and width count binned pixels.
+// Rows of frames binned by `binning` x `binning` pixels; height and width count binned pixels.
 class FocalReader {
    public:
     FocalReader(std::size_t height, std::size_t width, std::size_t binning)
         : height_(height), width_(width), binning_(binning) {}
 
-    // Write row y to `out`, and mark binned pixels in `unknown`: 2 unknown, 1 not to be trusted. Returns whether any is
-    // marked.
+    // Write row y to `out`, and mark binned pixels in `unknown`: 2 unknown, 1 not trusted. Returns whether any is marked.
     template <class I>
     LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
         switch (frame.kind) {
@@ -66,7 +65,7 @@ class FocalReader {
             copy<4>(first, frame.stride, out);
         }
         bool any = false;
-        // Quick test before the search by pixel: a saturated or non-finite pixel makes the sum of its bin at least as large,
+        // Quick test before the search by pixel: with a saturated or non-finite pixel, the sum of its bin is at least as large,
         // or non-finite.
         float most = -std::numeric_limits<float>::infinity(), all = 0.0f;
         for (std::size_t x = 0; x < width_; ++x) {
@@ -101,7 +100,7 @@ class FocalReader {
         }
     }
 
-    // Not inlined into each instruction set: a branch per pixel gains nothing from vectors.
+    // Not inlined into each instruction set, as vectors do not accelerate a branch per pixel.
     LOMMEL_NOINLINE bool look_for(const FocalFrame& frame, std::size_t y, float* unknown) const {
         bool any = false;
         for (std::size_t i = 0; i < binning_; ++i) {

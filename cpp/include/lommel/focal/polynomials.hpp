@@ -1,5 +1,5 @@
-// Chebyshev polynomials of one small filter applied to the rows of several images; each order lags the previous one by
-// `reach` rows.
+// Chebyshev polynomials of one small filter applied to the rows of several images; each order lags the previous one by `reach`
+// rows.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ LOMMEL_INLINE std::size_t mirrored_row(std::ptrdiff_t y, std::size_t side) {
 }
 
 // Filter T_m(2 B - 1) y, m = 0 .. degree. B is the product of symmetric filters along rows and columns with `reach` (1 or 2)
-// taps on either side of the middle. Images have mirrored borders, and so have the filtered ones.
+// taps on either side of the middle. Images and filtered images have mirrored borders.
 struct FocalTaps {
     std::size_t degree, reach;
     float values[3];
@@ -30,7 +30,7 @@ class FocalRows {
     static constexpr std::size_t margin = 32;
     static std::size_t padded(std::size_t width) { return (width + 31) / 32 * 32 + 2 * margin; }
 
-    // A row stays available in all orders until row `ahead` after it has been read.
+    // Each row remains available in all orders until row `ahead` after it is read.
     FocalRows(const FocalTaps& taps, std::size_t images, std::size_t height, std::size_t width, std::size_t ahead)
         : taps_(taps), height_(height), width_(width), pitch_(padded(width)), images_(images), column_(pitch_) {
         for (std::size_t m = 0; m <= taps.degree; ++m) {

@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Resampling along one axis by eight taps of a sinc with a Kaiser window, normalized to the sum 1. Up to 0.3 cycles a pixel
-// the response is off by at most 0.4 %, wherever a pixel falls.
+// Resampling along one axis by eight taps of a sinc with a Kaiser window, normalized to the sum 1. The response has an error of
+// at most 0.4 % up to 0.3 cycles per pixel, for any subpixel position.
 class FocalAxis {
    public:
     static constexpr std::size_t taps = 8;
@@ -39,7 +39,7 @@ class FocalAxis {
         }
     }
 
-    // Index of the first of the eight source pixels of pixel x, and whether all eight lie in the frame.
+    // Index of the first of the eight source pixels of pixel x; inside(): all eight are in the frame.
     std::ptrdiff_t first(std::size_t x) const { return first_[x]; }
     bool inside(std::size_t x) const { return first_[x] >= 0 && first_[x] + std::ptrdiff_t{taps} <= std::ptrdiff_t(side_); }
     float weight(std::size_t k, std::size_t x) const { return weights_[k * side_ + x]; }
@@ -65,7 +65,7 @@ class FocalAxis {
     Floats weights_;
 };
 
-// Resamples frames about their centre, in parallel strips.
+// Resampling of frames about their centre, in parallel strips.
 class FocalScale {
    public:
     // Output pixel x samples the frame at `scale` times its distance from the centre.
@@ -76,7 +76,7 @@ class FocalScale {
     std::size_t height() const { return height_; }
     std::size_t width() const { return width_; }
 
-    // Write raw values as in the frame; NaN where a source pixel lies outside it, is saturated or unknown.
+    // Write raw values like those of the frame; NaN where a source pixel is outside it, saturated or unknown.
     void operator()(const FocalFrame& frame, float* out);
 
    private:

@@ -1,4 +1,4 @@
-// Depth map and sharp images from a focal stack of frames. Rows are filtered as they are read; nothing is allocated per
+// Depth map and sharp images from a focal stack of frames. Rows are filtered while they are read; no memory is allocated per
 // frame.
 #pragma once
 
@@ -32,15 +32,15 @@ struct FocalPlan {
     std::size_t image_count;
     FocalWindow window;
     std::size_t fine;  // depths per block along either axis, interpolated between block sums
-    std::size_t blur;  // blur radius in binned pixels; within it of the border or of an unknown pixel nothing is trusted
+    std::size_t blur;  // blur radius in binned pixels; no pixel so close to the border or to an unknown pixel is trusted
     std::size_t strips;
 
     std::size_t planes() const { return channels * frames; }
-    // Rows that must be read before one can be computed.
+    // Number of rows that must be read before one can be computed.
     std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
 };
 
-// Filters a focal stack in parallel strips of rows; then estimates depth (search) and mixes sharp images (mix).
+// Filters for a focal stack in parallel strips of rows, followed by depth estimation (search) and mixing of sharp images (mix).
 class FocalStream {
    public:
     FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
@@ -76,7 +76,7 @@ class FocalStream {
     const FocalPlace* places() const { return places_.data(); }
     const float* filled() const { return filled_.data(); }
 
-    // Sums over known pixels and their number, as FocalSums returns them.
+    // Sums over known pixels and their number, like FocalSums.
     void sum(const FocalFrame* frames, double* out);
 
     // Filter a stack of frames; search() and mix() then use the results.
@@ -121,7 +121,7 @@ class FocalStream {
         Floats lines;
         std::size_t kept, pitch;  // ring of rows of unknown pixels, and their pitch
         Floats unknown;
-        std::vector<int> counts;  // unknown pixels within `blur`, per column
+        std::vector<int> counts;  // number of unknown pixels within `blur`, per column
         Floats smooth[2], padded, between, coefficients;
         std::size_t held[2] = {none, none};  // block row held in each of `smooth`
         Floats sums;  // ring of sums of the last block rows
@@ -136,13 +136,13 @@ class FocalStream {
     };
 
     std::size_t line() const { return FocalRows::padded(plan_.width); }
-    // Number of blocks above or below on which the depth of a block depends.
+    // Number of blocks above or below that contribute to the depth of a block.
     std::size_t beside() const { return plan_.window.weights.size() - 1 + (plan_.fine > 1 ? 1 : 0); }
     float* sums_of(Strip& strip, std::size_t block) const {
         return strip.sums.data() + block % kept_ * rows_ * pitch_ + FocalRows::margin;
     }
 
-    // Filter the rows of a strip in all orders, and compute everything that depends on them.
+    // Filter the rows of a strip in all orders, and compute all results that depend on them.
     template <class I>
     LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t own, std::size_t end) {
         const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
@@ -161,7 +161,7 @@ class FocalStream {
                     strip.rows.step(isa, m, y);
                 }
             }
-            // Running count over the rows within `blur`: add the row that enters the range, subtract the one that leaves it.
+            // Running count over the rows within `blur`: add the row that enters the range, subtract the row that leaves it.
             const std::size_t blur = plan_.blur, span = 2 * blur + 1;
             if (t + blur >= first + ahead && t + blur - ahead < plan_.height) {
                 count(strip, t + blur - ahead, 1);
@@ -240,7 +240,7 @@ class FocalStream {
         }
     }
 
-    // Last block row on which depth row y depends.
+    // Last block row that depth row y depends on.
     std::size_t needed(std::size_t y) const {
         const std::size_t fine = plan_.fine, block = fine == 1 ? y : (2 * y + 1 + fine) / (2 * fine);
         return std::min(std::min(block, down_ - 1) + plan_.window.weights.size() - 1, down_ - 1);
@@ -319,7 +319,7 @@ class FocalStream {
             const float* const light = sums + (products_ + c) * pitch_;
             for (std::size_t i = 0; i <= each_; ++i) {
                 column(I{}, strip, block, i == 0 ? products_ + c : c * each_ + i - 1, i == 0 ? nullptr : over, sums);
-                // Average light over the part of the window inside the image.
+                // Mean light over the part of the window inside the image.
                 for (std::size_t x = 0; i == 0 && x < across_; ++x) {
                     const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
                     over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
@@ -343,7 +343,7 @@ class FocalStream {
         }
         float* const to = sums + q * pitch_;
         std::size_t k = 0;
-        for (; k + 5 <= count; k += 5) {  // five rows at once, as the usual window has
+        for (; k + 5 <= count; k += 5) {  // five rows at a time: the number of rows of the usual window
             add<5>(isa, rows + k, shares + k, k == 0, k + 5 == count ? factors : nullptr, to);
         }
         for (; k < count; ++k) {
@@ -366,7 +366,7 @@ class FocalStream {
             store(to + x, factors ? sum * load<V>(factors + x) : sum);
         }
     }
-    // Fraction of a window along one axis that lies within 0 .. side - 1.
+    // Fraction of a window along one axis inside 0 .. side - 1.
     float share(std::size_t at, std::size_t side) const {
         const std::vector<float>& weights = plan_.window.weights;
         if (at + 1 >= weights.size() && at + weights.size() <= side) {
@@ -379,9 +379,9 @@ class FocalStream {
         return sum;
     }
 
-    // A window across a depth edge mixes two depths, and its energy has its minimum between them. The standard error is
-    // therefore enlarged by the slope of neighbouring positions and their deviation from a plane. Positions out of range or
-    // too uncertain become unknown.
+    // A window across a depth edge mixes two depths, and the minimum of its energy is between them. The standard error is
+    // therefore increased by the slope of neighbouring positions and their deviation from a plane. Positions out of range or
+    // with too large an error become unknown.
     void doubt() {
         const FocalCandidates& given = search_->candidates();
         const std::size_t strips = strips_.size();
@@ -408,8 +408,8 @@ class FocalStream {
             }
         }
     }
-    // Additional variance of a position from its neighbours, beyond their own errors: from their slope and, where the frames
-    // do not fit a single depth (misfit), from their deviation from a plane.
+    // Additional variance of a position from its neighbours, beyond their own errors: from their slope and, if the frames do
+    // not fit a single depth (misfit), from their deviation from a plane.
     float rough(std::ptrdiff_t y, std::ptrdiff_t x, std::ptrdiff_t reach) const {
         const auto rows = static_cast<std::ptrdiff_t>(down()), columns = static_cast<std::ptrdiff_t>(across());
         const FocalPlace& here = places_[static_cast<std::size_t>(y * columns + x)];

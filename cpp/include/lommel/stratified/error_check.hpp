@@ -1,4 +1,5 @@
-// Error bounds of the intensity of a plane at given radii (docs/certificate.md, section 15), and factors of azimuthal orders.
+// Error bounds of the intensity of a plane at given radii (docs/certificate.md, section 15), and angular factors of azimuthal
+// orders.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +22,10 @@ struct Judged {
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes)
         : Judged(planes, plane, sizes, 0, planes.harmonics.size()) {}
 
-    // For the harmonics first .. last - 1 only.
+    // Bounds for the harmonics first .. last - 1 only.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        // Products, forms and the power, known to 1e-13, cost a few roundings of the largest value each.
+        // Products, forms and the power, known to 1e-13, cost a few roundings of the maximum each.
         given =
             planes.bilinear(
                 plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +
@@ -34,12 +35,12 @@ struct Judged {
         const std::size_t turning = std::max<std::size_t>(first, 1);
         const double steady = first == 0 ? planes.bilinear(plane, anywhere, 0, 1) : 0.0;
         most = swing = planes.bilinear(plane, anywhere, turning, last);
-        // A nonnegative function is within half of its maximum of that half.
+        // A nonnegative function differs from half of its maximum by at most that half.
         most += steady;
         swing += 0.5 * steady;
     }
 
-    // For a derivative 2 Re sum form G conj(F); `of` are the sizes of the field F, `sizes` those of its derivative G.
+    // Bounds for a derivative 2 Re sum form G conj(F); `of`: sizes of the field F, `sizes`: those of its derivative G.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
@@ -81,7 +82,7 @@ struct Judged {
     };
 };
 
-// Factors cos, sin of the azimuthal orders at the pixels of a centred window, to sum the orders from values at its radii.
+// Factors cos, sin of the azimuthal orders at the pixels of a centred window, for sums over the orders.
 class Turned {
    public:
     Turned(const Planes& planes, const Layout& layout) : orders_(planes.harmonics.size()) {

@@ -24,20 +24,20 @@
 
 namespace lommel {
 
-// Renders windows of planes by interpolation from few radii.
+// Images of planes by interpolation from few radii.
 template <class T>
 class LayeredImages {
    public:
-    // `allowed`: interpolation error allowed for I, in units of the peak of a uniform aperture without aberrations.
+    // `allowed`: interpolation error of I, in units of the peak of a uniform aperture without aberrations.
     LayeredImages(const Planes& planes, const PixelWindows& windows, double allowed, int threads, const Answer<T>& answer,
                   const LayeredSlopes<T>& slopes)
         : planes_(planes), windows_(windows), window_(windows.first), allowed_(allowed), answer_(answer), slopes_(slopes) {
-        // Rough cost of a plane, microseconds.
+        // Estimated time of a plane in microseconds.
         const double each = 0.5 + 1e-3 * static_cast<double>(pixels()) + 0.02 * static_cast<double>(planes.angles.count);
         threads_ = worthwhile_threads(threads, static_cast<double>(planes.count) * each);
     }
 
-    // Return whether this engine supports the windows. Intensities that depend on the azimuth are sampled only; derivatives
+    // Return whether this engine supports the windows. Intensities that depend on the azimuth can only be sampled; derivatives
     // need windows around arbitrary axes or pixel averages around the middle.
     static bool fits(const Planes& planes, const PixelWindows& windows, bool derivatives) {
         const bool averages = windows.first.integrate;
@@ -95,7 +95,7 @@ class LayeredImages {
         });
     }
 
-    // Windows that are pixel-integrated or have an arbitrary axis, for radially symmetric intensities.
+    // Windows of pixel averages or around an arbitrary axis, for radially symmetric intensities.
     template <class Table>
     void around(const std::shared_ptr<const Table>& table) const {
         const Profiles profiles(planes_, table, 1.0);
@@ -109,7 +109,7 @@ class LayeredImages {
                 size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
                 top = largest_value(made.values.data(), made.count);
-                // For samples, the intensity at any radius is a lower bound of the peak.
+                // For samples, the intensity at any radius is a lower bound on the peak.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 const double scale = note(first + p, top, peak, off);
                 store_window(*table, made, scale, T{0}, answer_.images + (first + p) * pixels());
@@ -118,7 +118,7 @@ class LayeredImages {
         });
     }
 
-    // Samples around any axis, for intensities that depend on the azimuth.
+    // Samples around an arbitrary axis, for intensities that depend on the azimuth.
     void turned(const std::shared_ptr<const AnywhereTable>& table) const {
         const Profiles profiles(planes_, table, 1.0);
         const WindowSlopes<T> slopes(planes_, windows_, slopes_, table);

@@ -60,11 +60,11 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in v
     }
 
     double magnification() const { return lebesgue(nodes); }
-    // Rounding in units of the largest value: 4 n + 8 of the second barycentric formula (N. J. Higham, IMA J. Numer. Anal.
-    // 24, 547, 2004), including the sum over the nodes.
+    // Rounding in units of the maximum: 4 n + 8 of the second barycentric formula (N. J. Higham, IMA J. Numer. Anal. 24, 547,
+    // 2004), including the sum over the nodes.
     double rounding() const { return (4.0 * static_cast<double>(nodes) + 8.0) * (magnification() + 1.0); }
 
-    // out[plane * out_stride + radius] from values[plane * stride + node], for `Together` planes. Writes whole tiles in
+    // out[plane * out_stride + radius] from values[plane * stride + node], for `Together` planes. Whole tiles are written in
     // order; the next piece overwrites the excess of the last tile.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I, const double* values, std::size_t stride, double* out, std::size_t out_stride) const {

@@ -21,9 +21,8 @@ struct Angles {
     const double* rho;
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // [part][angle]; the others [angle]
-    double error;                                                   // proven error of each part of the field
-    // For derivatives with respect to ln k: the rates of the phase minus a constant each, and the change of the parts or
-    // null.
+    double error;                                                   // error bound of each part of the field
+    // For derivatives with respect to ln k: rates of change of the phase minus a constant each; change of the parts, or null.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
     // Rounding of the sum over angles, of the Bessel functions and of the products, relative to the sum of magnitudes.
@@ -43,7 +42,7 @@ struct Harmonic {
 enum class By { depth, focus, radius, wavenumber };
 struct Derivative {
     By by;
-    double error;  // proven error of each part of the differentiated field
+    double error;  // error bound of each part of the differentiated field
 };
 
 // Planes: depth of the emitter, stage focus and collected power, each [plane]; the harmonics of their intensity.
@@ -60,8 +59,8 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // Multiply the parts by exp(i psi): re, im[part * stride + angle]. Writes the sum of |re| + |im| of each part to `sizes`.
-    // exp() of the decay is computed only for evanescent waves, which are few.
+    // Multiply the parts by exp(i psi): re, im[part * stride + angle]. sizes: sum of |re| + |im| of each part. exp() of the
+    // decay is computed only for evanescent waves, which are few.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {
@@ -129,7 +128,7 @@ struct Planes {
         }
     }
 
-    // sum over j, l of |form[j][l]| f(j, l), divided by the power and summed over the harmonics first .. last - 1.
+    // Sum over j, l of |form[j][l]| f(j, l), divided by the power and summed over the harmonics first .. last - 1.
     template <class F>
     double bilinear(std::size_t plane, const F& f, std::size_t first, std::size_t last) const {
         double sum = 0.0;

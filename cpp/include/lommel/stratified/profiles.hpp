@@ -18,17 +18,17 @@
 
 namespace lommel {
 
-// Sizes of the parts F of the field of a plane, or of its derivative: found, the largest |F|^2 at the radii; most, a bound of
-// |F| at any radius.
+// Sizes of the parts F of the field of a plane, or of its derivative: largest |F|^2 at the radii (found), and bound on |F| at
+// any radius (most).
 struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };
 
-// Computes fields at the radii as products of waves and tabulated Bessel functions, and from them intensities.
+// Fields at the radii as products of waves and tabulated Bessel functions, and intensities from them.
 class Profiles {
    public:
-    static constexpr std::size_t together = 3;  // planes: twelve chains of multiply-adds, as many as sixteen registers hold
-    static constexpr std::size_t group = 24;    // planes per task
+    static constexpr std::size_t together = 3;  // planes: twelve chains of multiply-adds, as many as fit in sixteen registers
+    static constexpr std::size_t group = 24;  // planes per task
 
     Profiles(const Planes& planes, const std::shared_ptr<const Radii>& radii, double step)
         : Profiles(planes, AngleTable::get(radii, step, {planes.angles.rho, planes.angles.rho + planes.angles.count},
@@ -43,8 +43,8 @@ class Profiles {
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
-    // Calls take(first, count, values, sizes) for each group of planes, with values[(plane * outputs + k) * stride + radius]
-    // and the sizes of the field and of its derivatives, [plane][kind].
+    // Call take(first, count, values, sizes) for each group of planes, with values[(plane * outputs + k) * stride + radius] and
+    // the sizes of the field and of its derivatives, [plane][kind].
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, const PartSizes* sizes)>;
     void run(int threads, const Take& take) const;
 
@@ -64,7 +64,7 @@ class Profiles {
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
-                // Same waves and same bounds, as |J_m'| <= 1.
+                // The waves and their bounds are the same, as |J_m'| <= 1.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }
@@ -142,7 +142,7 @@ class Profiles {
         }
     }
 
-    // Re sum over j, l of form[j][l] G_j conj(F_l), using that the form is Hermitian.
+    // Re sum over j, l of form[j][l] G_j conj(F_l), for a Hermitian form.
     template <class V>
     LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
                            std::size_t u) const {

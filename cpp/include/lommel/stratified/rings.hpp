@@ -29,8 +29,8 @@ struct RingLight {
     std::size_t planes;
 };
 
-// Interpolation weights of the taps as polynomials of 2 t - 1, with t = 0 .. 1 between the two middle taps: [highest power
-// first][tap].
+// Interpolation weights of the taps as polynomials of 2 t - 1, with t = 0 .. 1 between the two middle taps:
+// [highest power first][tap].
 struct RingTaps {
     static constexpr std::size_t most = 16;
     const double* polynomials;
@@ -69,7 +69,7 @@ class Rings {
         : light_(light), steps_(steps), fft_(steps.angles), finer_(steps.finer()), circles_(light.circles - steps.filters + 1),
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
-    // Fill eight planes, starting at `first`. Rows: [circle, from -before()][angle, from -taps / 2][plane].
+    // Compute eight planes from `first` on. Rows: [circle, from -before()][angle, from -taps / 2][plane].
     void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }
@@ -116,7 +116,7 @@ class Rings {
         }
     }
 
-    // Stride of circles: one angle more than there are, to spread the circles over different cache sets.
+    // Stride of circles: one angle more than needed, so that circles use different cache sets.
     std::size_t stride() const { return (fft_.n + 1) * ring_planes; }
 
     // Intensities at the angles of all circles: intensities_[circle][angle][plane].
@@ -171,8 +171,7 @@ class Rings {
         }
     }
 
-    // Filter each circle by its neighbours, angle by angle. The circle of radius -r is that of radius r, turned by half a
-    // turn.
+    // Filter each circle by its neighbours, angle by angle. The circle of radius -r is that of radius r rotated by half a turn.
     template <class I>
     LOMMEL_INLINE void filter(I) {
         using V = typename I::pack;
@@ -219,7 +218,7 @@ class Rings {
         }
         const double* orders = fft_.whole(isa, a_.data(), b_.data());
         double* const to = orders == a_.data() ? b_.data() : a_.data();
-        // Zero only what the transform reads.
+        // Zero only the elements that the transform reads.
         std::fill_n(to, n / 2 * fft_element, 0.0);
         std::fill_n(to + (finer_.n - n / 2) * fft_element, n / 2 * fft_element, 0.0);
         V off[packs] = {}, size[packs] = {};

@@ -1,4 +1,5 @@
-// Windows of pixels interpolated between circles; the weights of a pixel serve all planes (docs/certificate.md, section 16).
+// Windows of pixels interpolated between circles; the weights of a pixel are common to all planes (docs/certificate.md, section
+// 16).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace lommel {
 
-// Window of pixels of a pitch of `step` circles. centers[axis][row, column]: the axis of each plane, or one for all.
+// Window of pixels with a pitch of `step` circles. centers[axis][row, column]: one axis for each plane, or one for all.
 struct RingWindow {
     std::size_t height, width;
     const double* centers;
@@ -32,8 +33,8 @@ struct RingWindow {
     }
 };
 
-// Quantities for the error bounds, at[quantity][plane]: largest |E_f|^2 of each field f; then, over circles, the largest
-// intensity, the largest sum of aliasing errors and the largest sum of moduli of orders; finally the largest pixel.
+// Quantities for the error bounds, at[quantity][plane]: largest |E_f|^2 of each field f; then, as maxima over circles, the
+// intensity, the sum of aliasing errors and the sum of moduli of orders; finally the largest pixel.
 struct RingNumbers {
     double* at;
     std::size_t planes, fields;
@@ -45,8 +46,8 @@ struct RingNumbers {
 template <class T>
 class RingImages {
    public:
-    static constexpr std::size_t side = 16;                               // side of a tile, whose circles fit in a cache
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of circles held at once
+    static constexpr std::size_t side = 16;  // side of a tile, whose circles fit in a cache
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of circles in memory at the same time
 
     RingImages(const RingLight& light, const RingSteps& steps, const RingWindow& window, int threads)
         : light_(light), steps_(steps), window_(window), threads_(threads) {}
@@ -56,7 +57,7 @@ class RingImages {
 
    private:
     using Blocks = std::vector<std::unique_ptr<const Rings>>;
-    // Planes [from, to) with a common axis; 0 is the first plane of the blocks.
+    // Planes [from, to) with a common axis, counted from the first plane of the blocks.
     struct Group {
         std::size_t from, to;
     };
@@ -91,7 +92,7 @@ class RingImages {
         std::size_t row, angle;  // of the first taps
     };
 
-    // Evaluate the polynomials of all taps at x.
+    // Taps from their polynomials at x.
     template <class I>
     static LOMMEL_INLINE void weigh(I, const RingTaps& taps, double x, double* out) {
         using V = typename I::pack;

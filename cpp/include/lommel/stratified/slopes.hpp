@@ -20,8 +20,8 @@
 namespace lommel {
 
 // A requested derivative: factor x dI/dx + own[plane] x I with x the depth, the focus or ln k; or (axis) two images, with
-// respect to the row and column of the axis. With respect to ln k, radially symmetric light is differentiated at fixed
-// positions in metres (v grows with k), other light at fixed v.
+// respect to the row and column of the axis. With respect to ln k, radially symmetric intensities are differentiated at fixed
+// positions in metres (v grows with k), others at fixed v.
 struct LayeredSlope {
     enum class What { depth, focus, axis, wavenumber } what;
     double factor;
@@ -45,7 +45,7 @@ struct PlaneProfiles {
     const Judged& judged;
 };
 
-// Computes the requested derivatives of the windows of planes.
+// The requested derivatives of the windows of planes.
 template <class T>
 class WindowSlopes {
    public:
@@ -78,7 +78,7 @@ class WindowSlopes {
         });
     }
 
-    // Derivatives of samples of other intensities.
+    // Derivatives of samples of intensities that depend on the azimuth.
     void turned(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made, double* total) const {
         for (std::size_t image = 0; image < slopes_.asked.size(); ++image) {
             const double wrong = turned_window(
@@ -146,13 +146,13 @@ class WindowSlopes {
             all.most += size * far * 2.0 * self.swing;
             all.swing += size * table.growth() * self.swing;
         }
-        // The power that I is divided by is known to 1e-13, and so are its derivatives.
+        // The power that divides I is known to 1e-13, and so are its derivatives.
         all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
         return {mixed.data(), all};
     }
 
-    // Shift of the axis. Averages change by the difference of the averages along opposite pixel sides; samples by I' / v,
-    // which is even, of type 2 and at most max |I''|.
+    // Shift of the axis. Averages change by the difference of the averages along opposite pixel sides; samples by I' / v, which
+    // is even, of type 2 and at most max |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;

@@ -1,4 +1,4 @@
-// Windows of pixels from the azimuthal orders of the intensity at the radii of a table, with their error bounds.
+// Windows of pixels from the azimuthal orders of the intensity at the radii of a table, with error bounds.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Make a radially symmetric window; returns its error bound, where values at the radii are at most `size`.
+// Compute a radially symmetric window; returns its error bound, for values at the radii of at most `size`.
 template <class Table>
 double window_of(const Table& table, const PixelWindow& window, const double* at_radii, const Judged& of, double size,
                  WindowValues& made) {
@@ -30,7 +30,7 @@ struct Order {
     Judged judged;
 };
 
-// Add one azimuthal order, from `values` of h_0, h_1 / v or h_2, times cos and sin of the azimuth (and v for order 1).
+// Add one azimuthal order from `values` of h_0, h_1 / v or h_2, times cos and sin of the azimuth (and v for order 1).
 inline void add_order(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
     const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
     for (std::size_t row = 0, i = 0; row < here.height; ++row) {
@@ -46,7 +46,7 @@ inline void add_order(const Harmonic& h, const PixelWindow& here, const double* 
 }
 
 // Samples of an intensity that depends on the azimuth; returns their error bound. h_0, h_2 and h_1 / v are even in v and of
-// type 2. |h_1 / v| is at most max |h_1'|, by Bernstein's inequality twice max |h_1| (docs/certificate.md, section 15).
+// type 2. |h_1 / v| is at most max |h_1'|, by Bernstein's inequality at most twice max |h_1| (docs/certificate.md, section 15).
 template <class Of>
 double turned_window(const AnywhereTable& table, const Planes& planes, const PixelWindow& here, const Of& order,
                      WindowValues& made, double* total) {

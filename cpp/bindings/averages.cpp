@@ -49,7 +49,7 @@ bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
 }
 
 // Rule of an aperture: complex weights of the nodes of the disk that reproduce the moments of the aperture; error of the
-// fields with them; whether that error includes sums in single precision.
+// fields; whether that error includes sums in single precision.
 using Weights = std::optional<std::tuple<In<double, 3>, double, bool>>;
 
 template <class T>
@@ -71,7 +71,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
             lommel::nodes_about_axis(stack, pupils.window, {question.rows.places, question.columns.places},
                                      {question.rows.weights.data(), question.columns.weights.data()}, to.values,
                                      of_pupils.largest.data(), of_pupils.together.data());
-        // Largest distance of nodes from the axis along one direction, for which the rule must be exact.
+        // Largest distance of nodes from the axis along one direction; the rule must be exact up to it.
         const auto reach = [](const std::vector<double>& places, std::size_t side, double center, double apart) {
             const double middle = apart * (0.5 * static_cast<double>(side - 1) - center);
             return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));

@@ -89,7 +89,7 @@ void sums_gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
         center_y, center_x);
 }
 
-// Check the arrays that describe fields at the nodes of a quadrant, and pass them to the core.
+// Check the arrays that describe fields at the nodes of a quadrant, and convert them for the core.
 lommel::NodeSeries node_series(const In<double, 3>& radial, const In<std::int32_t, 1>& ends, const In<complex, 3>& coefficients,
                                const In<std::int32_t, 2>& shares, const In<complex, 3>& factors,
                                const In<std::int32_t, 2>& sets, const In<double, 3>& terms, const In<std::int32_t, 1>& parities,
@@ -255,7 +255,7 @@ std::pair<Out<double, 2>, Out<double, 2>> series_gradient(In<double, 3> radial, 
     return {values, largest};
 }
 
-// Images by the chordal rule only if they are likely to take less time than by the series.
+// Images by the chordal rule, only if their estimated time is less than that of the series.
 template <class T>
 struct CheaperImages : Images<T> {
     using Images<T>::Images;

@@ -66,8 +66,8 @@ class Stream {
     // sizes: height and width after binning, binning, pixels along a block (after binning), depths per block along an axis,
     // blur radius in pixels, strips.
     //
-    // numbers: variance of a dark pixel, pixels in a window, vergence of the first candidate and the step between candidates,
-    // smallest and largest valid position, largest standard error of a known depth.
+    // numbers: variance of a pixel without light, pixels in a window, vergence of the first candidate and the step between
+    // candidates, smallest and largest valid position, largest standard error of a reliable depth.
     Stream(const std::array<std::size_t, 7>& sizes, In<float, 1> taps, In<float, 4> residuals, In<float, 3> images,
            In<float, 1> weights, In<float, 2> forms, In<float, 2> statistics, const std::array<float, 7>& numbers) {
         const auto [height, width, binning, side, fine, blur, strips] = sizes;

@@ -121,8 +121,8 @@ void collect(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energie
     released([&] { lommel::Spreader<T>(bank, scene, threads, screen, slopes).adjoint(image.data(), out.data()); });
 }
 
-// Write the layer of each point (0: nearest) and the point that stands for the light behind it (-1: none). Returns the number
-// of layers and of occluding points.
+// Write the layer of each point (0: nearest) and the representative point for the light behind it (-1: none). Returns the
+// numbers of layers and of occluding points.
 std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double low, double high, In<double, 1> radii,
                                                  double thickness, int most, int threads, Out<std::uint8_t, 2> layers,
                                                  Out<std::int32_t, 2> behind) {

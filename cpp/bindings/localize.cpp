@@ -15,10 +15,10 @@ using namespace bindings;
 
 namespace {
 
-// A molecule table and the arrays that it refers to.
+// Molecule table with the arrays that it refers to.
 class Table {
    public:
-    // coefficients: as of lommel::MoleculeTable, flat. sizes: pieces, rows, samples per pixel, columns, height, width.
+    // coefficients: those of lommel::MoleculeTable, flat. sizes: pieces, rows, samples per pixel, columns, height, width.
     // numbers: first row and column, smallest and largest z, row and column (smallest, largest for each).
     Table(In<float, 1> coefficients, In<double, 2> polynomials, const std::array<std::size_t, 6>& sizes,
           const std::array<double, 8>& numbers)

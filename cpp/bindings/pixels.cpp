@@ -52,7 +52,7 @@ int level_of(int level, int threads) {
     return level;
 }
 
-// Radii at which I is needed, and how its errors propagate to pixels.
+// Radii at which I is needed, and factors from its errors to those of pixels.
 std::tuple<Out<double, 1>, double, double, double, double> pixel_radii(std::size_t height, std::size_t width, double center_y,
                                                                        double center_x, double step, bool integrate, int level,
                                                                        int threads) {

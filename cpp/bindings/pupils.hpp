@@ -90,7 +90,7 @@ inline void require_request(double step, double tol, int threads) {
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
 }
 
-// Run an engine. Returns 0, or the error bound that was reached if the tolerance cannot be met.
+// Run an engine. Returns 0, or the achieved error bound if the tolerance cannot be met.
 template <class Work>
 double judged(const Work& work) {
     try {
@@ -145,8 +145,8 @@ lommel::DiskPupils disks_of(const In<std::int32_t, 2>& terms, const In<double, 2
             amplitude_of(amplitude), window,      centers};
 }
 
-// Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Returns 0, or the error bound
-// that was reached.
+// Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Returns 0, or the achieved error
+// bound if the tolerance cannot be met.
 template <bool Moves, class Work, class... Center>
 double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
                  const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step, double tol, int threads,

@@ -53,7 +53,7 @@ double render(In<double, 2> coefficients, double obscuration, In<double, 1> ampl
     return images_of(stack, windows, tol, threads, answer);
 }
 
-// Return whether averages of a stack, or their derivatives alone, are best computed from finer samples.
+// Return whether averages of a stack, or only their derivatives, are faster from finer samples.
 bool filters_pay(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width,
                  double row, double column, double step, double tol, bool derivatives) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
@@ -76,7 +76,7 @@ class RadialPlan {
     }
 
     // Return the largest error bound, negative if the tolerance cannot be met; nothing if the arrays have other types or
-    // shapes, or if finer samples are preferable.
+    // shapes, or if finer samples are faster.
     std::optional<double> render(nb::handle coefficients, nb::handle images, nb::handle scales) const {
         return kind_ == 'f' ? rendered<float>(coefficients, images, scales) : rendered<double>(coefficients, images, scales);
     }

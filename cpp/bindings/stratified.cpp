@@ -43,9 +43,9 @@ lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, 
     return made;
 }
 
-// Derivatives as arrays: by (k, 2) with the LayeredSlope and its factor; own (k, n), factor of I itself; of_fields (4,),
-// proven errors of the fields differentiated with respect to depth, focus, v and wavenumber; turning (3, q) and change (m, q)
-// as of lommel::Angles.
+// Derivatives as arrays: by (k, 2) with the LayeredSlope and its factor; own (k, n), factor of I itself; of_fields (4,), error
+// bounds of the fields differentiated with respect to depth, focus, v and wavenumber; turning (3, q) and change (m, q), see
+// lommel::Angles.
 template <class T>
 struct AskedSlopes {
     In<double, 2> by, own;
@@ -105,7 +105,7 @@ lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& 
     return made;
 }
 
-// Windows around one axis, centers (1, 2), or an axis for each plane, (n, 2).
+// Windows around one axis, centers (1, 2), or around one axis per plane, (n, 2).
 template <class T>
 bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates, double error, In<double, 2> planes,
                     In<complex, 3> forms, In<double, 2> turns, In<double, 2> centers, double step, bool integrate,
@@ -123,8 +123,8 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
     }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
-    // A single axis off the middle is treated as an axis for each plane, as one table serves windows around any axis.
-    // Derivatives of samples, and shifts of averages, are only available around such axes.
+    // A single axis off the middle is treated as one axis per plane, as one table serves windows around any axis. Derivatives
+    // of samples, and shifts of averages, are only available around such axes.
     const bool moved = std::any_of(derivatives.asked.begin(), derivatives.asked.end(), [](const lommel::LayeredSlope& slope) {
         return slope.what == lommel::LayeredSlope::What::axis;
     });

@@ -33,8 +33,8 @@ std::optional<Named> window_nodes(double step, std::size_t pixels, double error)
                  "spread"_a = made->spread);
 }
 
-// Bounds one pupil whose averages (`values`, of the image and of a derivative) and `numbers` the test chooses; returns the error
-// that was requested of the fields, and the bounds.
+// Bound the error of one pupil with given averages (`values`, of the image and of a derivative) and `numbers`; returns the
+// requested error of the fields, and the bounds.
 Named bounds_at_nodes(double step, std::size_t side, double tol, double storing, In<double, 3> values, In<double, 1> numbers,
                       double field, double slope) {
     require(values.shape(0) == 1 && values.shape(1) == side && values.shape(2) == side && numbers.size() == 4,

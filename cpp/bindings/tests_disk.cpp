@@ -78,7 +78,7 @@ Named sampled_growth(Terms terms, Doubles1 coefficients, std::size_t curve) {
     return named("mean"_a = found.mean, "margin"_a = found.margin);
 }
 
-// Bounds of one piece, for the error `wanted` of U, as an image requests them.
+// Bounds of one piece for a requested error `wanted` of U, as in an image.
 Named zernike_field_bounds(Terms terms, Doubles1 outer, Doubles1 inner, double obscuration, Doubles1 amplitude, double reach,
                            double error, double wanted, std::size_t piece, std::size_t groups) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
@@ -115,7 +115,7 @@ double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 co
     return lommel::single_rounding(plan, {coefficients.data(), coefficients.data() + coefficients.shape(0)});
 }
 
-// One pupil as the disk engines receive it: its terms, their coefficients on both disks, and the error of this conversion.
+// One pupil as the disk engines receive it: terms, coefficients on both disks, and the error of this conversion.
 Named disk_stack(Terms terms, Doubles1 edge, double obscuration, double row, double column, double step, bool moved) {
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, obscuration, {});
     if (moved) {
@@ -148,7 +148,7 @@ Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, dou
                  "rounding"_a = bound.rounding(), "variance"_a = bound.variance());
 }
 
-// One line: its bound for a number of nodes, the number for an error, the best line for that error, and rounding.
+// One ChordLine: its bound for a number of nodes, the number for an error, the best line for that error, and rounding.
 Named chordal_line(bool nodes, std::size_t curve, double exponent, std::size_t size, double error, std::size_t degree) {
     require(curve < lommel::ChordCurves::count && error > 0.0, "no such curve, or no error");
     const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
@@ -209,7 +209,7 @@ Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool n
                  "margin"_a = table.margin(bound.bend(sum, curve), coefficients.data()));
 }
 
-// Tilts (along rows, along columns) of one pupil whose axis is at `center`, other than that of the window.
+// Tilts (along rows, along columns) of one pupil whose axis `center` differs from that of the window.
 Named tilted_stack(Terms terms, Doubles1 edge, In<double, 1> center, double row, double column, double step) {
     require(center.shape(0) == 2, "center must be a row and a column");
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, 0.0, {});

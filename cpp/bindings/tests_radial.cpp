@@ -54,7 +54,7 @@ Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power
     return named("tail"_a = ellipses.tail(terms), "quadrature"_a = ellipses.quadrature(nodes, terms));
 }
 
-// Includes the spacing at 1 of the type that tables are computed in.
+// Window tails, and the spacing at 1 of the type in which tables are computed.
 Named window_bounds(std::size_t count, double reach) {
     return named("legendre"_a = lommel::window_tail(count, reach), "disk"_a = lommel::disk_window_tail(count, reach),
                  "spacing"_a = static_cast<double>(std::numeric_limits<lommel::wide>::epsilon()));
@@ -116,7 +116,7 @@ Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, doubl
                  "scanned"_a = lommel::scanned_peak(pupil.phase, obscuration, first));
 }
 
-// Bounds on what averages without rings leave out, where I is approximated by mean / r^3.
+// Bounds on the part of averages that interference rings contribute, if I is approximated by mean / r^3.
 Named tail_bounds(Doubles1 coefficients, Doubles1 amplitude, double obscuration, double r) {
     const RadialPupil pupil(coefficients, amplitude);
     const lommel::EnergyTail tail(pupil.phase, obscuration);

@@ -60,8 +60,8 @@ Named anywhere_bounds(double pitch, bool averages, double farthest, int level) {
                  "radii"_a = std::vector<double>(table->radii.data(), table->radii.data() + table->count));
 }
 
-// Writes the pixels of a window around an axis at any place, interpolated from I at the radii of the table; returns the rounding
-// error of evaluating the polynomials.
+// Write the pixels of a window around an arbitrary axis, interpolated from I at the radii of the table; returns the rounding of
+// the polynomials.
 double anywhere_values(In<double, 1> profile, double center_y, double center_x, double pitch, bool averages, double farthest,
                        int level, Out<double, 2> out) {
     lommel::PixelWindow window = anywhere_window(pitch, averages, farthest, level);

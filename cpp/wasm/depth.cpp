@@ -1,4 +1,4 @@
-// Live depth for the page: compiled with loops as vectors, where the rest takes little space.
+// Live depth for the web page, compiled with vectorized loops; the rest of the page is compiled for size.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,13 +14,13 @@ std::unique_ptr<lommel::FocalStream> sharpener;
 }  // namespace
 
 extern "C" {
-// Loads tables of live depth, as LiveDepth.save() writes them, for pairs of frames of height x width pixels.
+// Load tables of live depth, as written by LiveDepth.save(), for pairs of frames of height x width pixels.
 EXPORT(set_camera) void set_camera(const void* tables, std::size_t bytes, std::size_t height, std::size_t width) {
     camera = std::make_unique<lommel::FocalCamera>(lommel::FocalFile(tables, bytes), height, width, 1);
 }
 
-// Computes for a pair of frames the distances, standard errors and misfits of all blocks, three arrays one after the other in
-// `out`, and the sharp image.
+// Distances, standard errors and misfits of all blocks for a pair of frames, three consecutive arrays in `out`, and the sharp
+// image.
 EXPORT(depth)
 void depth(const std::uint16_t* first, const std::uint16_t* second, std::size_t width, float* out, float* image) {
     const void* const frames[] = {first, second};
@@ -29,7 +29,7 @@ void depth(const std::uint16_t* first, const std::uint16_t* second, std::size_t 
     camera->sharpen(image);
 }
 
-// Sets the filter for single frames of height x width pixels: the sum over m of coefficients[m] T_m, T_m being the Chebyshev
+// Set the filter for single frames of height x width pixels: the sum over m of coefficients[m] T_m, T_m the Chebyshev
 // polynomial of a kernel of five taps.
 EXPORT(set_filter)
 void set_filter(const float* coefficients, std::size_t degree, const float* taps, std::size_t height, std::size_t width) {
@@ -50,7 +50,7 @@ void set_filter(const float* coefficients, std::size_t degree, const float* taps
                                                       nullptr);
 }
 
-// Filters a frame, whose values are in electrons.
+// Filter a frame in electrons.
 EXPORT(filter) void filter(const float* frame, std::size_t height, std::size_t width, float* out) {
     const lommel::FocalFrame one{frame, lommel::FocalFrame::Kind::floats, width, 3e38f, 0.0f, {1.0f}, nullptr, 0};
     const float place = 0.0f, factors[] = {1.0f, 1.0f};

@@ -1,4 +1,4 @@
-// Images of a pupil in light of one or several wavelengths, for the live page.
+// Images of a pupil at one or several wavelengths, for the live page.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace live {
 
-// A spectral line. Optical paths do not depend on the wavelength, so phases and v are those of the reference times `stretch`,
-// the reference wavelength divided by that of the line.
+// Spectral line. Optical path differences do not depend on the wavelength, so phases and v are those of the reference times
+// `stretch`, the reference wavelength over that of the line.
 struct Line {
     double stretch, share;
     double weight() const { return share * stretch * stretch; }
@@ -31,7 +31,7 @@ struct Light {
     std::vector<double> edge;  // [term]: coefficient in radians at the edge, at the reference wavelength
     double obscuration = 0.0;
     std::vector<Line> lines;
-    std::vector<double> vanes;  // directions, radians
+    std::vector<double> vanes;  // directions in radians
     double vane_width = 0.0;    // relative to the radius
 
     bool radial() const {
@@ -47,16 +47,16 @@ struct Light {
 
 struct View {
     std::size_t side;
-    double step;  // in v of the reference
+    double step;  // pixel pitch in v of the reference
     bool integrate;
 };
 
-// bound: of the error, relative to the peak; peak: largest known value; rest: least bound that any tolerance can reach.
+// bound: error relative to the peak; peak: lower bound on the maximum; rest: smallest bound that any tolerance can reach.
 struct Proof {
     double bound, peak, rest = 0.0;
 };
 
-// Samples of a pupil that is not radial, on part of a window.
+// Samples of a pupil without radial symmetry, on part of a window.
 template <class T>
 Proof sampled(const Light& light, const std::vector<double>& edge, const lommel::DiskWindow& window, double tol, double scale,
               T* out) {
@@ -69,23 +69,23 @@ Proof sampled(const Light& light, const std::vector<double>& edge, const lommel:
     return {numbers[1], numbers[2]};
 }
 
-// Averages over pixels from finer samples: as methods/averaging.py has it, some rows of pixels at once. The bound is over what
-// the largest average anywhere is at least.
+// Pixel averages from finer samples, some rows of pixels at a time, like methods/averaging.py. The bound is relative to a lower
+// bound on the largest average anywhere.
 struct Averages {
     static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision
-    static constexpr double spared = 4e5;    // samples that pay for pixels without
-    static constexpr double exactly = 1.2e7;  // samples, at most of all lines together, where all pixels are as exact as asked
+    static constexpr double spared = 4e5;    // number of samples to be saved to omit those of far pixels
+    static constexpr double exactly = 1.2e7;  // maximum number of samples of all lines for full accuracy in all pixels
     static constexpr std::size_t at_once = std::size_t{1} << 23,
-                                 most = std::size_t{1} << 23;  // samples, at most of all lines together
+                                 most = std::size_t{1} << 23;  // maximum number of samples: per block of rows; of all lines
 
     const Light& light;
     const std::vector<double>& edge;
     std::size_t side;
     double step;
     std::vector<double> total;
-    double given = 0.0, peak = 0.0;  // what the samples' errors come to, and the largest intensity, at least
+    double given = 0.0, peak = 0.0;  // error of averages from that of the samples, and lower bound on the largest intensity
 
-    // Returns whether the peak is far below the peak without aberrations.
+    // Return whether the peak is far below the peak without aberrations.
     bool blurred() const {
         return std::accumulate(edge.begin(), edge.end(), 0.0, [](double sum, double c) { return sum + std::abs(c); }) > 20.0;
     }
@@ -110,15 +110,15 @@ struct Averages {
         }
     }
 
-    // Far from the axis pixels take no samples, where that spares enough: as methods/averaging.py has it. Where those that
-    // remain would take too many, the page gets less exact averages.
+    // Pixels far from the axis are computed without samples where that saves enough, like methods/averaging.py. If the others
+    // would need too many samples, the page gets less accurate averages.
     Proof run(double tol, double storing) {
         const std::size_t whole = side, across = lommel::PixelTaps::across(step, 1.05);
-        // Those of the widest pixels must be so exact that each takes longer.
+        // Samples of the widest pixels must be so accurate that each takes longer.
         const double budget = static_cast<double>(most) / static_cast<double>(light.lines.size() * (across > 256 ? 8 : 1));
         const std::size_t fit = static_cast<std::size_t>(std::sqrt(budget)) / across;
         const double width = static_cast<double>(whole), inside = width * width - spared / (step * step);
-        // While something moves, tolerances are larger, and time is short.
+        // During interaction tolerances are larger, and time is short.
         const double samples = (tol > 1e-5 || across > 256 ? 0.25 : 1.0) * exactly / static_cast<double>(light.lines.size());
         const double exact = std::floor(std::sqrt(samples) / static_cast<double>(across));
         const double farthest = 0.5 * step * std::min({std::sqrt(std::max(0.0, inside)), inside / width, exact - 2.0});
@@ -136,7 +136,7 @@ struct Averages {
         return whole <= fit ? near_axis(tol, storing) : mean_of_edges(tol, storing, fit);
     }
 
-    // The bound is more than `tol` where pixels farther than `farthest` from the axis are not so exact.
+    // The bound exceeds `tol` if pixels farther than `farthest` from the axis do not meet it.
     Proof near_and_far(double tol, double storing, double farthest) {
         using namespace lommel;
         const std::size_t whole = side;
@@ -172,13 +172,13 @@ struct Averages {
         return {1e300, 0.0};
     }
 
-    // Pixels next to the axis take samples, as many as there is time for. Those farther out hold no more than what is missing
-    // of all light: they get the mean of the light of the edges, as of EnergyTail, or that, if it is less.
+    // Samples only for pixels next to the axis, as many as time permits. Every pixel farther out contains at most the remaining
+    // light: its value is the mean of the light diffracted by the edges (EnergyTail) or that remainder, whichever is less.
     Proof mean_of_edges(double tol, double storing, std::size_t fit) {
         const std::size_t whole = side;
         const std::size_t half = fit > 2 ? (fit - 1) / 2 : 0;
         side = 2 * half + 1;
-        // The light that the edges of the aperture send past these pixels will be missing at least.
+        // Lower bound on the remaining light: the light that the edges of the aperture diffract beyond these pixels.
         const double past =
             0.63661977236758134 * (1.0 + light.obscuration) / (light.area() * (static_cast<double>(half) + 0.5) * step);
         const double taking = static_cast<double>(side * side);
@@ -204,7 +204,7 @@ struct Averages {
         return {std::max(inside.bound, rest), inside.peak, rest};
     }
 
-    // Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
+    // Filters of fewer samples are longer, and may reach bright light next to a window of dark pixels.
     Proof near_axis(double tol, double storing) {
         for (const double widest : {1.05, 0.8}) {
             Proof proof = attempt(tol, storing, widest);
@@ -221,10 +221,10 @@ struct Averages {
     Proof attempt(double tol, double storing, double widest) {
         using namespace lommel;
         const double ceiling = light.area() * light.area(), aim = tol - (1.0 + tol) * storing, lowest = least_average(step);
-        // As if the largest average were a few times the least it can be, and the peak not faint.
+        // First attempt: as if the largest average were a few times its lower bound, and the peak not faint.
         double finer = 0.5 * aim * std::min(4.0 * lowest, 1.0), response = 2e-3 * aim * lowest;
-        // Of large aberrations samples are less bright: how much so is seen in single precision. Below `rounded` of their peak
-        // there are roundings only, which take long to be found out.
+        // With large aberrations samples are less bright; sums in single precision show by how much. Samples below `rounded` of
+        // their peak are rounding errors, which would take long to detect.
         const bool dim = blurred();
         if (dim) {
             finer = std::max(finer, 1.5 * single);
@@ -260,7 +260,7 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
     const double step = view.step * line.stretch, middle = static_cast<double>(view.side / 2);
     Proof proof;
     if (light.radial()) {
-        std::vector<double> powers(1, 0.0);  // of R_2^0, R_4^0, ...
+        std::vector<double> powers(1, 0.0);  // coefficients of R_2^0, R_4^0, ...
         for (std::size_t j = 0; j < edge.size(); ++j) {
             const std::size_t at = static_cast<std::size_t>(light.terms[j].n / 2 - 1);
             powers.resize(std::max(powers.size(), at + 1));
@@ -283,17 +283,17 @@ inline Proof image_of_line(const Light& light, const Line& line, const View& vie
     return {proof.bound, proof.peak * scale, proof.rest};
 }
 
-// Computes the fraction of all light in each pixel. If `weights` is given, three for each line, `planes` gets the three sums
-// over the lines with these weights.
+// Fraction of all light in each pixel. With `weights`, three for each line, `planes` becomes the three sums over the lines with
+// these weights.
 inline Proof image_of(const Light& light, const View& view, double tol, float* out, const double* weights = nullptr,
                       float* planes = nullptr) {
-    // That of I of the reference, 1 at the peak of a whole aperture without aberration.
+    // Scale of I of the reference, which is 1 at the peak of a full aperture without aberration.
     const double scale = view.step * view.step / (12.566370614359172 * light.area());
     const std::size_t pixels = view.side * view.side;
     if (light.lines.size() == 1) {
         return image_of_line(light, light.lines[0], view, tol, scale * light.lines[0].weight(), out);
     }
-    // What single precision allows of each line. Where all together have more than was asked, the bound says so.
+    // Smallest tolerance of a line in single precision. If the sum misses the requested tolerance, its bound shows it.
     constexpr double least = 2.5e-7;
     static std::vector<float> part;
     static std::vector<double> total;
@@ -316,7 +316,7 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
             }
             off += proof.bound * proof.peak;
             rest = std::max(rest, proof.rest);
-            // Nothing is negative, so the sum is at least as bright as any part of it.
+            // Intensities are not negative, so the sum is at least as bright as each part.
             peak = std::max(peak, proof.peak * (1.0 - proof.bound));
         }
         const double highest = *std::max_element(total.begin(), total.end());
@@ -330,7 +330,7 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
     }
 }
 
-// The light of each line as the mean on circles about the axis; with aberrations, and without.
+// Light of each line as the mean on circles about the axis, with and without aberrations.
 struct Circles {
     struct Part {
         Line line;
@@ -340,7 +340,7 @@ struct Circles {
     double brightest = 0.0, area = 1.0, off = 0.0;
 
     Circles() = default;
-    // Up to `reach` in v of the reference; errors of U and of the interpolation are below `error`.
+    // For radii up to `reach` in v of the reference; errors of U and of the interpolation are below `error`.
     Circles(const Light& light, double reach, double error) : area(light.area()) {
         using namespace lommel;
         for (const Line& line : light.lines) {
@@ -359,7 +359,7 @@ struct Circles {
                      return u * u;
                  })});
             brightest += line.weight() * area * area;
-            // The Bessel functions of so many terms, whose factors sum to 2 (1 + eps^2) at most, are computed to some roundings.
+            // Bessel functions of that many terms, whose factors sum to at most 2 (1 + eps^2), are accurate to some roundings.
             const double terms = static_cast<double>(std::max(field.outer().degrees, field.inner().degrees));
             const double of_field = field.base() + 2.0 * (1.0 + eps * eps) * unit_roundoff * (8.0 * terms + 60.0);
             off += line.weight() *
@@ -368,7 +368,7 @@ struct Circles {
     }
 
     using Kind = lommel::MeanProfile Part::*;
-    // Relative to the peak without aberration, at v of the reference.
+    // Mean relative to the peak without aberration, at v of the reference.
     double mean(Kind kind, double v) const {
         double sum = 0.0;
         for (const Part& part : parts) {
@@ -376,9 +376,9 @@ struct Circles {
         }
         return sum / brightest;
     }
-    // Bound on the error of mean(), relative to the peak without aberration.
+    // Error bound of mean(), relative to the peak without aberration.
     double error() const { return off / brightest; }
-    // Of all light.
+    // Encircled energy as a fraction of all light.
     double energy(Kind kind, double v) const {
         double sum = 0.0;
         for (const Part& part : parts) {

@@ -1,4 +1,4 @@
-// Interface of the live page: numbers in named blocks of memory, one light at a time, one thread.
+// Interface of the live page: numbers in numbered blocks of memory, one light source at a time, one thread.
 #include <algorithm>
 #include <cstdarg>
 #include <cstddef>
@@ -19,14 +19,14 @@
 #include "light.hpp"
 #include "vanes.hpp"
 
-// Replaces the function of libc++ that prints a message before it aborts.
+// Replacement for the function of libc++ that prints a message before it aborts.
 [[noreturn]] void std::__libcpp_verbose_abort(const char*, ...) noexcept { __builtin_trap(); }
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-// This C++ library has no exceptions. The message of an exception goes to the host, which leaves by an exception of its own
-// and makes a new instance, as the stack is not unwound here. Everything that the core throws begins with a std::exception.
-// The host also formats numbers: the only format of the core is "%.3g", and printf would be a fiftieth of the download.
+// This C++ library has no exceptions. The message of an exception is passed to the host, which throws an exception of its own
+// and creates a new instance, as the stack is not unwound here. Every exception of the core begins with a std::exception. The
+// host also formats numbers: the only format of the core is "%.3g", and printf would be a fiftieth of the download.
 extern "C" {
 __attribute__((import_module("lommel"), import_name("fail"))) void lommel_fail(const char* text, std::size_t length);
 __attribute__((import_module("lommel"), import_name("shorten"))) int lommel_shorten(double number, char* text,
@@ -69,7 +69,7 @@ struct Block {
 
 extern "C" {
 
-// Returns memory block `block`, of `bytes` at least. A block that grows loses its contents.
+// Return memory block `block`, of at least `bytes`. A block that grows loses its contents.
 EXPORT(room) void* room(std::size_t block, std::size_t bytes) {
     Block& here = memory[block];
     if (here.bytes < bytes) {
@@ -83,8 +83,8 @@ EXPORT(room) void* room(std::size_t block, std::size_t bytes) {
     return here.data;
 }
 
-// Sets the light for all functions below: Zernike terms (n, m) with coefficients `edge` in radians at the edge, and lines of
-// the spectrum (stretch, share). Shares sum to 1.
+// Set the light for all functions below: Zernike terms (n, m) with coefficients `edge` in radians at the edge, and spectral
+// lines (stretch, share). Shares sum to 1.
 EXPORT(set_light)
 void set_light(const std::int32_t* terms, const double* edge, std::size_t count, double obscuration, const double* lines,
                std::size_t line_count) {
@@ -104,16 +104,15 @@ void set_light(const std::int32_t* terms, const double* edge, std::size_t count,
     }
 }
 
-// Sets straight vanes from the axis to the edge, in the directions `angles`; none by default.
+// Set straight vanes from the axis to the edge in the directions `angles`; none by default.
 EXPORT(set_vanes) void set_vanes(const double* angles, std::size_t count, double width) {
     light.vanes.assign(angles, angles + count);
     light.vane_width = width;
 }
 
-// Writes the fraction of all light in each pixel to `out`. numbers: the bound on the error relative to the peak, the largest
-// value, the sum, and the clear area divided by that of the disk. If `weights` is given, three for each line, `planes` gets the
-// three sums over the lines with these weights.
-// `cut`: by quadrature along rows, which vanes and very large aberrations need, and for which no bound is proven.
+// Fraction of all light in each pixel, to `out`. numbers: error bound relative to the peak, maximum, sum, and clear area over
+// that of the disk. With `weights`, three for each line, `planes` becomes the three sums over the lines with these weights.
+// `cut`: by quadrature along rows, which vanes and very large aberrations need; without an error bound.
 EXPORT(psf)
 void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers, const double* weights,
          float* planes, bool cut) {
@@ -121,7 +120,7 @@ void psf(std::size_t side, double step, bool integrate, double tol, float* out, 
     numbers[3] = light.area();
     const live::Proof proof = cut ? live::cut_image_of(light, view, out, weights, planes, &numbers[3])
                                   : live::image_of(light, view, tol, out, weights, planes);
-    // In lanes, as the compiler may not by itself.
+    // Explicit lanes, as the compiler may not vectorize this loop.
     constexpr std::size_t lanes = 16;
     const std::size_t pixels = side * side;
     double sum = 0.0;
@@ -131,7 +130,7 @@ void psf(std::size_t side, double step, bool integrate, double tol, float* out, 
         const std::size_t last = std::min(pixels, first + 1024), whole = last - (last - first) % lanes;
         for (std::size_t i = first; i < whole; i += lanes) {
             for (std::size_t k = 0; k < lanes; ++k) {
-                out[i + k] = std::max(0.0F, out[i + k]);  // no intensity is negative: the error does not grow
+                out[i + k] = std::max(0.0F, out[i + k]);  // clamping to 0 does not increase the error of an intensity
                 sums[k] += out[i + k];
                 tops[k] = std::max(tops[k], out[i + k]);
             }
@@ -148,19 +147,19 @@ void psf(std::size_t side, double step, bool integrate, double tol, float* out, 
     numbers[2] = sum;
 }
 
-// Returns the estimated time of psf() with `cut`, in seconds.
+// Return the estimated time of psf() with `cut`, in seconds.
 EXPORT(cut_seconds) double cut_seconds(std::size_t side, double step, bool integrate) {
     return live::cut_seconds(light, {side, step, integrate});
 }
 
-// Prepares the means on circles and the light within them, for radii up to `reach` in v.
+// Prepare the means on circles and the encircled energy, for radii up to `reach` in v.
 EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
 
-// Returns the bound on the error of means on circles, relative to the peak without aberration.
+// Return the error bound of means on circles, relative to the peak without aberration.
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
-// At radii in v by quadrature along rows, with aberrations or without: means over the peak without aberration, and shares of
-// all light within. Returns the clear area. `keep`: what near_contrast() takes.
+// Means on circles over the peak without aberration, and encircled energy as a fraction of all light, at radii in v by
+// quadrature along rows. `lit`: with aberrations. `keep`: keep the sums for near_contrast(). Returns the clear area.
 EXPORT(on_cut_circles)
 double on_cut_circles(const double* v, std::size_t count, bool lit, bool keep, double* means, double* shares) {
     if (keep) {
@@ -169,18 +168,17 @@ double on_cut_circles(const double* v, std::size_t count, bool lit, bool keep, d
     return live::cut_circles(light, lit, v, count, means, shares, keep ? &sums : nullptr);
 }
 
-// The OTF as contrast() has it, from the light within the last circles that were kept. Returns the share of the light that is
-// missing.
+// The OTF like contrast(), from the light within the last circles that were kept. Returns the fraction of light outside them.
 EXPORT(near_contrast)
 double near_contrast(const double* f, std::size_t count, std::complex<double>* x, std::complex<double>* y, double* limit) {
     return live::near_contrast(light, sums, f, count, x, y, limit);
 }
 
-// Returns the largest radius in v, at most `reach`, for which on_cut_circles() should be called.
+// Return the largest radius in v, at most `reach`, for which on_cut_circles() should be called.
 EXPORT(cut_reach) double cut_reach(double reach) { return live::cut_reach(light, reach); }
 
-// Computes, at radii in v, with aberrations (out) and without (flat): the means on circles relative to the peak without
-// aberration or, with `energy`, the shares of all light within.
+// At radii in v, with aberrations (out) and without (flat): means on circles relative to the peak without aberration or, with
+// `energy`, encircled energy as a fraction of all light.
 EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] =
@@ -189,7 +187,7 @@ EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool ener
     }
 }
 
-// Returns the radius in v of the circle that contains `share` of all light, or -1 if that radius exceeds `reach`.
+// Return the radius in v of the circle that contains the fraction `share` of all light, or -1 if it exceeds `reach`.
 EXPORT(radius_of) double radius_of(double share, double reach) {
     double low = 0.0, high = reach;
     const auto within = [](double v) { return circles.energy(&live::Circles::Part::profile, v); };
@@ -203,7 +201,7 @@ EXPORT(radius_of) double radius_of(double share, double reach) {
     return 0.5 * (low + high);
 }
 
-// Returns the approximate number of nodes that contrast() takes.
+// Return the approximate number of nodes of contrast().
 EXPORT(contrast_price) double contrast_price(const double* f, std::size_t count) {
     if (!light.vanes.empty()) {
         return live::cut_contrast_price(light, count);
@@ -221,8 +219,8 @@ EXPORT(contrast_price) double contrast_price(const double* f, std::size_t count)
     return nodes;
 }
 
-// Computes the OTF at frequencies f, relative to the cutoff of the reference wavelength. x: along columns; y: along rows;
-// limit: without aberration.
+// The OTF at frequencies f, relative to the cutoff of the reference wavelength. x: along columns; y: along rows; limit: without
+// aberration.
 EXPORT(contrast)
 void contrast(const double* f, std::size_t count, std::size_t more, std::complex<double>* x, std::complex<double>* y,
               double* limit) {
@@ -250,11 +248,11 @@ void contrast(const double* f, std::size_t count, std::size_t more, std::complex
     }
 }
 
-// Convolves the planes of a picture with `spread`, the image of a point in pixels, of odd side, divided by its sum.
+// Convolve the planes of an image with `spread`, a PSF of odd side in pixels, divided by its sum.
 EXPORT(blur)
 void blur(const float* spread, std::size_t side, const float* planes, std::size_t count, std::size_t height, std::size_t width,
           float* out) {
-    // Only a few sizes are used, so that spreads of similar size share one plan of the convolution.
+    // Few different sizes, so that PSFs of similar size share one plan of the convolution.
     std::size_t reach = 8;
     while (reach < side / 2) {
         reach += (reach + 8) / 16 * 8;

@@ -22,12 +22,13 @@ namespace live {
 
 using lommel::pi;
 
-// The aperture is cut into panels of rows between the places where edges meet; within a panel each row is the same number of
-// intervals, whose ends are analytic but for square roots at its first and last row, which y = middle + half sin(t) removes. So
-// Gauss-Legendre rules in t and in x converge faster than any power, and sums over rows and columns are products of matrices.
+// The aperture is divided into panels of rows between the heights where edges meet. Within a panel each row has the same number
+// of intervals, whose ends are analytic functions of y but for square roots at the first and last row, which y = middle + half
+// sin(t) removes. So Gauss-Legendre rules in t and in x converge faster than any power, and sums over rows and columns are
+// matrix products.
 class CutPupil {
    public:
-    // Turned so that the x axis lies at the angle `facing`. `lit`: with the wavefront.
+    // Rotated so that the x axis has the direction `facing`. `lit`: with the wavefront.
     CutPupil(const Light& light, double stretch, double facing, bool lit)
         : eps_(light.obscuration), half_width_(0.5 * light.vane_width), lines_(static_cast<double>(light.lines.size())),
           overlap_(light.terms, light.stretched(lit ? stretch : 0.0).data(), eps_) {
@@ -44,7 +45,7 @@ class CutPupil {
 
     double area() const { return area_; }  // relative to that of the whole disk
 
-    // Returns the estimated time of field() for all lines, in WebAssembly on a laptop.
+    // Return the estimated time of field() for all lines, in WebAssembly on a laptop.
     double seconds(std::size_t side, double step) const {
         const double far = static_cast<double>(side / 2) * step;
         const auto price = [&](double length) { return 10.0 + dense * length * (overlap_.slope() + far); };
@@ -52,15 +53,15 @@ class CutPupil {
         return lines_ * (80e-9 * found[1] + 30e-9 * found[0] * static_cast<double>(side));
     }
 
-    // The field at columns and rows of a square window about the axis, real and imaginary parts in turn; or what `kernel` then
-    // interpolates to the field.
+    // Field at the columns and rows of a square window about the axis, real and imaginary parts alternating; with `kernel`, the
+    // samples from which it interpolates the field.
     std::vector<float> field(std::size_t side, double step, const lommel::GriddingKernel* kernel = nullptr) const {
         const double far = static_cast<double>(side / 2) * step, slope = overlap_.slope() + far;
         const std::vector<Row> all = rows(0.0, turns_to(far), 10.0, dense);
         const std::size_t count = all.size(), blocks = (side + wide - 1) / wide;
         const lommel::WaveKernel kernel_of(side);
         lommel::WaveSums waves(kernel_of);
-        // Of each row along the columns: [eight columns][row][real parts, imaginary parts].
+        // Sums of each row along the columns: [eight columns][row][real parts, imaginary parts].
         std::vector<float> sums(2 * wide * count * blocks), out(2 * side * side);
         const Taper taper(kernel, step);
         lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -95,7 +96,7 @@ class CutPupil {
         return out;
     }
 
-    // int P(u - f, y) conj P(u + f, y) over the area: the contrast at f over the cutoff along x; nodes as Overlap::at() has them.
+    // int P(u - f, y) conj P(u + f, y) over the area: the OTF at f over the cutoff along x; nodes as in Overlap::at().
     std::complex<double> contrast(double f, std::size_t more) {
         std::complex<double> sum = 0.0;
         overlap_.set_shift(f, more);
@@ -107,7 +108,7 @@ class CutPupil {
         return sum / (pi * area_);
     }
 
-    // Returns the approximate number of nodes that contrast() takes; a row costs as much as a hundred nodes.
+    // Return the approximate number of nodes of contrast(); a row costs as much as a hundred nodes.
     double contrast_price(double f) {
         overlap_.set_shift(f, 0);
         const auto price = [&](double length) { return 20.0 + 0.2 * overlap_.run() * length; };
@@ -127,7 +128,7 @@ class CutPupil {
     struct Interval {
         double low, high;
     };
-    // Of a row there are at most ten: with eight vanes and a hole nine gaps; of two rows twice as many.
+    // At most ten intervals in a row: nine gaps with eight vanes and a hole; twice as many for two rows.
     class Intervals {
        public:
         void push_back(Interval interval) { at_[count_++] = interval; }
@@ -148,7 +149,7 @@ class CutPupil {
 
     double turns_to(double far) const { return overlap_.slope() + 1.42 * far; }
 
-    // Gauss-Legendre rule on pieces of equal length for an integrand whose phase changes by `turns`, in radians, in all.
+    // Gauss-Legendre rule on pieces of equal length, for an integrand whose phase changes by `turns` radians in total.
     struct Pieces {
         Pieces(double least, double turns, double density)
             : count(1 + static_cast<std::size_t>(turns / 800.0)),
@@ -159,7 +160,7 @@ class CutPupil {
 
        private:
         static std::size_t rounded(double nodes) {
-            const std::size_t n = static_cast<std::size_t>(nodes), step = n < 64 ? 4 : 16;  // few different ones
+            const std::size_t n = static_cast<std::size_t>(nodes), step = n < 64 ? 4 : 16;  // few different sizes
             return (n / step + 1) * step;
         }
     };
@@ -174,7 +175,7 @@ class CutPupil {
         }
     }
 
-    // One over the transform of a kernel at samples this step apart, as a polynomial of x^2; 1 without a kernel.
+    // Reciprocal transform of a kernel at samples this step apart, as a polynomial of x^2; 1 without a kernel.
     struct Taper {
         static constexpr std::size_t terms = 12;
         std::array<double, terms> at{};
@@ -201,8 +202,8 @@ class CutPupil {
         }
     };
 
-    // The waves of a row at its nodes, as those of sum `r`. A call of its own: a browser that compiles anew what is called often
-    // goes on with the faster code from the next call.
+    // Add the waves of a row at its nodes to sum `r`. A separate function: a browser that recompiles frequently called
+    // functions then uses the faster code from the next call on.
     template <class I>
     [[gnu::noinline]] void add_row(I isa, const Row& row, const Taper& taper, double slope, double step, std::size_t r,
                                    lommel::WaveSums& waves) const {
@@ -234,7 +235,7 @@ class CutPupil {
         }
     }
 
-    // What is clear of a row at this height, moved by `by`.
+    // Clear intervals of a row at this height, shifted by `by`.
     Intervals row(double y, double by) const {
         const double rim = std::sqrt(std::max(0.0, (1.0 - y) * (1.0 + y)));
         Intervals clear;
@@ -289,7 +290,8 @@ class CutPupil {
         return both;
     }
 
-    // Call use(middle, half the height, pieces) for each panel of the aperture moved by f and by -f where both are clear.
+    // Call use(middle, half the height, pieces) for each panel of the area that is clear in both apertures, shifted by f and by
+    // -f.
     template <class Use>
     void panels(double f, double turns, double least, double density, Use use) const {
         const std::vector<double> edges = meetings(f);
@@ -319,7 +321,7 @@ class CutPupil {
         });
         return found;
     }
-    // About how many rows those are, and the sum of a price of their intervals by length.
+    // Approximate number of these rows, and the sum over their intervals of price(length).
     template <class Price>
     std::array<double, 2> counts(double f, double turns, double least, double density, Price price) const {
         std::array<double, 2> found{};
@@ -335,9 +337,9 @@ class CutPupil {
         return found;
     }
 
-    // Heights, rising, at which edges of the aperture moved by f and by -f meet, begin or end, where no other part hides that.
+    // Ascending heights at which edges of the apertures shifted by f and by -f meet, begin or end without being covered.
     std::vector<double> meetings(double f) const {
-        std::vector<std::array<double, 2>> circles;  // middle and radius
+        std::vector<std::array<double, 2>> circles;  // centre and radius
         std::vector<std::array<Point, 2>> lines;
         for (const double by : {f, -f}) {
             circles.push_back({by, 1.0});
@@ -409,7 +411,7 @@ class CutPupil {
         return heights;
     }
 
-    // On an edge, too.
+    // Return whether a point is clear; points on an edge are.
     bool clear(double x, double y) const {
         constexpr double little = 1e-9;
         const double rho = std::hypot(x, y);
@@ -423,7 +425,7 @@ class CutPupil {
     lommel::Overlap overlap_;
 };
 
-// The window of samples that an image is made of: of averages a larger one, of finer samples.
+// Window of samples for an image; for pixel averages a larger one, of finer samples.
 struct CutSamples {
     CutSamples(const View& view, double stretch)
         : taps(view.step * stretch, 1e-7, 1.05), filter{taps.weights.data(), taps.weights.size(), taps.stride},
@@ -437,7 +439,7 @@ struct CutSamples {
     const double step;
 };
 
-// Returns the estimated time of cut_image_of(), from the line that takes longest.
+// Return the estimated time of cut_image_of(), from the slowest line.
 inline double cut_seconds(const Light& light, const View& view) {
     double widest = 0.0;
     for (const Line& line : light.lines) {
@@ -447,7 +449,7 @@ inline double cut_seconds(const Light& light, const View& view) {
     return CutPupil(light, widest, 0.0, true).seconds(samples.side, samples.step);
 }
 
-// Fractions of all light per pixel of a pupil with vanes in one line, added to `total`, and by their weights to three planes.
+// Add the fractions of all light per pixel of a pupil with vanes in one line to `total`, and with weights to three planes.
 // Returns the clear area over that of the disk.
 inline double add_cut_image(const Light& light, const Line& line, const View& view, std::vector<double>& total,
                             const double* weights, float* planes) {
@@ -481,7 +483,7 @@ inline double add_cut_image(const Light& light, const Line& line, const View& vi
     return pupil.area();
 }
 
-// As image_of(); no bound is proven.
+// Like image_of(), without an error bound.
 inline Proof cut_image_of(const Light& light, const View& view, float* out, const double* weights, float* planes,
                           double* area) {
     const std::size_t pixels = view.side * view.side;
@@ -496,10 +498,10 @@ inline Proof cut_image_of(const Light& light, const View& view, float* out, cons
     return {std::nan(""), *std::max_element(total.begin(), total.end())};
 }
 
-// The intensity near the axis, by interpolation in samples of what its kernel makes of the field.
+// Intensity near the axis, interpolated by a kernel from samples of the field divided by its transform.
 class CutField {
    public:
-    // At radii of v up to `reach`. `even`: the same half a turn on.
+    // At radii up to `reach` in v. `even`: the intensity is the same after half a turn.
     CutField(const CutPupil& pupil, double reach, bool even)
         : turn_(even ? pi : 2.0 * pi), kernel_(lommel::GriddingKernel::of(taps, pi / step)), polynomials_(kernel_),
           half_(side(reach) / 2), samples_(pupil.field(2 * half_ + 1, step, &kernel_)) {}
@@ -507,8 +509,8 @@ class CutField {
     static constexpr double step = 1.5;
     static std::size_t side(double reach) { return 2 * (static_cast<std::size_t>(reach / step) + taps / 2 + 1) + 1; }
 
-    // Sums of the intensity along columns and along rows, at samples whose transforms are the transfer function: `step` is below
-    // what its band takes.
+    // Sums of the intensity along columns and along rows at samples of pitch `step`, fine enough for the band of the transfer
+    // function, which is their transform.
     std::array<std::vector<double>, 2> sums() const {
         const int far = static_cast<int>(half_) - static_cast<int>(taps / 2) - 1;
         std::array<std::vector<double>, 2> found;
@@ -525,7 +527,7 @@ class CutField {
         return found;
     }
 
-    // The mean on a circle. The intensity there has no finer waves than 2 v around it.
+    // Mean on a circle, around which the highest frequency of the intensity is 2 v.
     double mean(double v) const {
         const std::size_t places = 6 + static_cast<std::size_t>(turn_ * (0.38 * v + 3.0));
         double sum = 0.0;
@@ -592,8 +594,8 @@ class CutField {
     std::vector<float> samples_;
 };
 
-// Returns the largest radius, in v of the reference and at most `reach`, up to which there is time to compute the circles of
-// a pupil with vanes.
+// Return the largest radius, at most `reach` in v of the reference, up to which there is time to compute the circles of a pupil
+// with vanes.
 inline double cut_reach(const Light& light, double reach) {
     double widest = 0.0;
     for (const Line& line : light.lines) {
@@ -611,11 +613,11 @@ inline double cut_reach(const Light& light, double reach) {
     }
 }
 
-// Sums of the light of each line along columns and along rows, over all of it.
+// Sums of the intensity of each line along columns and along rows.
 using CutSums = std::vector<std::array<std::vector<double>, 2>>;
 
-// Computes, on circles about the axis with ascending radii from 0, in v of the reference, the mean intensity relative to the
-// peak without aberration and the share of all light within. Returns the clear area divided by that of the disk.
+// On circles about the axis with ascending radii from 0, in v of the reference: the mean intensity relative to the peak without
+// aberration, and the encircled energy as a fraction of all light. Returns the clear area over that of the disk.
 inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares,
                           CutSums* sums) {
     std::fill_n(means, count, 0.0);
@@ -623,7 +625,7 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
     double brightest = 0.0, area = 1.0;
     std::unique_ptr<CutField> field;
     for (const Line& line : light.lines) {
-        // Without aberration all lines have one pupil.
+        // Without aberration all lines have the same pupil.
         if (lit || !field) {
             const CutPupil pupil(light, line.stretch, 0.0, lit);
             double widest = line.stretch;
@@ -662,7 +664,7 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
     return area;
 }
 
-// Computes the OTF along x, along y, and without aberration, at frequencies relative to the cutoff of the reference.
+// The OTF along x, along y, and without aberration, at frequencies relative to the cutoff of the reference.
 inline void cut_contrast(const Light& light, const double* f, std::size_t count, std::size_t more, std::complex<double>* x,
                          std::complex<double>* y, double* limit) {
     std::vector<std::complex<double>> flat(count);
@@ -679,7 +681,8 @@ inline void cut_contrast(const Light& light, const double* f, std::size_t count,
     std::transform(flat.begin(), flat.end(), limit, [](std::complex<double> sum) { return std::abs(sum); });
 }
 
-// The same from the light that cut_circles() found. Returns how much is missing of all light, which no value is off by more than.
+// The OTF from the sums of cut_circles(). Returns the fraction of light outside these circles, a bound on the error of each
+// value.
 inline double near_contrast(const Light& light, const CutSums& sums, const double* f, std::size_t count,
                             std::complex<double>* x, std::complex<double>* y, double* limit) {
     std::complex<double>* const curves[2] = {x, y};
@@ -710,7 +713,8 @@ inline double near_contrast(const Light& light, const CutSums& sums, const doubl
                 const double middle = -turn * static_cast<double>(light_at.size() / 2);
                 curves[axis][i] += line.share * std::complex<double>(re, im) * std::polar(1.0, middle);
             }
-            // Without aberration all lines have one pupil: between its values lines are closer than what is missing.
+            // Without aberration all lines have the same pupil; linear interpolation of its values has an error below that of
+            // the missing light.
             const double at = f[i] / line.stretch * intervals;
             const auto below = static_cast<std::size_t>(at);
             limit[i] += line.share * (plain[below] + (at - static_cast<double>(below)) * (plain[below + 1] - plain[below]));
@@ -719,7 +723,7 @@ inline double near_contrast(const Light& light, const CutSums& sums, const doubl
     return std::abs(1.0 - found);
 }
 
-// About how many nodes cut_contrast() takes, by those at three frequencies in the line where they are most.
+// Approximate number of nodes of cut_contrast(), from three frequencies in the line with the most nodes.
 inline double cut_contrast_price(const Light& light, std::size_t count) {
     double widest = 0.0, nodes = 0.0;
     for (const Line& line : light.lines) {

@@ -39,12 +39,13 @@ bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
                    double step, double tol, int threads, double scale, bool if_cheaper, Out<T, 3> images,
                    Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
     const lommel::DiskAnswer<T> into = disk_answer_of(pupils_of(edge), scale, images, numbers);
-    const lommel::AverageRequest asked = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
-    const lommel::DiskPupils pupils = disks_of(terms, edge, obscuration, amplitude, asked.height, asked.width, step, center...);
+    const lommel::AverageRequest request = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
+    const lommel::DiskPupils pupils =
+        disks_of(terms, edge, obscuration, amplitude, request.height, request.width, step, center...);
     return released([&] {
         return lommel::averaged_images(
-            asked, pupils.count, into, slopes.data(), bounds.data(),
-            [&](const lommel::AverageAnswer& answer) { return lommel::DiskAverages(pupils, asked, if_cheaper).run(answer); });
+            request, pupils.count, into, slopes.data(), bounds.data(),
+            [&](const lommel::AverageAnswer& answer) { return lommel::DiskAverages(pupils, request, if_cheaper).run(answer); });
     });
 }
 
@@ -58,11 +59,11 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
                        Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
     require(strehl > 0.0 && strehl <= 1.0 && transmission > 0.0, "strehl and transmission must be positive");
     const lommel::DiskAnswer<T> into = disk_answer_of(pupils_of(edge), scale, images, numbers);
-    const lommel::AverageRequest asked = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
+    const lommel::AverageRequest request = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     require_center(center_y, center_x);
-    const lommel::DiskWindow window{asked.height, asked.width, center_y, center_x, step};
+    const lommel::DiskWindow window{request.height, request.width, center_y, center_x, step};
     const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr};
     const auto sample = [&](const lommel::NodeQuestion& question, const lommel::AverageAnswer& to,
                             lommel::NodeNumbers& of_pupils) {
@@ -72,12 +73,12 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
                                      {question.rows.weights.data(), question.columns.weights.data()}, to.values,
                                      of_pupils.largest.data(), of_pupils.together.data());
         // Largest distance of nodes from the axis along one direction; the rule must be exact up to it.
-        const auto reach = [](const std::vector<double>& places, std::size_t side, double center, double apart) {
-            const double middle = apart * (0.5 * static_cast<double>(side - 1) - center);
+        const auto reach = [](const std::vector<double>& places, std::size_t side, double center, double spacing) {
+            const double middle = spacing * (0.5 * static_cast<double>(side - 1) - center);
             return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));
         };
-        const double down = reach(question.rows.places, asked.height, center_y, step),
-                     across = reach(question.columns.places, asked.width, center_x, step);
+        const double down = reach(question.rows.places, request.height, center_y, step),
+                     across = reach(question.columns.places, request.width, center_x, step);
         const auto made = nb::cast<Weights>(rule(std::hypot(down, across), question.tol, question.single,
                                                  question.rows.places.size(), question.columns.places.size()));
         if (!made) {
@@ -91,7 +92,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
         const lommel::ApertureRule of_aperture{size, weights.data()};
         const auto ask = [&](auto real) {
             using Real = decltype(real);
-            const lommel::ChordalDerivatives<Real> more{asked.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
+            const lommel::ChordalDerivatives<Real> more{request.factors, nullptr, of_pupils.slope_error.data(), to.slopes,
                                                         of_pupils.steepest.data()};
             lommel::ApertureAverages<Real>(stack, of_aperture, nodes, of_pupils.brightest.data(), more, off).run(threads);
         };
@@ -99,8 +100,8 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
         released([&] { in_single ? ask(float()) : ask(double()); });
     };
     return lommel::averaged_images(
-        asked, pupils.count, into, slopes.data(), bounds.data(), [&](const lommel::AverageAnswer& answer) {
-            return lommel::average_at_nodes(asked, {strehl, transmission}, pupils.count, answer, sample);
+        request, pupils.count, into, slopes.data(), bounds.data(), [&](const lommel::AverageAnswer& answer) {
+            return lommel::average_at_nodes(request, {strehl, transmission}, pupils.count, answer, sample);
         });
 }
 

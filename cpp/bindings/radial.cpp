@@ -101,8 +101,8 @@ class RadialPlan {
         const auto pupils = static_cast<std::size_t>(
             std::accumulate(phases.shape(), phases.shape() + axes, Py_ssize_t{1}, std::multiplies<>()));
         const auto terms = static_cast<std::size_t>(phases.shape()[axes]);
-        const lommel::Stack asked = stack_of(phases.data(), pupils, terms, obscuration_, amplitude_);
-        if (window_.integrate && lommel::PixelRenderer<T>(asked, window_, tol_, threads_, {}).filters_pay()) {
+        const lommel::Stack pupil_stack = stack_of(phases.data(), pupils, terms, obscuration_, amplitude_);
+        if (window_.integrate && lommel::PixelRenderer<T>(pupil_stack, window_, tol_, threads_, {}).filters_pay()) {
             return {};
         }
         std::vector<double> numbers(3 * pupils);
@@ -110,7 +110,7 @@ class RadialPlan {
         const auto answered = [&](double* factors) -> std::optional<double> {
             std::fill_n(factors, pupils, scale_);
             const lommel::Answer<T> answer{values.data(), factors, bounds, peaks, nullptr, 0, nullptr, nullptr};
-            const double unmet = images_of(asked, window_, tol_, threads_, answer);
+            const double unmet = images_of(pupil_stack, window_, tol_, threads_, answer);
             return unmet > 0.0 ? -unmet : *std::max_element(bounds, peaks);
         };
         if (scales.is_none()) {

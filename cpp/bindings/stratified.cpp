@@ -57,25 +57,25 @@ struct AskedSlopes {
 };
 
 template <class T>
-lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& asked, const Out<T, 3>& images,
+lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& requested, const Out<T, 3>& images,
                                    bool integrate) {
     using What = lommel::LayeredSlope::What;
     require(given.own.is_valid() && given.of_fields.is_valid() && given.turning.is_valid() && given.images.is_valid() &&
                 given.errors.is_valid(),
             "derivatives are given whole");
-    const std::size_t count = given.by.shape(0), n = asked.count, q = asked.angles.count;
+    const std::size_t count = given.by.shape(0), n = requested.count, q = requested.angles.count;
     require(given.by.shape(1) == 2 && count > 0 && given.own.shape(0) == count && given.own.shape(1) == n,
             "derivatives are a number and a factor each, with a number for each plane");
     require(given.of_fields.shape(0) == 4 && given.turning.shape(0) == 3 && given.turning.shape(1) == q, "one value an angle");
-    asked.angles.turning = given.turning.data();
+    requested.angles.turning = given.turning.data();
     if (given.change.is_valid()) {
-        require(given.change.shape(0) == asked.angles.parts && given.change.shape(1) == q, "one value an angle");
-        asked.angles.change = given.change.data();
+        require(given.change.shape(0) == requested.angles.parts && given.change.shape(1) == q, "one value an angle");
+        requested.angles.change = given.change.data();
     }
     const auto need = [&](lommel::By by) {
         const auto same = [&](const lommel::Derivative& each) { return each.by == by; };
-        if (std::none_of(asked.derivatives.begin(), asked.derivatives.end(), same)) {
-            asked.derivatives.push_back({by, given.of_fields.data()[static_cast<std::size_t>(by)]});
+        if (std::none_of(requested.derivatives.begin(), requested.derivatives.end(), same)) {
+            requested.derivatives.push_back({by, given.of_fields.data()[static_cast<std::size_t>(by)]});
         }
     };
     lommel::LayeredSlopes<T> made;
@@ -84,18 +84,18 @@ lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& 
         const double which = given.by.data()[2 * k];
         require(which == 0.0 || which == 1.0 || which == 2.0 || which == 3.0, "derivatives are 0, 1, 2 or 3");
         const What what = static_cast<What>(static_cast<int>(which));
-        require(what != What::axis || asked.radial(), "only light that is radially symmetric is moved here");
+        require(what != What::axis || requested.radial(), "only light that is radially symmetric is moved here");
         if (what == What::depth || what == What::focus) {
             need(what == What::depth ? lommel::By::depth : lommel::By::focus);
         }
         if (what == What::wavenumber) {
             need(lommel::By::wavenumber);
         }
-        if (asked.radial() && (what == What::wavenumber || (what == What::axis && !integrate))) {
+        if (requested.radial() && (what == What::wavenumber || (what == What::axis && !integrate))) {
             need(lommel::By::radius);
         }
         pictures += what == What::axis ? 2 : 1;
-        made.asked.push_back({what, given.by.data()[2 * k + 1], given.own.data() + k * n});
+        made.requested.push_back({what, given.by.data()[2 * k + 1], given.own.data() + k * n});
     }
     require(given.images.shape(0) == pictures && given.images.shape(1) == n && given.images.shape(2) == images.shape(1) &&
                 given.images.shape(3) == images.shape(2) && given.errors.shape(0) == pictures && given.errors.shape(1) == n,
@@ -112,38 +112,38 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
                     double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers, In<double, 2> by, In<double, 2> own,
                     In<double, 1> of_fields, In<complex, 2> turning, In<complex, 2> change, Out<T, 4> slopes,
                     Out<double, 2> slope_errors) {
-    lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
-    const std::size_t n = asked.count;
+    lommel::Planes requested = planes_of(rho, parts, rates, error, planes, forms, turns);
+    const std::size_t n = requested.count;
     require(images.shape(0) == n && numbers.shape(0) == 3 && numbers.shape(1) == n, "one image, scale, bound and peak a plane");
     require(allowed > 0.0 && threads >= 0, "allowed must be positive, threads at least 0");
     require_centers(centers, centers.shape(0) == 1 ? 1 : n);
     lommel::LayeredSlopes<T> derivatives;
     if (by.is_valid()) {
-        derivatives = slopes_of<T>({by, own, of_fields, turning, change, slopes, slope_errors}, asked, images, integrate);
+        derivatives = slopes_of<T>({by, own, of_fields, turning, change, slopes, slope_errors}, requested, images, integrate);
     }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
     // A single axis off the middle is treated as one axis per plane, as one table serves windows around any axis. Derivatives
     // of samples, and shifts of averages, are only available around such axes.
-    const bool moved = std::any_of(derivatives.asked.begin(), derivatives.asked.end(), [](const lommel::LayeredSlope& slope) {
-        return slope.what == lommel::LayeredSlope::What::axis;
-    });
+    const bool moved =
+        std::any_of(derivatives.requested.begin(), derivatives.requested.end(),
+                    [](const lommel::LayeredSlope& slope) { return slope.what == lommel::LayeredSlope::What::axis; });
     std::vector<double> own_axes;
     lommel::PixelWindows windows(first);
     if (centers.shape(0) == n && n > 1) {
         windows = {first, at, n};
-    } else if (!first.centered() || (integrate ? moved : !derivatives.asked.empty())) {
+    } else if (!first.centered() || (integrate ? moved : !derivatives.requested.empty())) {
         for (std::size_t p = 0; p < n; ++p) {
             own_axes.insert(own_axes.end(), at, at + 2);
         }
         windows = {first, own_axes.data(), n};
     }
-    if (!lommel::LayeredImages<T>::fits(asked, windows, by.is_valid())) {
+    if (!lommel::LayeredImages<T>::fits(requested, windows, by.is_valid())) {
         return false;
     }
     double* const scales = numbers.data();
     const lommel::Answer<T> answer{images.data(), scales, scales + n, scales + 2 * n, nullptr, 0, nullptr, nullptr};
-    released([&] { lommel::LayeredImages<T>(asked, windows, allowed, threads, answer, derivatives).run(); });
+    released([&] { lommel::LayeredImages<T>(requested, windows, allowed, threads, answer, derivatives).run(); });
     return true;
 }
 
@@ -151,26 +151,26 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
 std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates,
                                                            double error, In<double, 2> planes, In<complex, 3> forms,
                                                            In<double, 2> turns, In<double, 1> v, int threads) {
-    const lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
+    const lommel::Planes requested = planes_of(rho, parts, rates, error, planes, forms, turns);
     require_radii(v);
     require(v.shape(0) > 0 && threads >= 0, "v must not be empty, threads at least 0");
-    const std::size_t count = v.shape(0), orders = asked.harmonics.size();
-    auto values = new_array<double, 3>({asked.count, orders, count});
-    auto bounds = new_array<double, 1>({asked.count});
+    const std::size_t count = v.shape(0), orders = requested.harmonics.size();
+    auto values = new_array<double, 3>({requested.count, orders, count});
+    auto bounds = new_array<double, 1>({requested.count});
     released([&] {
         const auto radii = std::make_shared<lommel::Radii>();
         radii->count = count;
         radii->radii.assign(v.data(), v.data() + count);
         radii->radii.resize(count + lommel::widest_step, v.data()[count - 1]);
-        const std::vector<double> angles(asked.angles.rho, asked.angles.rho + asked.angles.count);
+        const std::vector<double> angles(requested.angles.rho, requested.angles.rho + requested.angles.count);
         const lommel::Profiles profiles(
-            asked, std::make_shared<const lommel::AngleTable>(radii, 1.0, angles, asked.angles.parts, false));
+            requested, std::make_shared<const lommel::AngleTable>(radii, 1.0, angles, requested.angles.parts, false));
         profiles.run(threads, [&](std::size_t first, std::size_t here, const double* found, const lommel::PartSizes* sizes) {
             for (std::size_t row = 0; row < here * orders; ++row) {
                 std::copy_n(found + row * profiles.stride(), count, values.data() + (first * orders + row) * count);
             }
             for (std::size_t p = 0; p < here; ++p) {
-                bounds.data()[first + p] = lommel::Judged(asked, first + p, sizes[p]).given;
+                bounds.data()[first + p] = lommel::Judged(requested, first + p, sizes[p]).given;
             }
         });
     });

@@ -194,10 +194,10 @@ Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool n
     float top[2 * lommel::row_lanes], mean[2 * lommel::row_lanes];
     lommel::dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
-        const std::size_t apart = lone ? 1 : lanes;
-        lommel::Floats given(list.size() * apart), room(table.room() * lanes);
+        const std::size_t stride = lone ? 1 : lanes;
+        lommel::Floats given(list.size() * stride), room(table.room() * lanes);
         for (std::size_t j = 0; j < list.size(); ++j) {
-            given[j * apart] = static_cast<float>(coefficients.data()[table.classes.order[j]]);
+            given[j * stride] = static_cast<float>(coefficients.data()[table.classes.order[j]]);
         }
         if (lone) {
             lommel::sharp_means<true>(isa, table, given.data(), room.data(), top, mean);

@@ -132,7 +132,7 @@ void windows(const Light& light, const Window& w, int threads) {
     if (w.slopes) {
         using What = lommel::LayeredSlope::What;
         for (const What what : {What::depth, What::focus, What::axis}) {
-            derivatives.asked.push_back({what, 1.0, own_share.data()});
+            derivatives.requested.push_back({what, 1.0, own_share.data()});
         }
     }
     const lommel::PixelWindow first{w.height, w.width, w.centers[0], w.centers[1], step, w.integrate};

@@ -32,7 +32,7 @@ struct Light {
     double obscuration = 0.0;
     std::vector<Line> lines;
     std::vector<double> vanes;  // directions in radians
-    double vane_width = 0.0;    // relative to the radius
+    double vane_width = 0.0;    // width over the radius of the aperture
 
     bool radial() const {
         return std::all_of(terms.begin(), terms.end(), [](const lommel::ZernikeTerm& term) { return term.m == 0; });
@@ -123,10 +123,10 @@ struct Averages {
         const double exact = std::floor(std::sqrt(samples) / static_cast<double>(across));
         const double farthest = 0.5 * step * std::min({std::sqrt(std::max(0.0, inside)), inside / width, exact - 2.0});
         if (farthest > 0.0) {
-            for (double asked = tol; asked < 0.02; asked *= 10.0) {
-                const Proof proof = near_and_far(asked, storing, farthest);
-                if (proof.bound <= asked) {
-                    return {proof.bound, proof.peak, asked > tol ? proof.bound : 0.0};
+            for (double requested = tol; requested < 0.02; requested *= 10.0) {
+                const Proof proof = near_and_far(requested, storing, farthest);
+                if (proof.bound <= requested) {
+                    return {proof.bound, proof.peak, requested > tol ? proof.bound : 0.0};
                 }
                 if (whole <= fit) {
                     break;
@@ -146,10 +146,10 @@ struct Averages {
         stack.center_axes(window);
         stack.shrink();
         std::vector<double> image(whole * whole);
-        double asked = 0.7 * room;
-        for (int again = 0; again < 3; ++again) {
+        double requested = 0.7 * room;
+        for (int retry = 0; retry < 3; ++retry) {
             double found[FarAverages::numbers];
-            FarAverages(stack, window, farthest, asked, 1, image.data(), found).run();
+            FarAverages(stack, window, farthest, requested, 1, image.data(), found).run();
             const double row = found[3], column = found[4],
                          reach = std::ceil(found[0]) + std::max(std::abs(row - middle), std::abs(column - middle));
             if (!(2.0 * reach + 1.0 < static_cast<double>(whole))) {
@@ -167,7 +167,7 @@ struct Averages {
                 total.swap(image);
                 return {std::max(near.bound, far), near.peak};
             }
-            asked *= 0.8 * room * near.peak / found[1];
+            requested *= 0.8 * room * near.peak / found[1];
         }
         return {1e300, 0.0};
     }
@@ -231,10 +231,10 @@ struct Averages {
         }
         double rounded = 0.0;
         Proof proof{1e300, 0.0};
-        for (int again = 0; again < 5; ++again) {
+        for (int retry = 0; retry < 5; ++retry) {
             const PixelTaps taps(step, response, widest);
-            const double asked = std::max(finer / (taps.gain * taps.gain), rounded);
-            asked >= single ? make<float>(taps, asked) : make<double>(taps, asked);
+            const double requested = std::max(finer / (taps.gain * taps.gain), rounded);
+            requested >= single ? make<float>(taps, requested) : make<double>(taps, requested);
             const double top = *std::max_element(total.begin(), total.end());
             const double rounding =
                 static_cast<double>(2 * taps.weights.size() + 8) * unit_roundoff * taps.gain * taps.gain * peak;
@@ -243,11 +243,11 @@ struct Averages {
                 break;
             }
             proof = {stored((given + own) / found, storing), found};
-            if (proof.bound <= tol || (dim && asked <= rounded)) {
+            if (proof.bound <= tol || (dim && requested <= rounded)) {
                 break;
             }
             rounded = dim ? 2e-12 / peak : 0.0;
-            finer = asked >= single && !dim ? 0.9 * single : finer * std::min(1.0, 0.5 * aim * found / given);
+            finer = requested >= single && !dim ? 0.9 * single : finer * std::min(1.0, 0.5 * aim * found / given);
             response *= std::min(1.0, 0.2 * aim * found / own);
         }
         return proof;
@@ -298,7 +298,7 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
     static std::vector<float> part;
     static std::vector<double> total;
     part.resize(pixels);
-    for (double asked = std::max(tol, least);;) {
+    for (double requested = std::max(tol, least);;) {
         total.assign(pixels, 0.0);
         double off = 0.0, peak = 0.0, rest = 0.0;
         if (planes != nullptr) {
@@ -306,7 +306,7 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
         }
         for (std::size_t k = 0; k < light.lines.size(); ++k) {
             const Line& line = light.lines[k];
-            const Proof proof = image_of_line(light, line, view, asked, scale * line.weight(), part.data());
+            const Proof proof = image_of_line(light, line, view, requested, scale * line.weight(), part.data());
             std::transform(part.begin(), part.end(), total.begin(), total.begin(),
                            [](float a, double b) { return static_cast<double>(a) + b; });
             for (std::size_t c = 0; planes != nullptr && c < 3; ++c) {
@@ -322,11 +322,11 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
         const double highest = *std::max_element(total.begin(), total.end());
         off += static_cast<double>(light.lines.size() + 8) * lommel::unit_roundoff * highest;
         const double bound = lommel::stored(off / std::max(peak, highest - off), lommel::storing<float>(false));
-        if (bound <= tol || asked == least || rest > tol) {
+        if (bound <= tol || requested == least || rest > tol) {
             std::transform(total.begin(), total.end(), out, [](double x) { return static_cast<float>(x); });
             return {bound, highest, rest};
         }
-        asked = std::max(least, 0.5 * asked * std::min(1.0, tol / bound));
+        requested = std::max(least, 0.5 * requested * std::min(1.0, tol / bound));
     }
 }
 

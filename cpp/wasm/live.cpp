@@ -159,13 +159,13 @@ EXPORT(set_circles) void set_circles(double reach, double error) { circles = liv
 EXPORT(circle_error) double circle_error() { return circles.error(); }
 
 // Means on circles over the peak without aberration, and encircled energy as a fraction of all light, at radii in v by
-// quadrature along rows. `lit`: with aberrations. `keep`: keep the sums for near_contrast(). Returns the clear area.
+// quadrature along rows. `aberrated`: with aberrations. `keep`: keep the sums for near_contrast(). Returns the clear area.
 EXPORT(on_cut_circles)
-double on_cut_circles(const double* v, std::size_t count, bool lit, bool keep, double* means, double* shares) {
+double on_cut_circles(const double* v, std::size_t count, bool aberrated, bool keep, double* means, double* shares) {
     if (keep) {
         sums.clear();
     }
-    return live::cut_circles(light, lit, v, count, means, shares, keep ? &sums : nullptr);
+    return live::cut_circles(light, aberrated, v, count, means, shares, keep ? &sums : nullptr);
 }
 
 // The OTF like contrast(), from the light within the last circles that were kept. Returns the fraction of light outside them.

@@ -28,10 +28,10 @@ using lommel::pi;
 // matrix products.
 class CutPupil {
    public:
-    // Rotated so that the x axis has the direction `facing`. `lit`: with the wavefront.
-    CutPupil(const Light& light, double stretch, double facing, bool lit)
+    // Rotated so that the x axis has the direction `facing`. `aberrated`: with the wavefront.
+    CutPupil(const Light& light, double stretch, double facing, bool aberrated)
         : eps_(light.obscuration), half_width_(0.5 * light.vane_width), lines_(static_cast<double>(light.lines.size())),
-          overlap_(light.terms, light.stretched(lit ? stretch : 0.0).data(), eps_) {
+          overlap_(light.terms, light.stretched(aberrated ? stretch : 0.0).data(), eps_) {
         overlap_.face(facing);
         for (const double angle : light.vanes) {
             vanes_.push_back({std::cos(angle - facing), std::sin(angle - facing)});
@@ -367,9 +367,9 @@ class CutPupil {
             add(middle, radius);
             add(middle, -radius);
             for (std::size_t j = i + 1; j < circles.size(); ++j) {
-                const double apart = circles[j][0] - middle;
-                if (apart != 0.0) {
-                    const double x = 0.5 * (apart + (radius - circles[j][1]) * (radius + circles[j][1]) / apart);
+                const double distance = circles[j][0] - middle;
+                if (distance != 0.0) {
+                    const double x = 0.5 * (distance + (radius - circles[j][1]) * (radius + circles[j][1]) / distance);
                     const double square = (radius - x) * (radius + x);
                     if (square >= 0.0) {
                         add(middle + x, std::sqrt(square));
@@ -601,13 +601,13 @@ inline double cut_reach(const Light& light, double reach) {
     for (const Line& line : light.lines) {
         widest = std::max(widest, line.stretch);
     }
-    const CutPupil lit(light, widest, 0.0, true), plain(light, widest, 0.0, false);
+    const CutPupil aberrated(light, widest, 0.0, true), plain(light, widest, 0.0, false);
     const double lines = static_cast<double>(light.lines.size());
     for (reach = std::min(reach, 2000.0 / widest);; reach *= 0.85) {
         const double far = reach * widest;
         const std::size_t side = CutField::side(far);
         const double rings = 2.0 * lines * 100e-9 * far * far;
-        if (lit.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 0.9 || far < 50.0) {
+        if (aberrated.seconds(side, CutField::step) + plain.seconds(side, CutField::step) / lines + rings < 0.9 || far < 50.0) {
             return reach;
         }
     }
@@ -618,7 +618,7 @@ using CutSums = std::vector<std::array<std::vector<double>, 2>>;
 
 // On circles about the axis with ascending radii from 0, in v of the reference: the mean intensity relative to the peak without
 // aberration, and the encircled energy as a fraction of all light. Returns the clear area over that of the disk.
-inline double cut_circles(const Light& light, bool lit, const double* v, std::size_t count, double* means, double* shares,
+inline double cut_circles(const Light& light, bool aberrated, const double* v, std::size_t count, double* means, double* shares,
                           CutSums* sums) {
     std::fill_n(means, count, 0.0);
     std::fill_n(shares, count, 0.0);
@@ -626,15 +626,15 @@ inline double cut_circles(const Light& light, bool lit, const double* v, std::si
     std::unique_ptr<CutField> field;
     for (const Line& line : light.lines) {
         // Without aberration all lines have the same pupil.
-        if (lit || !field) {
-            const CutPupil pupil(light, line.stretch, 0.0, lit);
+        if (aberrated || !field) {
+            const CutPupil pupil(light, line.stretch, 0.0, aberrated);
             double widest = line.stretch;
             for (const Line& other : light.lines) {
-                widest = lit ? widest : std::max(widest, other.stretch);
+                widest = aberrated ? widest : std::max(widest, other.stretch);
             }
             area = pupil.area();
             field.reset();
-            field = std::make_unique<CutField>(pupil, v[count - 1] * widest, !lit);
+            field = std::make_unique<CutField>(pupil, v[count - 1] * widest, !aberrated);
         }
         if (sums != nullptr) {
             sums->push_back(field->sums());

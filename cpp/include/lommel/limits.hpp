@@ -14,8 +14,8 @@ namespace lommel {
 constexpr double unit_roundoff = 1.1102230246251565e-16;
 constexpr double max_phase = 1e6;        // rad; beyond, argument reduction loses digits
 constexpr double max_reach = 1e6;        // v; beyond, I is below 1e-17 of the in-focus peak, and rounding of v dominates
-constexpr std::size_t max_terms = 6000;  // of a Legendre series; its quadrature table takes about 4 n^2 bytes
-constexpr std::size_t max_degree = 200;  // of a Zernike term
+constexpr std::size_t max_terms = 6000;  // terms of a Legendre series; its quadrature table takes about 4 n^2 bytes
+constexpr std::size_t max_degree = 200;  // maximum degree of a Zernike term
 
 struct LimitExceeded : std::domain_error {
     using std::domain_error::domain_error;
@@ -53,10 +53,10 @@ struct ZernikeTerm {
 // Bound on |I - I_exact| for |U| <= `size` and |U - U_exact| <= `error`.
 inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
 
-// Error `wrong` of I over the exact peak, which is at least (M - e)^2: M^2 the computed peak, e = `field_error`.
-inline double over_peak(double wrong, double peak, double field_error) {
+// Error of I (`error`) over the exact peak, which is at least (M - e)^2: M^2 the computed peak, e = `field_error`.
+inline double over_peak(double error, double peak, double field_error) {
     const double exact = std::sqrt(peak) - field_error;
-    return exact > 1e-150 ? wrong / (exact * exact) : 1e300;
+    return exact > 1e-150 ? error / (exact * exact) : 1e300;
 }
 
 // (2 M e + e^2) / (M - e)^2: error of I over its exact peak, from the error e of U and the computed peak M^2.

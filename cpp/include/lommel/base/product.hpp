@@ -27,13 +27,13 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
     const double microseconds = 1e-4 * static_cast<double>(rows) * static_cast<double>(count) * static_cast<double>(sums);
     const int worth = worthwhile_threads(threads, microseconds);
     parallel_for((rows + tall - 1) / tall * parts, worth, [&](std::size_t, std::size_t task) {
-        const std::size_t first = task / parts * tall, some = std::min(tall, rows - first);
+        const std::size_t first = task / parts * tall, row_count = std::min(tall, rows - first);
         // Missing rows and columns are zero.
-        const std::size_t held = (some + together - 1) / together * together;
-        const bool full = held == some;
+        const std::size_t held = (row_count + together - 1) / together * together;
+        const bool full = held == row_count;
         Doubles packed(copied || sums < panels * step ? count * step : 0), values(full ? 0 : held * count),
             results(held * step);
-        std::copy_n(given + first * count, full ? 0 : some * count, values.data());
+        std::copy_n(given + first * count, full ? 0 : row_count * count, values.data());
         const double* const from = full ? given + first * count : values.data();
         for (std::size_t panel = task % parts * each; panel < (task % parts + 1) * each; ++panel) {
             const std::size_t column = panel * step, columns = std::min(step, sums - column);
@@ -47,9 +47,9 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using V = typename decltype(isa)::pack;
                 constexpr std::size_t lanes = decltype(isa)::lanes;
-                // As many chains of multiply-adds as fit in registers, to read the panel as rarely as possible.
+                // Fill all registers with chains of multiply-adds, to read the panel as rarely as possible.
                 constexpr std::size_t chains = lanes == 8 ? together : together / 2;
-                for (std::size_t row = 0; row < some; row += chains) {
+                for (std::size_t row = 0; row < row_count; row += chains) {
                     for (std::size_t j = 0; j < step; j += 2 * lanes) {
                         V sum[chains][2] = {};
                         for (std::size_t i = 0; i < count; ++i) {
@@ -67,7 +67,7 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
                     }
                 }
             });
-            for (std::size_t row = 0; row < some && !here; ++row) {
+            for (std::size_t row = 0; row < row_count && !here; ++row) {
                 std::copy_n(results.data() + row * step, columns, out + (first + row) * sums + column);
             }
         }

@@ -219,7 +219,7 @@ LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Separates the first and the second elements of the pairs of two such vectors.
+// Separate the first and the second elements of the pairs of two such vectors.
 template <class V>
 LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     if constexpr (sizeof(V) == 16) {
@@ -234,7 +234,7 @@ LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     }
 #endif
 }
-// Loads four floats from c + at[0] and, for eight lanes, four from c + at[4].
+// Load four floats from c + at[0] and, for eight lanes, four from c + at[4].
 template <class V>
 LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
     V v;
@@ -252,7 +252,7 @@ LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Transposes blocks of four: out[k] holds the k-th elements of the fours of all four vectors.
+// Transpose blocks of four: out[k] becomes the k-th elements of the fours of all four vectors.
 template <class V>
 LOMMEL_INLINE void turned_fours(V a, V b, V c, V d, V (&out)[4]) {
     if constexpr (sizeof(V) == 16) {
@@ -451,7 +451,7 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
 
 #endif
 
-// Permutes lanes: lane i of the result is lane Order::at(i, lanes) of v.
+// Permute lanes: lane i of the result is lane Order::at(i, lanes) of v.
 template <class Order, class Real, class V>
 LOMMEL_INLINE V permuted(V v) {
     return permuted<Order, Real>(v, std::make_index_sequence<sizeof(V) / sizeof(Real)>());

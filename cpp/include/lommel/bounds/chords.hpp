@@ -171,10 +171,10 @@ class ChordBound {
     // window.
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
         const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
-        std::string said = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
-                           ") take " + shortened(std::ceil(needed)) +
-                           (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
-                           std::to_string(max_chords) + "; at most ";
+        std::string message = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
+                              ") take " + shortened(std::ceil(needed)) +
+                              (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
+                              std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
         // Largest share of the window, or of phase and window, in hundredths and with a margin.
         const auto largest = [&](bool phases) {
@@ -196,13 +196,13 @@ class ChordBound {
             return hundredths;
         };
         if (const int window = largest(false)) {
-            said += "windows of " + shortened(0.01 * window) + " times the size, or ";
+            message += "windows of " + shortened(0.01 * window) + " times the size, or ";
         }
-        throw LimitExceeded(said + "phases and windows of " + shortened(0.01 * largest(true)) + " times the size fit");
+        throw LimitExceeded(message + "phases and windows of " + shortened(0.01 * largest(true)) + " times the size fit");
     }
 
    private:
-    // Index of the curve from which on the growth of the highest degrees is truncated.
+    // Index of the curve from which on the growth of the highest degrees is truncated; best() starts below it.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }

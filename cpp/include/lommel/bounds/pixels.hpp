@@ -71,13 +71,13 @@ inline double gauss_error(double side, std::size_t points) {
 }
 
 // Error of interpolation in the angle with all orders below `order`, for a function of at most e^(reach sinh b) at angles of
-// imaginary part b, in which only every `apart`-th order occurs.
-inline double turning_error(double reach, double order, double apart) {
+// imaginary part b, in which only every `spacing`-th order occurs.
+inline double turning_error(double reach, double order, double spacing) {
     if (order <= reach) {
         return 1e300;
     }
     const double b = std::acosh(order / reach);
-    const double logarithm = std::log(4.0) + reach * std::sinh(b) - order * b - std::log1p(-std::exp(-apart * b));
+    const double logarithm = std::log(4.0) + reach * std::sinh(b) - order * b - std::log1p(-std::exp(-spacing * b));
     return std::exp(std::min(logarithm, 700.0));
 }
 

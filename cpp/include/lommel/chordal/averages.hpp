@@ -124,7 +124,7 @@ template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    const std::size_t nodes = weights.columns, apart = weights.vectors * lanes;
+    const std::size_t nodes = weights.columns, stride = weights.vectors * lanes;
     for (std::size_t from = 0; from < nodes; from += node_block) {
         const std::size_t here = std::min(node_block, nodes - from);
         for_fixed_tiles<column_tile>(weights.vectors, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
@@ -134,7 +134,7 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
                 for (std::size_t k = from; k < from + here; ++k) {
                     const V sample = splat<V>(samples[k]);
                     for (std::size_t r = 0; r < R; ++r) {
-                        sum[r][0] = sum[r][0] + load<V>(weights.across.data() + k * apart + (first + r) * lanes) * sample;
+                        sum[r][0] = sum[r][0] + load<V>(weights.across.data() + k * stride + (first + r) * lanes) * sample;
                     }
                 }
             } else {

@@ -30,7 +30,7 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
 }
 
 // Errors of a pupil: sqrt(peak), error bound of U, error bound of the field of P times a term of the given degree.
-using FoundErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
+using PupilErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
 // Policy: derivatives of the intensity, scaled like the images, as [term][pupil], with error bounds relative to the peak.
 template <class T>
@@ -45,7 +45,7 @@ struct ChordalDerivatives {
     // Compute the derivatives of a batch from the kept U of each pixel and the kept nodes. scales[lane]: scale of the image.
     // `weights`, if not null, asks for pixel averages.
     template <class Real>
-    void follow(const ChordalBatch<Real>& batch, const double* scales, const FoundErrors& found,
+    void follow(const ChordalBatch<Real>& batch, const double* scales, const PupilErrors& found,
                 const NodeWeights<Real>* weights) const {
         using Kernels = ChordKernels<Real>;
         const std::size_t lanes = batch.lanes(), width = batch.columns(), pixels = batch.rows() * width;
@@ -85,11 +85,11 @@ struct ChordalDerivatives {
             });
             for (std::size_t lane = 0; lane < outer.used(); ++lane) {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
-                const auto [u, error, wrong] = found(p, static_cast<std::size_t>(terms[k].n));
+                const auto [u, error, factor_error] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
                 // Rounding of the two products and their difference (factor 2), and of storing.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
-                const double off = 2.0 * (u * wrong + d * error + wrong * error + u * d * rounding);
+                const double off = 2.0 * (u * factor_error + d * error + factor_error * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;
                 if (weights == nullptr) {
                     bounds[at] = over_peak(off, u * u, error);

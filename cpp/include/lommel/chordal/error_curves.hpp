@@ -102,12 +102,12 @@ class ChordLines {
             const std::size_t* pupils = worth.data() + b * lanes;
             const std::size_t here = std::min(lanes, worth.size() - b * lanes);
             const SharpTable& table = *tables[b];
-            const auto laid = [&](std::size_t from, std::size_t count, std::size_t apart) {
-                given.assign(terms * apart, 0.0f);
+            const auto laid = [&](std::size_t from, std::size_t count, std::size_t stride) {
+                given.assign(terms * stride, 0.0f);
                 for (std::size_t lane = 0; lane < count; ++lane) {
                     const double* const own = coefficients + pupils[from + lane] * terms;
                     for (std::size_t j = 0; j < terms; ++j) {
-                        given[j * apart + lane] = static_cast<float>(own[table.classes.order[j]]);
+                        given[j * stride + lane] = static_cast<float>(own[table.classes.order[j]]);
                     }
                 }
             };
@@ -146,7 +146,7 @@ class ChordLines {
 
     const DiskStack& stack_;
     TermPairs terms_;
-    VBox box_, around_;  // around_: rounded outwards to whole pixels, so that windows around a moving axis share samples
+    VBox box_, around_;  // around_: box_ rounded outwards to whole pixels, so that windows around a moving axis share samples
     double rows_, pixels_;
     int threads_;
 };

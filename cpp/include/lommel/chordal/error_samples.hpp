@@ -75,7 +75,7 @@ struct SharpTable {
         return sum == which && curve == at && box == window && terms == list;
     }
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
-    std::size_t room() const { return tiles() * tile * images; }  // vectors for all images of all samples
+    std::size_t room() const { return tiles() * tile * images; }  // number of vectors for all images of all samples
     // Offset of a sample's first value in tiles with `numbers` values per sample, which lie `tile` apart.
     static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
@@ -230,10 +230,10 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
     }
     // Sum in the same order for one pupil as for a vector of pupils: bounds must not depend on the grouping of pupils.
     V all[SharpTable::corners] = {};
-    const std::size_t apart = Lone ? 1 : lanes;
-    for (std::size_t lane = 0; lane < apart; ++lane) {
+    const std::size_t stride = Lone ? 1 : lanes;
+    for (std::size_t lane = 0; lane < stride; ++lane) {
         V sums[2][SharpTable::corners] = {};
-        for (std::size_t v = lane; v < vectors; v += apart) {
+        for (std::size_t v = lane; v < vectors; v += stride) {
             const float* share = table.shares.data() + SharpTable::place(v * together, SharpTable::places);
             for (std::size_t image = 0; image < SharpTable::images; ++image) {
                 const V h = load<V>(room + (v * SharpTable::images + image) * lanes);

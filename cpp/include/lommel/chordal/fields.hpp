@@ -65,14 +65,14 @@ struct NodeSeries {
 };
 
 // Waves exp(i W) times the node weight, combined over the four images of each node of a quadrant to parities: to[parity][node].
-// If largest > 0, also i W exp(i W) / largest, `apart` values further on. W: sum of `count` terms[term][node], each of one
+// If largest > 0, also i W exp(i W) / largest, `stride` values further on. W: sum of `count` terms[term][node], each of one
 // parity.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
-                const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t apart);
+                const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities,
                             std::size_t count, const double* edge, const double* weights, double largest,
-                            std::complex<double>* to, std::size_t apart) {
+                            std::complex<double>* to, std::size_t stride) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
@@ -85,9 +85,9 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
         for (std::size_t first = 0; first < nodes; first += lanes) {
             const std::size_t here = std::min(lanes, nodes - first);
             const auto taken = [&](const double* from) LOMMEL_INLINE_LAMBDA {
-                double some[lanes] = {};
-                std::copy_n(from + first, here, some);
-                return load<V>(some);
+                double filled[lanes] = {};
+                std::copy_n(from + first, here, filled);
+                return load<V>(filled);
             };
             V sums[4] = {}, phases[4], re[4], im[4];
             for (std::size_t t = 0; t < count; ++t) {
@@ -116,7 +116,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
                     const V phase = phases[image] * splat<V>(1.0 / largest), turned = splat<V>(0.0) - phase * im[image];
                     im[image] = phase * re[image], re[image] = turned;
                 }
-                put(to + apart);
+                put(to + stride);
             }
         }
     });

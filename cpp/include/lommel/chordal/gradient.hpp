@@ -20,7 +20,7 @@ struct ChordalGradient {
     double* values;
 
     template <class Real>
-    void follow(const ChordalBatch<Real>& batch, const double*, const FoundErrors&, const NodeWeights<Real>*) const {
+    void follow(const ChordalBatch<Real>& batch, const double*, const PupilErrors&, const NodeWeights<Real>*) const {
         using Kernels = ChordKernels<Real>;
         const std::size_t lanes = batch.lanes(), pixels = batch.rows() * batch.columns();
         ChordalScratch<Real>& scratch = batch.scratch;

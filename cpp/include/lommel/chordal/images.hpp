@@ -48,12 +48,13 @@ struct ChordalBudget {
     // Single precision: error of U including rounding, as a share of (tolerance x estimated peak); largest share of that for
     // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Factors on the allowed error where the variance of the phase (rad^2) exceeds `some` or `large`, as the peak may be below
-    // its estimate. A smaller error costs a few chords, a second attempt doubles the work.
-    static constexpr double some = 4.0, some_dim = 0.75, large = 100.0, dim = 0.25, dim_single = 0.7;
-    // Second attempt: error as the computed peak requires, between `least` and `again` times the first; `found`: error of U
-    // including rounding in single precision, as a share of (tolerance x computed peak).
-    static constexpr double again = 0.3, least = 1e-3, found = 0.47;
+    // Factors on the allowed error where the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`, as
+    // the peak may be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
+    static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
+                            large_factor_single = 0.7;
+    // Second attempt: error as the computed peak requires, between `retry_least` and `retry_most` times the first;
+    // `retry_single`: error of U including rounding in single precision, as a share of (tolerance x computed peak).
+    static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
     // Share of the error of U for samples at nodes; the rest is for batches with shared tables, whose rounding is larger.
     static constexpr double of_nodes = 0.9;
 };
@@ -94,19 +95,19 @@ class ChordalRenderer {
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // a smaller error cannot be requested
-        bool again = false;                        // the first attempt missed the tolerance
+        bool retried = false;                        // the first attempt missed the tolerance
         bool single = sizeof(T) == sizeof(float);  // sums are in single precision
         double in_single = 0.0;                    // allowed error of U in single precision, including rounding
-        ChordDisk far, near;                       // full disk and obscuration
+        ChordDisk outer, inner;                       // full disk and obscuration
     };
 
     // Requested error of U: share x tolerance x peak, or for nodes `of_nodes` of the tolerance.
-    double asked(double share, double peak) const {
+    double requested_error(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
 
     // Error bound of the field of P, or of P times a term of degree `degree`.
-    double wrong(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
+    double error_bound(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
         return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
                ChordBound::rounding(n.chords, n.nodes) + ChordBound::factor_rounding(degree, single) +
@@ -116,10 +117,10 @@ class ChordalRenderer {
     }
 
     // Requested error of the sums in single precision; falls back to double precision if rounding takes too large a share.
-    double singly(std::size_t p) {
+    double single_request(std::size_t p) {
         State& s = states_[p];
-        const double chords = s.far.chords.line.times(degree_).needed(s.error);
-        const double nodes = s.far.nodes.line.times(degree_).needed(s.error);
+        const double chords = s.outer.chords.line.times(degree_).needed(s.error);
+        const double nodes = s.outer.nodes.line.times(degree_).needed(s.error);
         const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size());
         const double all = s.in_single * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
         s.single = rounding <= ChordalBudget::rounding * all;
@@ -158,12 +159,12 @@ class ChordalRenderer {
     struct Group {
         std::size_t first, here;
         bool lone;
-        ChordCount far, near;
+        ChordCount outer, inner;
 
-        double size() const { return far.size() + near.size(); }
+        double size() const { return outer.size() + inner.size(); }
         void include(const Group& other) {
-            far.include(other.far);
-            near.include(other.near);
+            outer.include(other.outer);
+            inner.include(other.inner);
         }
     };
     // Give neighbouring groups common tables, as long as no group's number of nodes grows by more than the factor `more`.
@@ -193,8 +194,8 @@ class ChordalRenderer {
             const bool lone = !More::wanted && ChordKernels<Real>::lone(level, alike ? pupils : pupils - first);
             Group next{first, lone ? 1 : std::min(ChordKernels<Real>::lanes(level), pupils - first), lone, {}, {}};
             for (std::size_t i = first; i < first + next.here; ++i) {
-                next.far.include(states_[pending[i]].far.count);
-                next.near.include(states_[pending[i]].near.count);
+                next.outer.include(states_[pending[i]].outer.count);
+                next.inner.include(states_[pending[i]].inner.count);
             }
             groups.push_back(next);
         }
@@ -215,7 +216,7 @@ class ChordalRenderer {
         ChordCount last[2];
         bool lone = !groups.empty() && groups.front().lone;
         for (const Group& group : groups) {
-            const ChordCount counts[2] = {group.far, group.near};
+            const ChordCount counts[2] = {group.outer, group.inner};
             const bool same = group.lone == lone;
             lone = group.lone;
             for (std::size_t disk = 0; disk < 2; ++disk) {
@@ -257,16 +258,16 @@ class ChordalRenderer {
                 const bool same = last != nullptr && last->disks[disk].terms->is(count, in);
                 return same ? last->disks[disk] : tables<Real>(count, radius, in);
             };
-            Batch<Real> next{group.first, group.here, {made(0, group.far, 1.0), {}}, nullptr};
+            Batch<Real> next{group.first, group.here, {made(0, group.outer, 1.0), {}}, nullptr};
             if (nodes_ != nullptr) {
                 const bool same = last != nullptr && last->weights->side == in.side;
                 next.weights = same ? last->weights : std::make_shared<const NodeWeights<Real>>(*nodes_, in);
             }
             if (area_ > 0.0) {
-                next.disks[1] = made(1, group.near, stack_.obscuration);
+                next.disks[1] = made(1, group.inner, stack_.obscuration);
             }
             batches.push_back(std::move(next));
-            work += lines_.work(static_cast<double>(group.far.chords), static_cast<double>(group.far.nodes)) *
+            work += lines_.work(static_cast<double>(group.outer.chords), static_cast<double>(group.outer.nodes)) *
                     (group.lone ? 2.0 / static_cast<double>(ChordKernels<Real>::lanes(level)) : 1.0);
         }
         parallel_for(batches.size(), worthwhile_threads(threads_, 3e-4 * work), [&](std::size_t, std::size_t b) {
@@ -349,7 +350,7 @@ class ChordalRenderer {
         const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
         for (const Group& group : groups) {
-            for (const ChordCount& count : {group.far, group.near}) {
+            for (const ChordCount& count : {group.outer, group.inner}) {
                 const double chords = static_cast<double>(count.chords);
                 if (chords > 0.0 && group.lone) {
                     const double nodes = std::ceil(0.5 * chords / lanes) * static_cast<double>(count.nodes);
@@ -411,8 +412,8 @@ class ChordalRenderer {
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
         const bool single = sizeof(Real) == sizeof(float);
-        return stack_.lost[p] + wrong(s.far, batch.disks[0].terms->count, single, degree) +
-               (area_ > 0.0 ? area_ * wrong(s.near, batch.disks[1].terms->count, single, degree) : 0.0);
+        return stack_.lost[p] + error_bound(s.outer, batch.disks[0].terms->count, single, degree) +
+               (area_ > 0.0 ? area_ * error_bound(s.inner, batch.disks[1].terms->count, single, degree) : 0.0);
     }
 
     // Store the error bound of a pupil's image; returns whether it meets the tolerance.
@@ -459,16 +460,16 @@ void ChordalRenderer<T, More>::run() {
         // The peak |U| of most PSFs exceeds this estimate; otherwise the error is reduced after the first attempt.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
-        const bool large = bound.variance() > ChordalBudget::large, some = bound.variance() > ChordalBudget::some;
-        const double dim = some ? ChordalBudget::some_dim : 1.0;
-        s.in_single = asked((large ? ChordalBudget::dim_single : dim) * ChordalBudget::single, peak);
-        return s.error = asked((large ? ChordalBudget::dim : dim) * ChordalBudget::field, peak);
+        const bool large = bound.variance() > ChordalBudget::large_variance;
+        const double factor = bound.variance() > ChordalBudget::moderate_variance ? ChordalBudget::moderate_factor : 1.0;
+        s.in_single = requested_error((large ? ChordalBudget::large_factor_single : factor) * ChordalBudget::single, peak);
+        return s.error = requested_error((large ? ChordalBudget::large_factor : factor) * ChordalBudget::field, peak);
     };
-    lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
+    lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].outer; });
     if (area_ > 0.0) {
         const auto same = [&](std::size_t p, const ChordBound&) { return states_[p].error; };
         lines_.find(stack_.inner.data(), stack_.obscuration, same,
-                    [&](std::size_t p) -> ChordDisk& { return states_[p].near; });
+                    [&](std::size_t p) -> ChordDisk& { return states_[p].inner; });
     }
     std::vector<std::size_t> pending(stack_.count);
     std::iota(pending.begin(), pending.end(), std::size_t{0});
@@ -477,13 +478,13 @@ void ChordalRenderer<T, More>::run() {
             for (std::size_t i = from; i < to; ++i) {
                 const std::size_t p = pending[i];
                 State& s = states_[p];
-                const double rounding = s.far.rounding + stack_.lost[p];
+                const double rounding = s.outer.rounding + stack_.lost[p];
                 s.at_rounding = s.error < rounding;
                 s.error = std::max(s.error, rounding);
-                const double error = s.single ? singly(p) : s.error;
-                choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
+                const double error = s.single ? single_request(p) : s.error;
+                choose(p, 1.0, s.outer, area_ > 0.0 ? ChordalBudget::outer * error : error);
                 if (area_ > 0.0) {
-                    choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
+                    choose(p, stack_.obscuration, s.inner, ChordalBudget::inner * error / area_);
                 }
             }
         });
@@ -491,7 +492,7 @@ void ChordalRenderer<T, More>::run() {
         order.reserve(pending.size());
         for (const std::size_t p : pending) {
             const State& s = states_[p];
-            order.emplace_back(!s.single, s.far.count.chords, s.far.count.nodes, p);
+            order.emplace_back(!s.single, s.outer.count.chords, s.outer.count.nodes, p);
         }
         std::sort(order.begin(), order.end());
         std::transform(order.begin(), order.end(), pending.begin(), [](const auto& each) { return std::get<3>(each); });
@@ -521,17 +522,18 @@ void ChordalRenderer<T, More>::run() {
         for (const std::size_t p : pending) {
             State& s = states_[p];
             more = more && !s.at_rounding;
-            const double wanted = (nodes_ != nullptr ? ChordalBudget::again : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
+            const double wanted =
+                (nodes_ != nullptr ? ChordalBudget::retry_most : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
             // Double precision alone may suffice; the first retry also tries single precision with the computed peak.
-            s.error =
-                std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
-            s.in_single = asked(ChordalBudget::found, std::sqrt(s.peak));
-            s.single = s.single && !s.again;
-            s.again = true;
+            s.error = std::min((s.single ? 1.0 : ChordalBudget::retry_most) * s.error,
+                               std::max(wanted, ChordalBudget::retry_least * s.error));
+            s.in_single = requested_error(ChordalBudget::retry_single, std::sqrt(s.peak));
+            s.single = s.single && !s.retried;
+            s.retried = true;
             const std::size_t from = p * stack_.terms.size();
-            ChordLines::renew(outer, stack_.outer.data() + from, s.error, s.far);
+            ChordLines::renew(outer, stack_.outer.data() + from, s.error, s.outer);
             if (area_ > 0.0) {
-                ChordLines::renew(inner, stack_.inner.data() + from, s.error, s.near);
+                ChordLines::renew(inner, stack_.inner.data() + from, s.error, s.inner);
             }
         }
         return more;

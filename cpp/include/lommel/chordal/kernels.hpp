@@ -156,10 +156,10 @@ template <class T>
 void ChordKernels<Real>::store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
                                      T* const* to) {
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
-        constexpr std::size_t apart = Waves<decltype(isa), Real>::lanes;
+        constexpr std::size_t stride = Waves<decltype(isa), Real>::lanes;
         for (std::size_t lane = 0; lane < used; ++lane) {
             for (std::size_t x = 0; x < columns; ++x) {
-                to[lane][x] = static_cast<T>(by[lane] * static_cast<double>(values[x * apart + lane]));
+                to[lane][x] = static_cast<T>(by[lane] * static_cast<double>(values[x * stride + lane]));
             }
         }
     });

@@ -25,24 +25,24 @@ struct SeriesSizes {
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // wrong[set][plane][field]: error bounds of the sums over chords and nodes, each on its best curve, plus `left`, plus
+    // field_errors[set][plane][field]: error bounds of the sums over chords and nodes, each on its best curve, plus `left`, plus
     // `rounding` times the moduli. A field is a sum of parts with factors `shares`; `error`: additional error of each part.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
-                double* wrong) const;
+                double* field_errors) const;
 };
 
 // errors[set][plane]: error bounds of sum |E|^2 (first set) and of its derivatives (other sets), from the error bounds and
 // largest moduli of the fields, [set][plane][field].
-void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
+void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
                   double* errors);
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE void light_errors(const double* wrong, const double* largest, std::size_t sets, std::size_t planes,
+LOMMEL_ONCE void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes,
                               std::size_t fields, double* errors) {
     constexpr double unit = 0x1p-53;
     for (std::size_t i = 0; i < sets * planes; ++i) {
-        const double *const off = wrong + i * fields, *const top = largest + i * fields;
-        const double *const own = wrong + i % planes * fields, *const own_top = largest + i % planes * fields;
+        const double *const off = field_errors + i * fields, *const top = largest + i * fields;
+        const double *const own = field_errors + i % planes * fields, *const own_top = largest + i % planes * fields;
         double sum = 0.0;
         for (std::size_t c = 0; c < fields; ++c) {
             sum += i < planes
@@ -119,8 +119,8 @@ LOMMEL_ONCE void SeriesSizes::sum(Level level, const std::complex<double>* coeff
 
 LOMMEL_ONCE void SeriesSizes::errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords,
                                      const double* nodes, const double* left, const double* rounding, const double* shares,
-                                     std::size_t fields, double error, double* wrong) const {
-    std::fill_n(wrong, sets * planes * fields, 0.0);
+                                     std::size_t fields, double error, double* field_errors) const {
+    std::fill_n(field_errors, sets * planes * fields, 0.0);
     for (std::size_t set = 0; set < sets; ++set) {
         for (std::size_t plane = 0; plane < planes; ++plane) {
             const std::size_t from = (static_cast<std::size_t>(of[set]) * planes + plane) * parts;
@@ -133,7 +133,7 @@ LOMMEL_ONCE void SeriesSizes::errors(const std::int32_t* of, std::size_t sets, s
                 }
                 const double off = by[0] + by[1] + left[set] + rounding[set] * moduli[from + part] + error;
                 for (std::size_t field = 0; field < fields; ++field) {
-                    wrong[(set * planes + plane) * fields + field] += shares[field * parts + part] * off;
+                    field_errors[(set * planes + plane) * fields + field] += shares[field * parts + part] * off;
                 }
             }
         }

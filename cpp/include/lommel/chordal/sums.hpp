@@ -46,7 +46,7 @@ class ChordalSums {
    private:
     void run_batch(const ChordalBatch<float>& batch, float* images) const {
         const std::size_t lanes = batch.lanes(), width = batch.columns(), height = batch.rows();
-        const std::size_t vectors = batch.vectors(), apart = lone_ ? 1 : lanes;
+        const std::size_t vectors = batch.vectors(), stride = lone_ ? 1 : lanes;
         ChordalScratch<float>& scratch = batch.scratch;
         scratch.intensity.resize(vectors * lanes);
         alignas(64) float peaks[most_pupils] = {};
@@ -57,7 +57,7 @@ class ChordalSums {
             }
             for (std::size_t x = 0; x < width && images != nullptr; ++x) {
                 for (std::size_t lane = 0; lane < batch.here; ++lane) {
-                    images[(batch.pupils[lane] * width + x) * height + y] = scratch.intensity[x * apart + lane];
+                    images[(batch.pupils[lane] * width + x) * height + y] = scratch.intensity[x * stride + lane];
                 }
             }
             if constexpr (More::wanted) {

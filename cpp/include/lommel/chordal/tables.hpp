@@ -235,9 +235,9 @@ struct KernelTable {
 
    private:
     // Cosines and sines for the distances `at`, in tiles of at most `tile`, padded to equal length if `padded`, at a stride of
-    // `apart` values.
+    // `stride` values.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
-              std::size_t apart, Real* cosines, Real* sines) const {
+              std::size_t stride, Real* cosines, Real* sines) const {
         look();
         std::vector<std::size_t> first(at.size()), size(at.size(), tile);
         if (padded) {
@@ -250,7 +250,7 @@ struct KernelTable {
         }
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             const auto put = [&](std::size_t i, auto cosine, auto sine) {
-                const std::size_t place = (first[i] * nodes.size() + k * size[i] + i - first[i]) * apart;
+                const std::size_t place = (first[i] * nodes.size() + k * size[i] + i - first[i]) * stride;
                 cosines[place] = static_cast<Real>(cosine);
                 sines[place] = static_cast<Real>(sine);
             };
@@ -278,10 +278,10 @@ struct KernelTable {
         const wide along = std::cos(angle), up = std::sin(angle);
         wide cosine = 1, sine = 0;
         for (std::size_t i = 0; i < at.size(); ++i) {
-            const bool apart = i > 0 && at[i] - at[i - 1] != 1.0;
-            if (apart && wider) {
+            const bool uneven = i > 0 && at[i] - at[i - 1] != 1.0;
+            if (uneven && wider) {
                 turn_once(static_cast<wide>(at[i]) * angle, cosine, sine);
-            } else if (apart || i % most == 0) {
+            } else if (uneven || i % most == 0) {
                 cosine = std::cos(static_cast<wide>(at[i]) * angle);
                 sine = std::sin(static_cast<wide>(at[i]) * angle);
             } else {

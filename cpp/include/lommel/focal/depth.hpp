@@ -21,7 +21,7 @@ struct FocalCandidates {
 
     std::size_t count;  // 4 n + 1, at least 9
     const float *forms, *statistics;
-    float read_variance;  // of a pixel without light, after binning
+    float read_variance;  // variance of a pixel without light, after binning
     float pixels;  // number of pixels in a window
     float first, step;  // vergence of the first candidate, and the step
     float low, high;  // valid range of positions, in candidates
@@ -117,7 +117,8 @@ class FocalSearch {
     static constexpr float least_trust = 0.5f;
     static constexpr float wide = 1.0f;  // variance, in candidates^2, from which on the likelihood is broad
     static constexpr float unlike = 0.4f;  // relative scatter of the curvature over textures
-    static constexpr float drop = 9.0f, sure = 3.0f, apart = 6.0f;  // log-likelihoods; sure: standard deviations of an energy
+    static constexpr float drop = 9.0f, sure = 3.0f,
+                           distinct = 6.0f;  // log-likelihoods; sure: standard deviations of an energy
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
 
@@ -191,7 +192,7 @@ class FocalSearch {
         for (std::size_t c = 0; c < count; ++c) {
             second = c < low || c > high ? std::min(second, rough(c)) : second;
         }
-        if (!(likelihood * (second - here) >= apart)) {
+        if (!(likelihood * (second - here) >= distinct)) {
             return found;
         }
         // Noise makes the minimum too sharp. The curvature is therefore shrunk towards the one expected from the depth of the

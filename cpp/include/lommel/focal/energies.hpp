@@ -30,18 +30,18 @@ class FocalMixture {
         while (k < images_) {
             const std::size_t left = images_ - k;
             if (left >= 6 && left != 7) {
-                some<6>(isa, rows, y, k, out), k += 6;
+                combine<6>(isa, rows, y, k, out), k += 6;
             } else if (left >= 4) {
-                some<4>(isa, rows, y, k, out), k += 4;
+                combine<4>(isa, rows, y, k, out), k += 4;
             } else {
-                some<1>(isa, rows, y, k, out), k += 1;
+                combine<1>(isa, rows, y, k, out), k += 1;
             }
         }
     }
 
    private:
     template <std::size_t Count, class I>
-    LOMMEL_INLINE void some(I, FocalRows& rows, std::size_t y, std::size_t first, float* const* out) const {
+    LOMMEL_INLINE void combine(I, FocalRows& rows, std::size_t y, std::size_t first, float* const* out) const {
         using V = typename I::floats;
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t each = frames_ * terms_;
@@ -74,7 +74,7 @@ class FocalMixture {
 // axis, with the sum 1.
 struct FocalWindow {
     std::size_t side;
-    std::vector<float> weights;  // by distance 0, 1, 2, ... blocks
+    std::vector<float> weights;  // weights at distances of 0, 1, 2, ... blocks
 };
 
 // Sums over one row of blocks: products e_k e_l of the residual images (k <= l), the mean of the frames, and the number of

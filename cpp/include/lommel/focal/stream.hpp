@@ -31,7 +31,7 @@ struct FocalPlan {
     const float* images;  // [count][frames][degree + 1], first channel; images kept for mix()
     std::size_t image_count;
     FocalWindow window;
-    std::size_t fine;  // depths per block along either axis, interpolated between block sums
+    std::size_t fine;  // number of depths per block along either axis, interpolated between block sums
     std::size_t blur;  // blur radius in binned pixels; no pixel so close to the border or to an unknown pixel is trusted
     std::size_t strips;
 
@@ -52,7 +52,7 @@ class FocalStream {
             products_ = plan.channels * each_;
             search_ = std::make_unique<FocalSearch>(*candidates, products_);
             rows_ = products_ + plan.channels + 1;
-            kept_ = 2 * beside() + 2;
+            kept_ = 2 * neighbours() + 2;
             places_.resize(down() * across());
             filled_.resize(down() * across());
             for (std::size_t h = down(), w = across(); h * w > 1; h = (h + 1) / 2, w = (w + 1) / 2) {
@@ -123,7 +123,7 @@ class FocalStream {
         Floats unknown;
         std::vector<int> counts;  // number of unknown pixels within `blur`, per column
         Floats smooth[2], padded, between, coefficients;
-        std::size_t held[2] = {none, none};  // block row held in each of `smooth`
+        std::size_t held[2] = {none, none};  // index of the block row in each of `smooth`
         Floats sums;  // ring of sums of the last block rows
         std::size_t next = 0, end = 0;  // range of depth rows still to estimate
         static constexpr std::size_t none = ~std::size_t{0};
@@ -137,7 +137,7 @@ class FocalStream {
 
     std::size_t line() const { return FocalRows::padded(plan_.width); }
     // Number of blocks above or below that contribute to the depth of a block.
-    std::size_t beside() const { return plan_.window.weights.size() - 1 + (plan_.fine > 1 ? 1 : 0); }
+    std::size_t neighbours() const { return plan_.window.weights.size() - 1 + (plan_.fine > 1 ? 1 : 0); }
     float* sums_of(Strip& strip, std::size_t block) const {
         return strip.sums.data() + block % kept_ * rows_ * pitch_ + FocalRows::margin;
     }
@@ -147,7 +147,8 @@ class FocalStream {
     LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t own, std::size_t end) {
         const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
         // Depths next to another strip depend on blocks of that strip.
-        const std::size_t beyond = plan_.residual_count > 0 ? beside() * plan_.window.side : 0, own_top = own, own_bottom = end;
+        const std::size_t beyond = plan_.residual_count > 0 ? neighbours() * plan_.window.side : 0, own_top = own,
+                          own_bottom = end;
         const std::size_t top = own > beyond ? own - beyond : 0, bottom = std::min(end + beyond, plan_.height);
         const std::size_t first = top > ahead ? top - ahead : 0;
         std::fill(strip.counts.begin(), strip.counts.end(), 0);

@@ -112,9 +112,9 @@ class Sheets {
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 
-    // Call f(place, right, left, beside) for all vectors that the points reach: offsets in a sheet and in the image on either
-    // side; `beside` is a mask that is 0 at the middle column, which would otherwise count twice. Narrow vectors are used where
-    // they suffice, as vectors across two cache lines are slow.
+    // Call f(place, right, left, middle_mask) for all vectors that the points reach: offsets in a sheet and in the image on
+    // either side; the mask is 0 at the middle column, which would otherwise count twice. Narrow vectors are used where they
+    // suffice, as vectors across two cache lines are slow.
     template <class F>
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
         using Narrow = Packed<Half<I>, T>;
@@ -129,14 +129,14 @@ class Sheets {
 
     template <class W, class F>
     LOMMEL_INLINE void down(const Column& column, std::size_t from, const F& f) const {
-        const W beside = load<W>(first_apart + (from > 0 ? 1 : 0));
+        const W middle_mask = load<W>(first_apart + (from > 0 ? 1 : 0));
         const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(from);
         const std::ptrdiff_t last = away + static_cast<std::ptrdiff_t>(sizeof(W) / sizeof(T)) - 1;
         const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(column.half);
         const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(column.last) + beyond;
         for (std::ptrdiff_t row = static_cast<std::ptrdiff_t>(column.first) - beyond; row < end; ++row) {
             const std::ptrdiff_t middle = column.at + row * across_;
-            f(place(row, from), middle + away, middle - last, beside);
+            f(place(row, from), middle + away, middle - last, middle_mask);
         }
     }
 
@@ -148,8 +148,8 @@ class Sheets {
     // Call f(place, right, left) with the fractions, 0 to 1, of layer `layer` that pixels on either side of the points see.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
-        each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
-            using W = decltype(beside);
+        each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(middle_mask);
             const W behind = splat<W>(layer), all = splat<W>(T(1));
             f(place, smaller(larger(load<W>(seen + right) - behind, W{}), all),
               permuted<Mirror, T>(smaller(larger(load<W>(seen + left) - behind, W{}), all)));
@@ -211,19 +211,20 @@ struct Giving {
     }
 
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
-        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
-            using W = decltype(beside);
-            const W both = taken<W>(sheets.both() + at);
-            W here = both, there = both;
-            if (column.hidden) {
-                here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
-            }
-            // Load both sides before storing either: a load that partly overlaps a recent store stalls the processor. The
-            // middle column is in both vectors; `right`, which is stored last, has its sum.
-            here = load<W>(out + right) + here;
-            store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * beside));
-            store(out + right, here);
-        });
+        sheets.each(
+            column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
+                using W = decltype(middle_mask);
+                const W both = taken<W>(sheets.both() + at);
+                W here = both, there = both;
+                if (column.hidden) {
+                    here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
+                }
+                // Load both sides before storing either: a load that partly overlaps a recent store stalls the processor. The
+                // middle column is in both vectors; `right`, which is stored last, has its sum.
+                here = load<W>(out + right) + here;
+                store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * middle_mask));
+                store(out + right, here);
+            });
     }
 
    private:
@@ -245,16 +246,17 @@ struct Taking {
     std::size_t width;  // row length of `out`
 
     LOMMEL_INLINE void open(Sheets<I, T>& sheets, const Column& column) const {
-        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
-            using W = decltype(beside);
-            const W here = load<W>(image + right);
-            const W there = permuted<typename Sheets<I, T>::Mirror, T>(load<W>(image + left)) * beside;
-            if (column.hidden) {
-                store(sheets.right() + at, here), store(sheets.left() + at, there);
-            } else {
-                store(sheets.both() + at, here + there);
-            }
-        });
+        sheets.each(column,
+                    [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
+                        using W = decltype(middle_mask);
+                        const W here = load<W>(image + right);
+                        const W there = permuted<typename Sheets<I, T>::Mirror, T>(load<W>(image + left)) * middle_mask;
+                        if (column.hidden) {
+                            store(sheets.right() + at, here), store(sheets.left() + at, there);
+                        } else {
+                            store(sheets.both() + at, here + there);
+                        }
+                    });
     }
     LOMMEL_INLINE void before(Sheets<I, T>& sheets, const Column& column, T layer) const {
         sheets.shares(column, seen, layer, [&](std::size_t at, auto right, auto left) LOMMEL_INLINE_LAMBDA {
@@ -265,8 +267,8 @@ struct Taking {
     LOMMEL_INLINE void after(Sheets<I, T>&, const Column&, T) const {}
     LOMMEL_INLINE void rest(Sheets<I, T>& sheets, const Column& column) const {
         if (column.hidden) {
-            sheets.each(column, [&](std::size_t at, std::ptrdiff_t, std::ptrdiff_t, auto beside) LOMMEL_INLINE_LAMBDA {
-                using W = decltype(beside);
+            sheets.each(column, [&](std::size_t at, std::ptrdiff_t, std::ptrdiff_t, auto middle_mask) LOMMEL_INLINE_LAMBDA {
+                using W = decltype(middle_mask);
                 store(sheets.both() + at, load<W>(sheets.right() + at) + load<W>(sheets.left() + at));
             });
         }
@@ -317,16 +319,16 @@ struct Taking {
     // Lane sums with the shortest vectors, which every processor has.
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
         using Short = Packed<Portable, T>;
-        constexpr std::size_t some = sizeof(Short) / sizeof(T);
+        constexpr std::size_t short_lanes = sizeof(Short) / sizeof(T);
         for (std::size_t i = column.first; i < column.last; ++i) {
             T* const sums = sheets.sums(i);
             Short total{};
-            for (std::size_t j = 0; j < Sheets<I, T>::lanes; j += some) {
+            for (std::size_t j = 0; j < Sheets<I, T>::lanes; j += short_lanes) {
                 total = total + load<Short>(sums + j);
                 store(sums + j, Short{});
             }
             T sum = total[0];
-            for (std::size_t j = 1; j < some; ++j) {
+            for (std::size_t j = 1; j < short_lanes; ++j) {
                 sum += total[j];
             }
             out[column.point + i * width] += sum;

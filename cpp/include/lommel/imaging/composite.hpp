@@ -45,7 +45,7 @@ struct Composite {
 template <class I, class T, bool Cover>
 struct GivingLight {
     T *white, *light;
-    const T* values;  // of the points of a column
+    const T* values;  // values of the points of a column
 
     template <class R>
     LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
@@ -66,8 +66,8 @@ struct GivingLight {
             to(0, above[0], loaded(above[0] * value[0]));
             for (std::size_t row = 1; row <= rows.half; ++row) {
                 rows.mix(row, above);
-                const W lit = loaded(above[0] * value[0]);
-                to(static_cast<std::ptrdiff_t>(row), above[0], lit), to(-static_cast<std::ptrdiff_t>(row), above[0], lit);
+                const W middle = loaded(above[0] * value[0]);
+                to(static_cast<std::ptrdiff_t>(row), above[0], middle), to(-static_cast<std::ptrdiff_t>(row), above[0], middle);
             }
         } else {
             // Row r of the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
@@ -85,22 +85,23 @@ struct GivingLight {
     }
 
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
-        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
-            using W = decltype(beside);
-            if constexpr (Cover) {
-                onto<W>(white, sheets.both() + at, right, left, beside);
-            }
-            onto<W>(light, sheets.right() + at, right, left, beside);
-        });
+        sheets.each(column,
+                    [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
+                        using W = decltype(middle_mask);
+                        if constexpr (Cover) {
+                            onto<W>(white, sheets.both() + at, right, left, middle_mask);
+                        }
+                        onto<W>(light, sheets.right() + at, right, left, middle_mask);
+                    });
     }
 
    private:
     // The middle column is in both vectors; `right`, which is stored last, has its sum.
     template <class W>
-    static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W beside) {
+    static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W middle_mask) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
         store(sum, W{});
-        store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(value * beside));
+        store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(value * middle_mask));
         store(out + right, here);
     }
 };
@@ -352,7 +353,7 @@ class Compositor {
                     continue;
                 }
                 points.places[i * part_width + j] = place;
-                points.values[j * (tall + 1) + i] = lit(y, x) ? value(from) : T(0);
+                points.values[j * (tall + 1) + i] = has_light(y, x) ? value(from) : T(0);
                 points.first[j] = std::min(points.first[j], i), points.last[j] = i + 1;
             }
         }
@@ -364,7 +365,7 @@ class Compositor {
                       : T(0);
     }
 
-    bool lit(std::size_t y, std::size_t x) const {
+    bool has_light(std::size_t y, std::size_t x) const {
         const std::size_t pad = layered_.pad;
         return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
     }

@@ -196,11 +196,11 @@ class HiddenPoints {
                 row[width - 1] = std::max(here[width - 1], here[width - std::min<std::size_t>(2, width)]);
             }
             // Odd rings (squares) include the diagonal neighbours, even rings (diamonds) do not.
-            const std::vector<std::uint8_t> beside = ring % 2 == 1 ? wide : farthest;
+            const std::vector<std::uint8_t> previous = ring % 2 == 1 ? wide : farthest;
             for (std::size_t y = 0; y < height; ++y) {
                 const std::uint8_t *const row = wide.data() + y * width, *const own = layers_ + y * width;
-                const std::uint8_t* const above = beside.data() + (y > 0 ? y - 1 : y) * width;
-                const std::uint8_t* const below = beside.data() + (y + 1 < height ? y + 1 : y) * width;
+                const std::uint8_t* const above = previous.data() + (y > 0 ? y - 1 : y) * width;
+                const std::uint8_t* const below = previous.data() + (y + 1 < height ? y + 1 : y) * width;
                 std::uint8_t *const to = farthest.data() + y * width, *const count = result.data() + y * width;
                 for (std::size_t x = 0; x < width; ++x) {
                     to[x] = std::max(std::max(above[x], below[x]), row[x]);
@@ -269,7 +269,7 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
         candidates += reached[i] < radius_[i] ? 1 : 0;
     }
     const std::size_t rings = candidates * reach > 4 * size ? std::min(reach, most_rings) : 0;
-    const std::vector<std::uint8_t> apart = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
+    const std::vector<std::uint8_t> isolated = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
     std::vector<std::size_t> begin(rings + 1, 0);  // [ring]: first offset longer than `ring` pixels
     for (std::size_t ring = 1; ring <= rings; ++ring) {
         begin[ring] = begin[ring - 1];
@@ -283,7 +283,7 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
             const std::size_t at = y * width_ + x;
             if (reached[at] < radius_[at]) {
                 const float far = radius_[at] - around[y / block * across + x / block];
-                const std::size_t from = begin[apart.empty() ? 0 : apart[at]];
+                const std::size_t from = begin[isolated.empty() ? 0 : isolated[at]];
                 behind[at] = inner(y, x, reach) ? visit<true>(y, x, steps, from, far) : visit<false>(y, x, steps, from, far);
                 found[y] += behind[at] >= 0 ? 1 : 0;
             }

@@ -98,15 +98,15 @@ class FieldSpreader {
         V weight[most_used] = {};
         bool more = false;
         for (std::size_t k = 0; k < count;) {
-            std::size_t some = 0;
-            for (; k < count && some < most_used; ++k) {
+            std::size_t used_count = 0;
+            for (; k < count && used_count < most_used; ++k) {
                 if (weights[k] != T(0)) {
-                    used[some] = arrays + k * size, weight[some] = splat<V>(weights[k]), ++some;
+                    used[used_count] = arrays + k * size, weight[used_count] = splat<V>(weights[k]), ++used_count;
                 }
             }
             for (std::size_t i = 0; i < size; i += lanes) {
                 V sum = more ? load<V>(out + i) : V{};
-                for (std::size_t j = 0; j < some; ++j) {
+                for (std::size_t j = 0; j < used_count; ++j) {
                     sum = sum + weight[j] * load<V>(used[j] + i);
                 }
                 store(out + i, sum);

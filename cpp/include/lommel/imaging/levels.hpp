@@ -19,7 +19,7 @@ class Levels {
    public:
     // Edges: increasing, positive, at most 255 of them.
     Levels(const float* edges, std::size_t count) : least_(0.0f), most_(edges[count - 1]) {
-        while (!apart(edges, count)) {
+        while (!separated(edges, count)) {
             --shift_;
         }
         first_ = (bits(edges[0]) - 1) >> shift_;  // an edge may coincide with the start of an interval
@@ -60,7 +60,7 @@ class Levels {
         std::memcpy(&b, &x, sizeof b);
         return b;
     }
-    bool apart(const float* edges, std::size_t count) const {
+    bool separated(const float* edges, std::size_t count) const {
         for (std::size_t i = 1; i < count; ++i) {
             if (bits(edges[i - 1]) >> shift_ == bits(edges[i]) >> shift_) {
                 return false;

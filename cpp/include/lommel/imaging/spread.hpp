@@ -235,21 +235,21 @@ class Spreader {
         constexpr std::true_type yes{};
         constexpr std::false_type no{};
         for (std::size_t k = 0; k < layers; ++k) {
-            const Column& some = hidden[k];
-            const T layer = points[some.first].layer;
-            side.before(sheets, some, layer);
-            std::size_t i = some.first;
-            for (; i + 1 < some.last; i += 2) {
+            const Column& run = hidden[k];
+            const T layer = points[run.first].layer;
+            side.before(sheets, run, layer);
+            std::size_t i = run.first;
+            for (; i + 1 < run.last; i += 2) {
                 if (points[i].first == points[i + 1].first) {
                     add(two, yes, i);
                 } else {
                     add(two, no, i);
                 }
             }
-            if (i < some.last) {
+            if (i < run.last) {
                 add(one, yes, i);
             }
-            side.after(sheets, some, layer);
+            side.after(sheets, run, layer);
         }
         if (counts[alike] + counts[other] > 0) {
             side.rest(sheets, column);

@@ -112,7 +112,7 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // The reference max(|d|, 1) only adds a constant, d log(reference), as counts d may be 0 or negative.
+            // Counts d may be 0 or negative: the reference max(|d|, 1) instead of d adds a constant, d log(reference).
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;
@@ -156,10 +156,10 @@ inline void compare(const float* images, const float* ramps, std::size_t pixels,
         for (std::size_t i = 0; i < pixels; i += lanes) {
             const V valid = load<V>(&counts.valid[i]), read = load<V>(&counts.read[i]);
             const V sky = level + down * load<V>(ramps + i) + across * load<V>(ramps + pixels + i);
-            const V lit = larger(flux * load<V>(images + i) + sky, least), mean = lit + read;
+            const V signal = larger(flux * load<V>(images + i) + sky, least), mean = signal + read;
             const V off = load<V>(&counts.electrons[i]) - mean, weight = valid / mean;
             chi2 = chi2 + weight * off * off;
-            variance = variance + weight * (lit / mean) * (read / mean) + valid * two;
+            variance = variance + weight * (signal / mean) * (read / mean) + valid * two;
             count = count + valid;
         }
         found.chi2 += total(chi2);

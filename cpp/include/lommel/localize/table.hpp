@@ -91,7 +91,7 @@ class MoleculeImages {
                 store(slope + i + k * lanes, rate[k]);
             }
         }
-        const std::size_t apart = table.height * line() + MoleculeTable::beyond;
+        const std::size_t slope_stride = table.height * line() + MoleculeTable::beyond;
         float* const across = across_.data();
         for (std::size_t p = 0; p < table.height; ++p) {
             const float* const v = value + p * table.per * line();
@@ -110,8 +110,8 @@ class MoleculeImages {
                 }
                 for (std::size_t k = 0; k < 2; ++k) {
                     store(to + x + k * lanes, sum[k]);
-                    store(to + apart + x + k * lanes, moved[k]);
-                    store(to + 2 * apart + x + k * lanes, rate[k]);
+                    store(to + slope_stride + x + k * lanes, moved[k]);
+                    store(to + 2 * slope_stride + x + k * lanes, rate[k]);
                 }
             }
         }
@@ -133,8 +133,8 @@ class MoleculeImages {
                         const V here = load<V>(at);
                         sum[k] = sum[k] + weight * here;
                         aside[k] = aside[k] + change * here;
-                        moved[k] = moved[k] + weight * load<V>(at + apart);
-                        rate[k] = rate[k] + weight * load<V>(at + 2 * apart);
+                        moved[k] = moved[k] + weight * load<V>(at + slope_stride);
+                        rate[k] = rate[k] + weight * load<V>(at + 2 * slope_stride);
                     }
                 }
                 for (std::size_t k = 0; k < pair; ++k) {

@@ -44,10 +44,10 @@ struct PixelFilter {
                  int threads) const {
         const std::size_t tall = samples(height), wide = samples(width), groups = (height + Rows - 1) / Rows;
         // Taps padded with zeros for samples that belong to the other rows of the same block.
-        const std::size_t beside = (Rows - 1) * stride, length = taps + 2 * beside;
+        const std::size_t padding = (Rows - 1) * stride, length = taps + 2 * padding;
         std::vector<double> padded(pixels * length);
         for (std::size_t k = 0; k < pixels; ++k) {
-            std::copy_n(weights + k * taps, taps, padded.data() + k * length + beside);
+            std::copy_n(weights + k * taps, taps, padded.data() + k * length + padding);
         }
         const double* const weights_along = across == nullptr ? weights : across;
         const std::vector<float> rounded(padded.begin(), padded.end()),
@@ -60,12 +60,12 @@ struct PixelFilter {
             const T* from = samples_of + (i / groups * tall + first) * wide;
             double* averages = to + i / groups * pitch + row * width;
             const double* of[Rows];
-            const float* singly[Rows];
+            const float* in_single[Rows];
             std::size_t last = 0;
             for (std::size_t r = 0; r < Rows; ++r) {
                 const std::size_t behind = (row + r) / pixels * stride - first;
-                of[r] = padded.data() + (row + r) % pixels * length + beside - behind;
-                singly[r] = rounded.data() + (of[r] - padded.data());
+                of[r] = padded.data() + (row + r) % pixels * length + padding - behind;
+                in_single[r] = rounded.data() + (of[r] - padded.data());
                 last = r < rows ? behind : last;
             }
             look();
@@ -82,7 +82,7 @@ struct PixelFilter {
                 if constexpr (std::is_same_v<T, float>) {
                     single.resize(Rows * wide);
                     if (dark > 0.0 && (width - 1) / pixels + 1 >= least(isa) &&
-                        sums<Rows, 2>(isa, from, lines, singly, wide, single.data()) <= dark) {
+                        sums<Rows, 2>(isa, from, lines, in_single, wide, single.data()) <= dark) {
                         return finish(single, rounded_along.data());
                     }
                 }
@@ -132,11 +132,11 @@ struct PixelFilter {
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {
-        constexpr bool singly = sizeof(Sum) == 4;
-        using V = std::conditional_t<singly, typename I::floats, typename I::pack>;
+        constexpr bool in_single = sizeof(Sum) == 4;
+        using V = std::conditional_t<in_single, typename I::floats, typename I::pack>;
         constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), step = packs * lanes;
         if (count < step) {
-            for (std::size_t x = 0; x < count && !singly; ++x) {
+            for (std::size_t x = 0; x < count && !in_single; ++x) {
                 for (std::size_t r = 0; r < Rows; ++r) {
                     Sum sum = 0;
                     for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -155,7 +155,7 @@ struct PixelFilter {
                 const T* line = from + lines[k] + at;
                 V samples[packs];
                 for (std::size_t p = 0; p < packs; ++p) {
-                    if constexpr (singly) {
+                    if constexpr (in_single) {
                         samples[p] = load<V>(line + p * lanes);
                         most = larger(most, samples[p]);
                     } else {

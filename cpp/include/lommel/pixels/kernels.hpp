@@ -187,7 +187,7 @@ template <bool Odd, class I, class Degree, class V, class Take>
 LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, std::size_t harmonics, const V (&at)[2],
                                  const Take& take) {
     std::size_t j = 0;
-    const auto some = [&](auto orders) LOMMEL_INLINE_LAMBDA {
+    const auto add_orders = [&](auto orders) LOMMEL_INLINE_LAMBDA {
         V values[orders][2];
         along_radius<orders, 2, Odd>(degree, coefficients + j * degree, at, values);
         for (const auto& value : values) {
@@ -195,22 +195,22 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         }
         j += orders;
     };
-    // `some` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
+    // `add_orders` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
     // A single order is one chain of dependent operations; four at once need more than sixteen registers.
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
-            some(std::integral_constant<std::size_t, 4>{});
+            add_orders(std::integral_constant<std::size_t, 4>{});
         }
     }
     while (harmonics - j == 3 || harmonics - j > 4) {
-        some(std::integral_constant<std::size_t, 3>{});
+        add_orders(std::integral_constant<std::size_t, 3>{});
     }
     while (j + 1 < harmonics) {
-        some(std::integral_constant<std::size_t, 2>{});
+        add_orders(std::integral_constant<std::size_t, 2>{});
     }
     // NOLINTEND(bugprone-infinite-loop)
     if (j < harmonics) {
-        some(std::integral_constant<std::size_t, 1>{});
+        add_orders(std::integral_constant<std::size_t, 1>{});
     }
 }
 

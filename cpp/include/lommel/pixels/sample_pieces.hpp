@@ -90,7 +90,7 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
     // Like paint(), clamped to 0, in single precision: by cubics on parts of the pieces and, far enough from the axis, by
     // lines, each with an error of about `room`, at positions with an error of about `places` in v. `off`: their error of I,
     // including rounding. Limited by loads.
-    double paint_singly(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
+    double paint_single(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
                         float* image, double& off) const;
 
    private:
@@ -294,7 +294,7 @@ extern template double SamplePieces::paint<double>(const PixelWindow&, const dou
 #endif
 
 #if defined(LOMMEL_DEFINES)
-LOMMEL_ONCE double SamplePieces::paint_singly(const PixelWindow& window, const double* intensity, double by, double room,
+LOMMEL_ONCE double SamplePieces::paint_single(const PixelWindow& window, const double* intensity, double by, double room,
                                               double places, int threads, float* image, double& off) const {
     thread_local Doubles curves;
     thread_local Floats singles;

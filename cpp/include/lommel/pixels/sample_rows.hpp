@@ -113,10 +113,10 @@ class SampleRows {
                 ahead = seen(std::min(row + 1, end - 1), least, most, ahead);
                 const auto [square, low, high, first, other, straight] = seen_here;
                 const Zone &zone = zones_[low], &next = zones_[low + 1];
-                const std::uint32_t apart = straight ? 2 : Apart;
-                const auto split = [&, apart = apart](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
+                const std::uint32_t stride = straight ? 2 : Apart;
+                const auto split = [&, stride = stride](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
                     const double whole = (where + 0x1.8p52) - 0x1.8p52;  // nearest integer
-                    at[i] = static_cast<std::int32_t>(apart) * static_cast<std::int32_t>(whole);
+                    at[i] = static_cast<std::int32_t>(stride) * static_cast<std::int32_t>(whole);
                     x[i] = static_cast<Real>(where - whole);
                 };
                 Run<Real> run{row, start, here, straight, 0, at, x};
@@ -126,8 +126,8 @@ class SampleRows {
                             lines.prepare(squares, padded, least, most, zone.slope, next.slope);
                             prepared = low;
                         }
-                        run.base = high == low ? lines.template split<false>(padded, first, other, apart, at, x)
-                                               : lines.template split<true>(padded, first, other, apart, at, x);
+                        run.base = high == low ? lines.template split<false>(padded, first, other, stride, at, x)
+                                               : lines.template split<true>(padded, first, other, stride, at, x);
                         take(run);
                         continue;
                     }
@@ -206,19 +206,19 @@ class SampleRows {
         // Split positions into parts and remainders, from the positions of the nearest pixel in one or both zones. Returns the
         // part from which indices are counted, one or two before that of the nearest pixel, times the stride of parts, 2 or 4.
         template <bool Both>
-        LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t apart,
+        LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t stride,
                                            std::int32_t* at, float* x) const {
             const double base = std::floor(first) - 1.0;
             const std::uint32_t from = whole((first - base + 0.5) * unit);
             const std::uint32_t or_from = whole((std::min(other, first + span) - base + 0.5) * unit);
-            const std::uint32_t part = ~(apart - 1), behind = (std::uint32_t{1} << bits) - 1;
-            const int down = apart == 2 ? bits - 1 : bits - 2;
+            const std::uint32_t part = ~(stride - 1), behind = (std::uint32_t{1} << bits) - 1;
+            const int down = stride == 2 ? bits - 1 : bits - 2;
             for (std::size_t i = 0; i < padded; ++i) {
                 const std::uint32_t one = here[i] + from, two = Both ? next[i] + or_from : one, where = two < one ? two : one;
                 at[i] = static_cast<std::int32_t>((where >> down) & part);
                 x[i] = static_cast<float>(static_cast<std::int32_t>(where & behind)) * scale - 0.5f;
             }
-            return static_cast<std::ptrdiff_t>(apart) * static_cast<std::ptrdiff_t>(base);
+            return static_cast<std::ptrdiff_t>(stride) * static_cast<std::ptrdiff_t>(base);
         }
         static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
     };

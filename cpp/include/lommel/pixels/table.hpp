@@ -61,7 +61,7 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
     std::size_t harmonics = 1, gauss = 1;
     double error = 0.0;  // error of values over half the range of I, if I is exact at the radii
     double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants Lambda_n and Lambda_g
-    double rounding = 0.0;  // of computing and applying the weights, in units of roundoff times the largest I
+    double rounding = 0.0;  // rounding of computing and applying the weights, in units of roundoff times the largest I
 
     // Factor from an error of I at the radii to an error of a value.
     double magnification() const { return of_grid * of_nodes; }

@@ -15,14 +15,14 @@
 namespace lommel {
 
 // The pixel (right, down) from the axis has a >= b >= 0, which are |right| and |down| in either order. Pixels with the same
-// (a, b) are evaluated together, in eight directions: with psi = atan(b / a), at the angles psi + k pi/2, k = 0..3, and (k+1)
-// pi/2 - psi.
+// (a, b) are evaluated together, in eight directions. With psi = atan(b / a), the directions are psi + k pi/2, k = 0..3, then
+// (k+1) pi/2 - psi.
 class Tiles {
    public:
     static constexpr std::int64_t side = 16;
     static constexpr std::size_t directions = 8;
     struct Tile {
-        std::int64_t a, b;  // minimum of its pixels
+        std::int64_t a, b;  // smallest coordinates of its pixels
     };
     // Pixels of the same a, and `count` values of b from `b` on.
     struct Line {

@@ -70,14 +70,14 @@ inline Doubles odd_transform(std::size_t points) {
     return matrix;
 }
 
-// Multiply each of `sets` sets of rows by a square matrix; sets begin `apart` rows from each other, their rows are `stride`
+// Multiply each of `sets` sets of rows by a square matrix; sets begin `set_stride` rows from each other, their rows are `stride`
 // rows apart.
-LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t apart, std::size_t stride, std::size_t length,
-                             Doubles& rows) {
+LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t set_stride, std::size_t stride,
+                             std::size_t length, Doubles& rows) {
     const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
     Doubles made(points * length);
     for (std::size_t s = 0; s < sets; ++s) {
-        double* first = rows.data() + s * apart * length;
+        double* first = rows.data() + s * set_stride * length;
         std::fill(made.begin(), made.end(), 0.0);
         for (std::size_t k = 0; k < points; ++k) {
             for (std::size_t i = 0; i < points; ++i) {

@@ -137,7 +137,7 @@ class PixelRenderer {
     struct Painted {
         double scale = 1.0;
         T* image = nullptr;
-        bool singly = false;  // in single precision
+        bool single_precision = false;
         double cubics = 0.0;  // allowed error of cubics over the largest I
     };
     // Tolerance from which on samples are summed in single precision.
@@ -214,9 +214,10 @@ class PixelRenderer {
         });
         double of_singles = 0.0;
         if constexpr (std::is_same_v<Table, SamplePieces> && sizeof(T) == sizeof(float)) {
-            f.top = painted.singly ? table.paint_singly(window, at_radii.data(), painted.scale, painted.cubics * f.size,
-                                                        Budget::places * allowed_, threads, painted.image, of_singles)
-                                   : table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
+            f.top = painted.single_precision
+                        ? table.paint_single(window, at_radii.data(), painted.scale, painted.cubics * f.size,
+                                             Budget::places * allowed_, threads, painted.image, of_singles)
+                        : table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
             made.penalty = 0.0;
         } else if constexpr (std::is_same_v<Table, SamplePieces>) {
             f.top = table.paint(window, at_radii.data(), painted.scale, T{0}, threads, painted.image);
@@ -309,12 +310,12 @@ class PixelRenderer {
     }
 
     // Lower bound on the largest average over the plane, like peak_at_least().
-    double coarse_peak_at_least(const Phase& phase, const CoarseAverages::Attempt& asked) const {
+    double coarse_peak_at_least(const Phase& phase, const CoarseAverages::Attempt& request) const {
         const std::size_t pixels =
             static_cast<std::size_t>(std::min(512.0, std::ceil((4.0 + phase.blur()) / window_.step)) + 1.0);
         CoarseAverages line;
         line.make(*CoarseWindow::get({1, pixels, 0.0, 0.0, window_.step, true}), phase, stack_.obscuration, aperture_.light,
-                  aperture_.area, asked, 1);
+                  aperture_.area, request, 1);
         return line.top - line.off();
     }
 
@@ -325,30 +326,31 @@ class PixelRenderer {
         const auto window = CoarseWindow::get(windows_[pupil]);
         double elsewhere = 0.0;
         bool looked = false;
-        CoarseAverages::Attempt asked = coarse_attempt(phase, likely_value(phase));
+        CoarseAverages::Attempt request = coarse_attempt(phase, likely_value(phase));
         const auto attempt = [&] {
-            found.make(*window, phase, stack_.obscuration, aperture_.light, aperture_.area, asked, threads);
+            found.make(*window, phase, stack_.obscuration, aperture_.light, aperture_.area, request, threads);
             const double bound = relative(found.top, found.off(), elsewhere, normalize);
             if (bound <= tol_ || normalize || looked) {
                 return bound;
             }
-            elsewhere = coarse_peak_at_least(phase, asked);
+            elsewhere = coarse_peak_at_least(phase, request);
             looked = true;
             return relative(found.top, found.off(), elsewhere, normalize);
         };
         const double bound = settle(tol_, attempt, [&](double) {
             const double seen = std::max(std::max(found.top, elsewhere), 1e-3 * found.off());
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
-            const CoarseAverages::Attempt before = asked;
+            const CoarseAverages::Attempt before = request;
             if (found.by_rings > room) {
-                asked.rings = std::min(0.5 * asked.rings, room);
+                request.rings = std::min(0.5 * request.rings, room);
             }
             if (found.error > room) {
-                asked.field = std::max(RadialBudget::least, asked.field * std::min(RadialBudget::again, room / found.error));
-                asked.sums =
-                    std::max(RadialBudget::least * seen, asked.sums * std::min(RadialBudget::again, room / found.error));
+                request.field =
+                    std::max(RadialBudget::least, request.field * std::min(RadialBudget::retry, room / found.error));
+                request.sums =
+                    std::max(RadialBudget::least * seen, request.sums * std::min(RadialBudget::retry, room / found.error));
             }
-            return asked.rings < before.rings || asked.field < before.field || asked.sums < before.sums;
+            return request.rings < before.rings || request.field < before.field || request.sums < before.sums;
         });
         const double scale = answer_.finish(pupil, found.top, std::max(found.top - found.off(), elsewhere), bound);
         paint_groups(window->groups, window->window.width, found.values.data(), window->groups.v.size(), scale, T{0},
@@ -403,7 +405,7 @@ class PixelRenderer {
         const bool normalize = answer_.scales[pupil] == 0.0;
         double elsewhere = 0.0;
         bool looked = false;
-        Attempt asked = first_attempt(phase);
+        Attempt request = first_attempt(phase);
         const PixelWindow window = windows_[pupil];
         Found<Table> f{};
         constexpr bool at_once = std::is_same_v<Table, SamplePieces>;
@@ -412,17 +414,17 @@ class PixelRenderer {
                         (normalize ? 0.5 : 1.0) * Budget::cubics * allowed_};
         const auto attempt = [&] {
             const auto measured = [&] {
-                f = measure<Table>(field, window, phase, asked, threads, at_radii, made, painted);
+                f = measure<Table>(field, window, phase, request, threads, at_radii, made, painted);
                 return relative(f.top, f.off, elsewhere, normalize, at_once);
             };
             double bound = measured();
             if (bound > tol_ && !normalize && !looked) {
-                elsewhere = peak_at_least(phase, asked);
+                elsewhere = peak_at_least(phase, request);
                 looked = true;
                 bound = relative(f.top, f.off, elsewhere, normalize, at_once);
             }
-            if (bound > tol_ && painted.singly) {
-                painted.singly = false;
+            if (bound > tol_ && painted.single_precision) {
+                painted.single_precision = false;
                 bound = measured();
             }
             return bound;
@@ -431,14 +433,15 @@ class PixelRenderer {
             // Allowed contributions to the error; an estimate as long as all values are below their error.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
-            const Attempt before = asked;
+            const Attempt before = request;
             if (f.by_field > room) {
-                asked.error = std::max(RadialBudget::least, asked.error * std::min(RadialBudget::again, room / f.by_field));
+                request.error = std::max(RadialBudget::least, request.error * std::min(RadialBudget::retry, room / f.by_field));
             }
             if (f.by_table > room) {
-                asked.level = std::min(last_level, asked.level + static_cast<int>(std::ceil(std::log10(f.by_table / room))));
+                request.level =
+                    std::min(last_level, request.level + static_cast<int>(std::ceil(std::log10(f.by_table / room))));
             }
-            return asked.error < before.error || asked.level > before.level;
+            return request.error < before.error || request.level > before.level;
         });
         const double peak = std::max(f.top - f.off, elsewhere);
         if constexpr (at_once) {
@@ -450,7 +453,7 @@ class PixelRenderer {
             finish(pupil, *f.table, made.values.data(), made.count, f.top, peak, bound, threads);
         }
         for (std::size_t d = 0; d < answer_.derivatives; ++d) {
-            differentiate(pupil, d, window, field, f, asked.error, threads);
+            differentiate(pupil, d, window, field, f, request.error, threads);
         }
     }
 
@@ -486,10 +489,10 @@ class PixelRenderer {
             Doubles at_radii;
             WindowValues made;
             const PixelWindow window = windows_[pupil];
-            const Attempt asked = first_attempt(stack_[pupil]);
-            const auto f = measure<PixelTable>(field, window, stack_[pupil], asked, threads, at_radii, made);
+            const Attempt request = first_attempt(stack_[pupil]);
+            const auto f = measure<PixelTable>(field, window, stack_[pupil], request, threads, at_radii, made);
             for (std::size_t d = 0; d < answer_.derivatives; ++d) {
-                differentiate(pupil, d, window, field, f, asked.error, threads);
+                differentiate(pupil, d, window, field, f, request.error, threads);
             }
         }
     }
@@ -541,15 +544,15 @@ class PixelRenderer {
         if (!Batch::pays(stack_, worst, table, 1.0)) {
             return false;
         }
-        const std::size_t apart = (values + widest_step) / widest_step * widest_step;
+        const std::size_t window_stride = (values + widest_step) / widest_step * widest_step;
         const Batch batch(stack_, box, shared, 1.0, attempt.error);
         batch.run(threads_, [&](std::size_t first, std::size_t here, const double* at_radii, std::size_t stride) {
             thread_local Doubles made;
-            made.resize(Batch::group * apart);
+            made.resize(Batch::group * window_stride);
             const double penalty =
-                plain ? 0.0 : make_together(table, windows_, first, here, at_radii, stride, made.data(), apart);
+                plain ? 0.0 : make_together(table, windows_, first, here, at_radii, stride, made.data(), window_stride);
             for (std::size_t p = 0; p < here; ++p, at_radii += stride) {
-                const double* window = plain ? at_radii : made.data() + p * apart;
+                const double* window = plain ? at_radii : made.data() + p * window_stride;
                 const double size = largest_value(at_radii, table.count), top = largest_value(window, values);
                 const double off = window_bound(table, penalty, size, batch.error(first + p));
                 const double bound = relative(top, off, 0.0, answer_.scales[first + p] == 0.0);

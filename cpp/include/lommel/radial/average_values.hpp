@@ -69,10 +69,10 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
 // Compute the windows of some pupils from I at the radii, at_radii[pupil * stride + radius], to made[pupil * apart + value];
 // returns the largest penalty.
 double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
-                     std::size_t stride, double* made, std::size_t apart);
+                     std::size_t stride, double* made, std::size_t value_stride);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils,
-                                 const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
+                                 const double* at_radii, std::size_t stride, double* made, std::size_t value_stride) {
     constexpr std::size_t at_once = 4;
     thread_local Doubles sums;
     double penalties[at_once] = {};
@@ -83,7 +83,7 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
             double* to[at_once];
             for (std::size_t k = 0; k < at_once; ++k) {
                 from[k] = at_radii + (p + k) * stride;
-                to[k] = made + (p + k) * apart;
+                to[k] = made + (p + k) * value_stride;
             }
             table.apply<at_once>(isa, 0, table.rings.size(), from, to, penalties, sums);
         }
@@ -92,11 +92,12 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
 }
 #endif
 inline double make_together(const AnywhereTable& table, const PixelWindows& windows, std::size_t first, std::size_t pupils,
-                            const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
+                            const double* at_radii, std::size_t stride, double* made, std::size_t value_stride) {
     thread_local Doubles scratch;
     double penalty = 0.0;
     for (std::size_t p = 0; p < pupils; ++p) {
-        penalty = std::max(penalty, table.values(windows[first + p], at_radii + p * stride, 1, scratch, made + p * apart));
+        penalty =
+            std::max(penalty, table.values(windows[first + p], at_radii + p * stride, 1, scratch, made + p * value_stride));
     }
     return penalty;
 }

@@ -115,9 +115,9 @@ class EnergyWithin {
     static constexpr double width = 2.0;  // width of a panel in v
     double rounding = 0.0;                // bound on the rounding of E
 
-    // Compute E up to `reach` from I at `points` Chebyshev points per panel, with a requested error `asked` of U. `swing`: half
+    // Compute E up to `reach` from I at `points` Chebyshev points per panel, with a requested error `request` of U. `swing`: half
     // of the largest possible I.
-    void make(Field& field, const Phase& phase, double obscuration, double reach, double asked, std::size_t points,
+    void make(Field& field, const Phase& phase, double obscuration, double reach, double request, std::size_t points,
               double swing, int threads);
 
     struct Crossed {
@@ -164,7 +164,7 @@ LOMMEL_ONCE void EnergyWithin::rows_summed(const double* matrix, const double* f
     });
 }
 
-LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obscuration, double reach, double asked,
+LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obscuration, double reach, double request,
                                     std::size_t points, double swing, int threads) {
     panels_ = static_cast<std::size_t>(std::ceil(reach / width)) + 1;
     count_ = points + 2;
@@ -182,7 +182,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     }
     std::fill(radii_.begin() + all, radii_.end(), radii_[all - 1]);
     const Places at(radii_.data(), all, 1.0);
-    const double bound = field.prepare(phase, 0, obscuration, at, asked);
+    const double bound = field.prepare(phase, 0, obscuration, at, request);
     intensities(field, at, threads, [&](std::size_t first, std::size_t count, const double* found) {
         std::copy_n(found, count, values_.data() + first);
     });
@@ -306,19 +306,19 @@ class CoarseAverages {
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
-    // Smallest distance, by bisection, from which on averages without rings have an error of at most `asked`.
-    static double without_rings(const EnergyTail& tail, double step, double asked) {
+    // Smallest distance, by bisection, from which on averages without rings have an error of at most `request`.
+    static double without_rings(const EnergyTail& tail, double step, double request) {
         double low = 1.0, high = 1e8;
         while (high > 1.01 * low) {
             const double middle = std::sqrt(low * high);
-            (left_out(tail, step, middle) <= asked ? high : low) = middle;
+            (left_out(tail, step, middle) <= request ? high : low) = middle;
         }
         return high;
     }
 
     // light: int E_0^2 dt; area: largest possible |U|.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
-              const Attempt& asked, int threads);
+              const Attempt& request, int threads);
 
    private:
     Field field_;
@@ -333,10 +333,10 @@ class CoarseAverages {
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light,
-                                      double area, const Attempt& asked, int threads) {
+                                      double area, const Attempt& request, int threads) {
     const double step = coarse.window.step, swing = 0.5 * area * area, square = step * step;
     const EnergyTail tail(phase, obscuration);
-    const double high = without_rings(tail, step, asked.rings), limit = high / step;
+    const double high = without_rings(tail, step, request.rings), limit = high / step;
     const double factor = tail.mean() / (square * step), whole = 12.566370614359172 * light / square;
     const std::size_t count = coarse.groups.v.size();
     values.resize(count + widest_step);
@@ -361,12 +361,12 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
     error = 0.0;
     if (!near_.empty()) {
         reach = step * std::sqrt(reach);
-        const double room = asked.sums * square;  // allowed error of an integral over a pixel
+        const double room = request.sums * square;  // allowed error of an integral over a pixel
         const auto quadrature = [&](std::size_t q) { return swing * reach * step * gauss_error(step, q); };
         const std::size_t q = fewest(4, [&](std::size_t n) { return quadrature(n) <= room; });
         const std::size_t points =
-            fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= asked.sums; });
-        energy_.make(field_, phase, obscuration, reach, asked.field, points, swing, threads);
+            fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= request.sums; });
+        energy_.make(field_, phase, obscuration, reach, request.field, points, swing, threads);
         constexpr std::size_t together = EnergyWithin::together;
         nodes_.assign(q + together, 0.0);  // extra nodes have weight 0
         weights_.assign(q + together, 0.0);

@@ -32,12 +32,12 @@ class EnergyTail {
                         product[n + k] += waves_[i].parts[n] * std::conj(waves_[j].parts[k]);
                     }
                 }
-                const double apart = i == j ? 1.0 : std::abs(waves_[i].frequency - waves_[j].frequency);
+                const double difference = i == j ? 1.0 : std::abs(waves_[i].frequency - waves_[j].frequency);
                 for (std::size_t n = 0; n < 2 * powers; ++n) {
                     if (i == j) {
                         means_[n] += product[n].real();
                     } else {
-                        rings_[n] += 2.0 * std::abs(product[n]) / apart;
+                        rings_[n] += 2.0 * std::abs(product[n]) / difference;
                     }
                 }
             }

@@ -72,9 +72,9 @@ class Renderer {
             paint(values, answer_.derivative_images + at * pixels(), 1);
             // |dI/dc_k| <= 2 |U| |T|, over the exact peak.
             const double u = std::sqrt(settled.peak), t = std::sqrt(slopes.size);
-            const double wrong =
+            const double slope_error =
                 u * slopes.error + t * settled.bound + slopes.error * settled.bound + u * t * storing<T>(false);
-            answer_.derivative_bounds[at] = 2.0 * over_peak(wrong, settled.peak, settled.bound);
+            answer_.derivative_bounds[at] = 2.0 * over_peak(slope_error, settled.peak, settled.bound);
         }
     }
 

@@ -59,16 +59,16 @@ struct Slopes {
     Doubles values;
     double error = 0.0, size = 0.0, steepest = 0.0;  // error bound of T, largest |T|^2, largest |dI/dc_k|
 
-    // `field` must be prepared for `places`; `asked`: requested error of T.
-    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double asked);
+    // `field` must be prepared for `places`; `requested`: requested error of T.
+    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double requested);
 };
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places,
-                           double asked)
+                           double requested)
     : values(places.count) {
     Field derivative;
-    error = derivative.prepare(phase, power, obscuration, places, asked);
+    error = derivative.prepare(phase, power, obscuration, places, requested);
     // Vectors overlap where pieces meet, so results must not overwrite their input.
     Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
     for (std::size_t first = 0; first < places.count; first += chunk_radii) {
@@ -135,7 +135,7 @@ Settled settle_field(Field& field, const Phase& phase, double obscuration, const
     };
     s.relative = settle(tol, attempt, [&](double) {
         const bool more = s.error >= RadialBudget::least;
-        s.error *= RadialBudget::again;
+        s.error *= RadialBudget::retry;
         return more;
     });
     return s;

@@ -104,7 +104,7 @@ struct RadialBudget {
     static constexpr double truncation = 0.5, quadrature = 0.1;
     static_assert((outer + inner) * (truncation + quadrature) + pieces <= 1.0);
     // Factor on the error of U for the next attempt, and the smallest error to try.
-    static constexpr double again = 0.1, least = 8.0 * unit_roundoff;
+    static constexpr double retry = 0.1, least = 8.0 * unit_roundoff;
 };
 
 // Estimate of sup|U|. Most PSFs exceed it; for others the error is reduced once the peak is known.

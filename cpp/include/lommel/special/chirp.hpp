@@ -121,7 +121,7 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
 }
 
 // Moments for several slopes b at once and positive curvature, by the error function at their ends. Only its non-oscillating
-// part is used, so that the phase b^2 / 4a of a distant stationary point cancels.
+// part is used, so that the phase b^2 / 4a of a distant stationary point does not appear.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, const typename I::pack (&b)[count],
                                 typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {

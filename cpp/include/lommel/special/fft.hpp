@@ -198,7 +198,7 @@ class RowFft {
         }
     }
 
-    std::vector<std::size_t> radices_;  // of all passes but the last
+    std::vector<std::size_t> radices_;  // radices of all passes but the last
     std::vector<Real> turns_;
 };
 

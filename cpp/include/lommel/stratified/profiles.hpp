@@ -79,14 +79,14 @@ class Profiles {
     template <class I, class V>
     LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, std::size_t kind, const double* re, const double* im,
                               Fields<V>& out) const {
-        const std::size_t parts = planes_.angles.parts, angles = padded(), apart = kinds() * parts * angles;
+        const std::size_t parts = planes_.angles.parts, angles = padded(), plane_stride = kinds() * parts * angles;
         for (std::size_t m = 0; m < parts; ++m) {
             const double *row = table_->of(t, kind + m) + i, *x = re + m * angles, *y = im + m * angles;
             V a[together][2] = {}, b[together][2] = {};
             for (std::size_t q = 0; q < planes_.angles.count; ++q, row += AngleTable::tile) {
                 const V j[2] = {load<V>(row), load<V>(row + I::lanes)};
                 for (std::size_t p = 0; p < together; ++p) {
-                    const V c = splat<V>(x[p * apart + q]), s = splat<V>(y[p * apart + q]);
+                    const V c = splat<V>(x[p * plane_stride + q]), s = splat<V>(y[p * plane_stride + q]);
                     for (std::size_t u = 0; u < 2; ++u) {
                         a[p][u] = a[p][u] + j[u] * c;
                         b[p][u] = b[p][u] + j[u] * s;
@@ -179,20 +179,22 @@ LOMMEL_ONCE void Profiles::run(int threads, const Take& take) const {
         thread_local Doubles re, im, values;
         thread_local std::vector<PartSizes> sizes;
         const std::size_t first = task * group, here = std::min(group, planes_.count - first);
-        const std::size_t parts = planes_.angles.parts, apart = kinds() * parts * padded();
-        re.assign(group * apart, 0.0);
-        im.assign(group * apart, 0.0);
+        const std::size_t parts = planes_.angles.parts, plane_stride = kinds() * parts * padded();
+        re.assign(group * plane_stride, 0.0);
+        im.assign(group * plane_stride, 0.0);
         values.resize((group * outputs() + 1) * stride());
         sizes.assign(group * kinds(), {});
         dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < here; ++p) {
-                coefficients(isa, first + p, re.data() + p * apart, im.data() + p * apart, sizes.data() + p * kinds());
+                coefficients(isa, first + p, re.data() + p * plane_stride, im.data() + p * plane_stride,
+                             sizes.data() + p * kinds());
             }
             for (std::size_t t = 0; t < table_->tiles; ++t) {
                 for (std::size_t p = 0; p < here; p += together) {
                     for (std::size_t i = 0; i < AngleTable::tile; i += 2 * decltype(isa)::lanes) {
-                        tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * apart, im.data() + p * apart,
-                             values.data() + p * outputs() * stride(), sizes.data() + p * kinds());
+                        tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * plane_stride,
+                             im.data() + p * plane_stride, values.data() + p * outputs() * stride(),
+                             sizes.data() + p * kinds());
                     }
                 }
             }

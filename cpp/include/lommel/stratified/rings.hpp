@@ -92,7 +92,7 @@ class Rings {
         const std::size_t all = 2 * light_.orders - 1, one = light_.fields * nodes;
         // `parts`: one wavefront for each plane, or one for all.
         const bool many = light_.wavefronts > 1;
-        const std::size_t from = many ? first : 0, last = many ? here - 1 : 0, apart = many ? all * one : 0;
+        const std::size_t from = many ? first : 0, last = many ? here - 1 : 0, wavefront_stride = many ? all * one : 0;
         for (std::size_t m = 0; m < light_.orders; ++m) {
             for (std::size_t s = 0; s < 2; ++s) {
                 const std::size_t order = s == 0 ? light_.orders - 1 + m : light_.orders - 1 - m;
@@ -102,7 +102,7 @@ class Rings {
                     const std::complex<double>* part = light_.parts + (from * all + order) * one + f * nodes;
                     for (std::size_t q = 0; q < nodes; ++q, ++part, to += each, wave += fft_element) {
                         for (std::size_t p = 0; p < ring_planes; ++p) {
-                            const std::complex<double> here = part[std::min(p, last) * apart];
+                            const std::complex<double> here = part[std::min(p, last) * wavefront_stride];
                             const double x = wave[p], y = wave[ring_planes + p];
                             to[p] = here.real() * x - here.imag() * y;
                             to[ring_planes + p] = here.real() * y + here.imag() * x;
@@ -247,8 +247,8 @@ class Rings {
             sizes.numbers[p] = std::max(sizes.numbers[p], double(size[p / I::lanes][p % I::lanes]));
         }
         const double* before = finer_.run(isa, to, to == a_.data() ? b_.data() : a_.data());
-        const std::size_t apart = steps_.row() * ring_planes;
-        double* const row = rows_.data() + (steps_.before() + j) * apart + steps_.around.count / 2 * ring_planes;
+        const std::size_t circle_stride = steps_.row() * ring_planes;
+        double* const row = rows_.data() + (steps_.before() + j) * circle_stride + steps_.around.count / 2 * ring_planes;
         const bool both = j + 1 < circles_;
         for (std::size_t q = 0; q < finer_.n / 4; ++q) {
             for (std::size_t p = 0; p < packs; ++p) {
@@ -258,7 +258,7 @@ class Rings {
                     double* const at = row + (q + k * finer_.n / 4) * ring_planes + p * I::lanes;
                     store(at, x[k].re);
                     if (both) {
-                        store(at + apart, x[k].im);
+                        store(at + circle_stride, x[k].im);
                     }
                 }
             }
@@ -267,18 +267,18 @@ class Rings {
 
     // Fill circles of negative radius, and the angles beyond a full turn.
     void turn() {
-        const std::size_t before = steps_.before(), apart = steps_.row() * ring_planes, turn = finer_.n * ring_planes;
+        const std::size_t before = steps_.before(), circle_stride = steps_.row() * ring_planes, turn = finer_.n * ring_planes;
         const std::size_t margin = steps_.around.count / 2 * ring_planes;
         for (std::size_t i = 1; i <= before; ++i) {
-            const double* from = rows_.data() + (before + i) * apart + margin;
-            double* to = rows_.data() + (before - i) * apart + margin;
+            const double* from = rows_.data() + (before + i) * circle_stride + margin;
+            double* to = rows_.data() + (before - i) * circle_stride + margin;
             std::copy_n(from, turn / 2, to + turn / 2);
             std::copy_n(from + turn / 2, turn / 2, to);
         }
         for (std::size_t i = 0; i < rows(); ++i) {
-            double* const row = rows_.data() + i * apart;
+            double* const row = rows_.data() + i * circle_stride;
             std::copy_n(row + turn, margin, row);
-            std::copy_n(row + margin, apart - margin - turn, row + margin + turn);
+            std::copy_n(row + margin, circle_stride - margin - turn, row + margin + turn);
         }
     }
 

@@ -32,7 +32,7 @@ struct LayeredSlope {
 // errors[image][plane].
 template <class T>
 struct LayeredSlopes {
-    std::vector<LayeredSlope> asked;
+    std::vector<LayeredSlope> requested;
     T* images = nullptr;
     double* errors = nullptr;
 };
@@ -54,7 +54,7 @@ class WindowSlopes {
                  const std::shared_ptr<const Table>& table)
         : planes_(planes), windows_(windows), slopes_(slopes), table_(*table) {
         if constexpr (std::is_same_v<Table, AnywhereTable>) {
-            const bool moved = std::any_of(slopes.asked.begin(), slopes.asked.end(),
+            const bool moved = std::any_of(slopes.requested.begin(), slopes.requested.end(),
                                            [](const LayeredSlope& slope) { return slope.what == LayeredSlope::What::axis; });
             shift_ = moved && table->integrate ? ShiftTable::get(table) : nullptr;
         }
@@ -64,15 +64,15 @@ class WindowSlopes {
     void radial(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         table_.visit([&](const auto& table) {
             std::size_t image = 0;
-            for (const LayeredSlope& slope : slopes_.asked) {
+            for (const LayeredSlope& slope : slopes_.requested) {
                 if (slope.what == LayeredSlope::What::axis) {
                     axis(image, plane, of, scale, made);
                     image += 2;
                 } else {
                     const Order mixed = mix(table, slope, plane, of, 0);
-                    const double wrong = window_of(table, windows_[plane], mixed.values, mixed.judged, mixed.judged.most, made);
+                    const double error = window_of(table, windows_[plane], mixed.values, mixed.judged, mixed.judged.most, made);
                     store_window(table, made, scale, std::numeric_limits<T>::lowest(), at(image, plane));
-                    note(image++, plane, wrong, made.values.data(), made.count);
+                    note(image++, plane, error, made.values.data(), made.count);
                 }
             }
         });
@@ -80,12 +80,12 @@ class WindowSlopes {
 
     // Derivatives of samples of intensities that depend on the azimuth.
     void turned(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made, double* total) const {
-        for (std::size_t image = 0; image < slopes_.asked.size(); ++image) {
-            const double wrong = turned_window(
+        for (std::size_t image = 0; image < slopes_.requested.size(); ++image) {
+            const double error = turned_window(
                 *table_.anywhere, planes_, windows_[plane],
-                [&](std::size_t k) { return mix(*table_.anywhere, slopes_.asked[image], plane, of, k); }, made, total);
+                [&](std::size_t k) { return mix(*table_.anywhere, slopes_.requested[image], plane, of, k); }, made, total);
             store_scaled(total, scale, pixels(), at(image, plane));
-            note(image, plane, wrong, total, pixels());
+            note(image, plane, error, total, pixels());
         }
     }
 
@@ -159,10 +159,10 @@ class WindowSlopes {
         down.resize(room);
         across.resize(room);
         const PixelWindow here = windows_[plane];
-        double wrong = 0.0;
+        double error = 0.0;
         if (shift_ != nullptr) {
             const double penalty = shift_->values(here, of.values, scratch, down.data(), across.data());
-            wrong = window_error(*shift_, penalty, of.judged.most, of.judged.given, 4.0 * of.judged.swing, of.judged.swing);
+            error = window_error(*shift_, penalty, of.judged.most, of.judged.given, 4.0 * of.judged.swing, of.judged.swing);
         } else {
             const AnywhereTable& table = *table_.anywhere;
             const std::size_t by = kind(By::radius);
@@ -174,8 +174,8 @@ class WindowSlopes {
             Judged all = judged(plane, of, by, 0);
             all.most = all.swing = 4.0 * of.judged.swing;
             all.given = all.given / table.radii[0] + 2.0 * unit_roundoff * all.most;
-            wrong = window_of(table, here, scratch.data(), all, all.most, made) + 8.0 * unit_roundoff * all.most;
-            wrong *= pitch * windows_.farthest;
+            error = window_of(table, here, scratch.data(), all, all.most, made) + 8.0 * unit_roundoff * all.most;
+            error *= pitch * windows_.farthest;
             for (std::size_t y = 0, i = 0; y < here.height; ++y) {
                 for (std::size_t x = 0; x < here.width; ++x, ++i) {
                     down[i] = pitch * made.values[i] * (here.center_y - static_cast<double>(y));
@@ -185,12 +185,12 @@ class WindowSlopes {
         }
         for (const Doubles* way : {&down, &across}) {
             store_scaled(way->data(), scale, pixels(), at(image, plane));
-            note(image++, plane, wrong, way->data(), pixels());
+            note(image++, plane, error, way->data(), pixels());
         }
     }
 
     // Store the error bound, including the rounding of stored values.
-    void note(std::size_t image, std::size_t plane, double wrong, const double* values, std::size_t count) const {
+    void note(std::size_t image, std::size_t plane, double error, const double* values, std::size_t count) const {
         double most = 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             double top[8] = {};
@@ -205,7 +205,7 @@ class WindowSlopes {
             }
             most = *std::max_element(top, top + 8);
         });
-        slopes_.errors[image * planes_.count + plane] = wrong + (storing<T>(false) + 32.0 * unit_roundoff) * most;
+        slopes_.errors[image * planes_.count + plane] = error + (storing<T>(false) + 32.0 * unit_roundoff) * most;
     }
 
     const Planes& planes_;

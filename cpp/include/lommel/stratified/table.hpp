@@ -45,13 +45,13 @@ struct AngleTable {
    private:
     template <class I>
     LOMMEL_INLINE void fill(I isa, const BesselPieces& bessel, double* to, double angle, std::size_t place) const {
-        const std::size_t apart = rho.size() * tile;
+        const std::size_t part_stride = rho.size() * tile;
         double J[BesselPieces::orders];
         bessel(isa, angle * (step * radii->radii[place]), J);
         for (std::size_t m = 0; m < parts; ++m) {
-            to[m * apart] = J[m];
+            to[m * part_stride] = J[m];
             if (slopes) {
-                to[(parts + m) * apart] = angle * (m == 0 ? -J[1] : 0.5 * (J[m - 1] - J[m + 1]));
+                to[(parts + m) * part_stride] = angle * (m == 0 ? -J[1] : 0.5 * (J[m - 1] - J[m + 1]));
             }
         }
     }

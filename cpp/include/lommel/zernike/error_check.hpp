@@ -34,7 +34,7 @@ inline double allowed_error(double all, double intensity, double brighter) {
 
 struct PaintedPart {
     double error = 0.0, top = 0.0;  // error bound of U; largest computed I
-    double wrong() const { return intensity_error(std::sqrt(top), error); }
+    double error_bound() const { return intensity_error(std::sqrt(top), error); }
 };
 
 // Image made of parts with separate error bounds.
@@ -42,11 +42,11 @@ template <class Part>
 class PaintedParts {
    public:
     double peak() const { return brightest().top; }
-    double error_at_peak() const { return brightest().error; }  // of U
-    double wrong() const {                                      // error bound of I
+    double error_at_peak() const { return brightest().error; }  // error bound of U there
+    double error_bound() const {                                      // error bound of I
         double most = 0.0;
         for (const Part& part : parts_) {
-            most = std::max(most, part.wrong());
+            most = std::max(most, part.error_bound());
         }
         return most;
     }

@@ -37,7 +37,7 @@ struct ZernikeBudget {
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Minimum error of interpolation across rings, as a share of the error common to all pieces.
-    static constexpr double beside = 0.05;
+    static constexpr double rings_least = 0.05;
     // Shares of the tolerance: first error of U, which counts twice in I; error of a piece; error above which a piece is
     // repeated. The rest is a margin for the estimate of the brightness.
     static constexpr double field = 0.1, image = 0.5, most = 0.7;
@@ -48,7 +48,7 @@ struct ZernikeBudget {
     static_assert(2.0 * divided <= 1.0);
     // Repetition: factors on the requested error, of the expansion and of a piece. The expansion is repeated if `blame` times
     // its error reaches that of the piece.
-    static constexpr double again = 0.1, piece_again = 0.2, blame = 3.0;
+    static constexpr double retry = 0.1, piece_retry = 0.2, blame = 3.0;
 };
 
 // Expansion of a disk: degrees, orders and quadrature for a given error of U at all v up to `reach`.

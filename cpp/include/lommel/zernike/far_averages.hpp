@@ -32,9 +32,9 @@ class FarLight {
     double left_out(double step) const;
     // Fit the smooth part for distances of at least v.
     void fit(double v);
-    // Smallest v from which averages have an error of at most `asked`; fitted from there on. Above `most` if there is none up
+    // Smallest v from which averages have an error of at most `requested`; fitted from there on. Above `most` if there is none up
     // to it.
-    double nearest(double step, double asked, double most) {
+    double nearest(double step, double requested, double most) {
         // Lower limit: the v that the interference rings of an unaberrated pupil require.
         double rings = 0.0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
@@ -42,18 +42,18 @@ class FarLight {
                 rings += 2.0 * disks_[i / 2].factor * disks_[j / 2].factor * edges(i, j, step);
             }
         }
-        double v = std::cbrt(rings / asked);
+        double v = std::cbrt(rings / requested);
         for (double growth = 1.05; v <= most; v *= growth) {
             prepare(v);
             growth = 1.05;
             // An error e of U changes I by e (2 |U| + e); 2 |U| is about 4 / v^(3/2).
-            if (off_ * (4.0 / (v * std::sqrt(v)) + off_) <= 0.4 * asked) {
+            if (off_ * (4.0 / (v * std::sqrt(v)) + off_) <= 0.4 * requested) {
                 fit(v);
                 const double left = left_out(step);
-                if (left <= asked) {
+                if (left <= requested) {
                     break;
                 }
-                growth = std::clamp(std::cbrt(left / asked), 1.02, 1.3);
+                growth = std::clamp(std::cbrt(left / requested), 1.02, 1.3);
             }
         }
         return v;
@@ -101,7 +101,7 @@ class FarLight {
 
     double base_, from_ = 1.0, off_ = 0.0, misfit_ = 0.0;
     std::size_t orders_ = 1, angles_ = 0;
-    std::vector<double> cosine_, sine_;  // of the sampled angles
+    std::vector<double> cosine_, sine_;  // cosines and sines of the sampled angles
     std::vector<Wave> waves_;
     std::vector<Disk> disks_;
     std::array<Harmonics, smooth> harmonics_{};
@@ -438,12 +438,12 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
             sum += 2.0 * std::min(product, product * edges(i, j, step) + sloping * inverse / frequency);
         }
     }
-    const double apart = 2.0 * pi / static_cast<double>(angles_), wide = step * inverse;
+    const double spacing = 2.0 * pi / static_cast<double>(angles_), wide = step * inverse;
     for (std::size_t k = 0; k < smooth; ++k) {
         const Harmonics& h = harmonics_[k];
         const double p = static_cast<double>(k + 3);
         const double along = p * (p + 1.0) * h.value + (p + 1.0) * h.slope, around = (p + 1.0) * h.slope + h.bend + p * h.value;
-        sum += wide * wide / 12.0 * std::max(along, around) + 0.125 * apart * apart * h.bend + angle_error * h.slope +
+        sum += wide * wide / 12.0 * std::max(along, around) + 0.125 * spacing * spacing * h.bend + angle_error * h.slope +
                64.0 * unit_roundoff * h.value;
     }
     return root * root * sum + off_ * (2.0 * size * root + off_);
@@ -507,18 +507,18 @@ class FarAverages {
 
     // The mean of the pixel averages at one distance from the axis is at most the largest average.
     double likely_peak(const ZernikeField& field, double reach, double light) const {
-        const double step = window_.step, apart = std::min(3.0, 0.5 * step);
-        const std::size_t across = static_cast<std::size_t>(std::ceil(step / apart));
+        const double step = window_.step, spacing = std::min(3.0, 0.5 * step);
+        const std::size_t across = static_cast<std::size_t>(std::ceil(step / spacing));
         std::vector<double> within{0.0};  // encircled energy over 2 pi
         double most = 0.0;
-        for (std::size_t i = 0; i < 96 && apart * static_cast<double>(i) < reach; ++i) {
-            const double v = apart * (static_cast<double>(i) + 0.5);
-            within.push_back(within.back() + field.mean(v) * v * apart);
+        for (std::size_t i = 0; i < 96 && spacing * static_cast<double>(i) < reach; ++i) {
+            const double v = spacing * (static_cast<double>(i) + 0.5);
+            within.push_back(within.back() + field.mean(v) * v * spacing);
             if (2 * (i + 1) < across) {
                 continue;
             }
             const std::size_t from = i + 1 > across ? i + 1 - across : 0;
-            const double outer = apart * static_cast<double>(i + 1), inner = apart * static_cast<double>(from);
+            const double outer = spacing * static_cast<double>(i + 1), inner = spacing * static_cast<double>(from);
             most = std::max(most, 2.0 * (within.back() - within[from]) / (outer * outer - inner * inner));
             if (within.back() > 0.5 * light) {
                 break;

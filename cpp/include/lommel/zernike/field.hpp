@@ -72,9 +72,9 @@ class ZernikeField {
     double look(double v) const;
 
     // Prepare the evaluation; omissions add about `error` to U at most. Afterwards base() is the error common to all pieces.
-    // lit(pieces): the pieces in use, in increasing order.
-    template <class Lit>
-    void prepare(double error, int threads, const Lit& lit) {
+    // in_use(pieces): the pieces in use, in increasing order.
+    template <class InUse>
+    void prepare(double error, int threads, const InUse& in_use) {
         orders_.measure(outer_, inner_, obscuration_);
         const double trimmed = ZernikeBudget::trimmed * error;
         base_ +=
@@ -88,7 +88,7 @@ class ZernikeField {
         base_ += weight_ * 3.1 * piece_error(width_);
         const std::size_t pieces = static_cast<std::size_t>(reach_ / width_) + 1;
         WantedPieces wanted, within;
-        wanted.others = lit(pieces);
+        wanted.others = in_use(pieces);
         if (obscured()) {
             inner_rows_.resize(static_cast<std::size_t>(obscuration_ * reach_ / width_) + 1);
             for (const std::size_t s : wanted.others) {
@@ -141,7 +141,7 @@ class ZernikeField {
         made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
         // If base() takes nearly all of the error, a share of base() is allowed instead, as `error` is a goal and not a limit.
-        const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::beside * base_);
+        const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::rings_least * base_);
         while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > across) {
             ++rings;
         }

@@ -66,16 +66,16 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         const double all = ZernikeBudget::image * tol * seen.brightest(near, reach);
         const auto allowed = [&](double intensity) { return allowed_error(all, intensity, 2.0); };
         field_.prepare(allowed(2.0 * all / tol), threads_, [&](std::size_t pieces) {
-            std::vector<std::size_t> lit;
+            std::vector<std::size_t> in_use;
             parts_.clear();
             for (std::size_t s = 0, first = 0, last = 0; s < pieces; ++s, first = last) {
                 last = s + 1 == pieces ? pixels_->groups.size() : boundary(s, 1, 1, first, pixels_->groups.size());
                 if (first < last) {
-                    lit.push_back(s);
+                    in_use.push_back(s);
                     parts_.emplace_back(s, first, last);
                 }
             }
-            return lit;
+            return in_use;
         });
         for (ZernikePart& part : parts_) {
             const double low = field_.width() * static_cast<double>(part.piece);
@@ -88,11 +88,11 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
     bool tighten(double most) {
         bool any = false;
         for (ZernikePart& part : parts_) {
-            if (part.wrong() > most) {
+            if (part.error_bound() > most) {
                 if (part.error < ZernikeBudget::blame * field_.base()) {
                     return false;
                 }
-                part.allowed = ZernikeBudget::piece_again * std::min(part.allowed, part.error);
+                part.allowed = ZernikeBudget::piece_retry * std::min(part.allowed, part.error);
                 part.done = false;
                 any = true;
             }
@@ -105,9 +105,9 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
     void paint(double scale, T* image);
 
    private:
-    // Callback for I of the groups first .. first + here - 1; the values of the eight pixels of a group are `apart` apart.
+    // Callback for I of the groups first .. first + here - 1; the values of the eight pixels of a group are `stride` apart.
     template <class Real>
-    using Put = Reference<void(std::size_t first, std::size_t here, std::size_t apart, const Real* values)>;
+    using Put = Reference<void(std::size_t first, std::size_t here, std::size_t stride, const Real* values)>;
 
     static constexpr std::size_t looks = 32;
 
@@ -209,7 +209,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
 
     // Write values times `scale` to the pixels of some groups; `top` becomes the maximum.
     template <class Real, class T>
-    void place(std::size_t first, std::size_t count, std::size_t apart, const Real* values, double scale, T* image,
+    void place(std::size_t first, std::size_t count, std::size_t stride, const Real* values, double scale, T* image,
                double& top) const {
         const std::int64_t width = pixels_->width, center = pixels_->row * width + pixels_->column;
         const std::int64_t inner = std::min(std::min(pixels_->row, pixels_->height - 1 - pixels_->row),
@@ -226,7 +226,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
                         continue;
                     }
                 }
-                const Real value = values[j * apart + i];
+                const Real value = values[j * stride + i];
                 image[center + down[j] * width + right[j]] = static_cast<T>(scale * static_cast<double>(value));
                 peak = value > peak ? value : peak;
             }
@@ -245,8 +245,8 @@ void ZernikeImage::paint(double scale, T* image) {
     parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t i) {
         ZernikePart& part = parts_[i];
         if (!part.done) {
-            const auto put = [&](std::size_t first, std::size_t here, std::size_t apart, const auto* values) {
-                place(first, here, apart, values, scale, image, part.top);
+            const auto put = [&](std::size_t first, std::size_t here, std::size_t stride, const auto* values) {
+                place(first, here, stride, values, scale, image, part.top);
             };
             paint(part, Put<float>(put), Put<double>(put));
         }

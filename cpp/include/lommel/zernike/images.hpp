@@ -80,10 +80,10 @@ class ZernikeRenderer {
             image.paint(scale, values);
             peak = image.peak();
             double off = image.error_at_peak();
-            if (!divide && over_peak(image.wrong(), peak, off) > tol) {
+            if (!divide && over_peak(image.error_bound(), peak, off) > tol) {
                 scan(pupil, expand, peak, off);
             }
-            return finished_error<T>(over_peak(image.wrong(), peak, off), divide, true);
+            return finished_error<T>(over_peak(image.error_bound(), peak, off), divide, true);
         };
         double& bound = answer_.bounds[pupil];
         bound = between_circles(image.field(), tiles, tol, divide, {values, scale, threads}, peak);
@@ -93,7 +93,7 @@ class ZernikeRenderer {
                         worthwhile_threads(threads, 3e-3 * orders * static_cast<double>(pixels)));
             bound = settle(tol_, attempt, [&](double) {
                 anew = !image.tighten(ZernikeBudget::most * tol * peak);
-                error *= anew ? ZernikeBudget::again : 1.0;
+                error *= anew ? ZernikeBudget::retry : 1.0;
                 return error > unit_roundoff;
             });
         }
@@ -121,11 +121,11 @@ class ZernikeRenderer {
         for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);
             peak = image.peak();
-            const double bound = finished_error<T>(over_peak(image.wrong(), peak, image.error_at_peak()), divide, true);
+            const double bound = finished_error<T>(over_peak(image.error_bound(), peak, image.error_at_peak()), divide, true);
             if (bound <= tol_) {
                 return bound;
             }
-            share = PolarBudget::again * tol_ / bound;
+            share = PolarBudget::retry * tol_ / bound;
         }
         return 1e300;
     }

@@ -72,8 +72,7 @@ class PupilOrders {
         return left;
     }
 
-    // Of the orders in use, select those up to the highest that matters from v on, with all sines or none; return a bound on
-    // the rest.
+    // Select the orders in use up to the highest that matters from v on, with all sines or none; return a bound on the rest.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {

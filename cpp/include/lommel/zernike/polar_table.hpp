@@ -26,8 +26,8 @@ struct PolarKernel : GriddingTaps {
     double largest;  // largest 1 / transform
     double shares;   // mean of 2 sin(a) / transform(step cos(a))
 
-    PolarKernel(double apart, std::size_t taps, double beta)
-        : GriddingTaps({taps, beta}), step(apart), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)),
+    PolarKernel(double circle_step, std::size_t taps, double beta)
+        : GriddingTaps({taps, beta}), step(circle_step), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)),
           shares(0.0) {
         constexpr std::size_t nodes = 32;
         for (std::size_t k = 0; k < nodes; ++k) {
@@ -36,8 +36,8 @@ struct PolarKernel : GriddingTaps {
         }
     }
 
-    bool is(double apart, std::size_t taps, double beta) const {
-        return step == apart && kernel.w == taps && kernel.beta() == beta;
+    bool is(double circle_step, std::size_t taps, double beta) const {
+        return step == circle_step && kernel.w == taps && kernel.beta() == beta;
     }
     std::size_t bytes() const { return sizeof(PolarKernel); }
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
@@ -61,8 +61,8 @@ struct PolarTable {
     // Bound on what the degrees omitted in a block add to U, for any pupil.
     static constexpr double left_out = 1e-13;
 
-    PolarTable(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
-        : step(apart), kernel(taps, beta), blocks((block_count + 3) / 4 * 4), degrees(grade(degree_count)),
+    PolarTable(double circle_step, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
+        : step(circle_step), kernel(taps, beta), blocks((block_count + 3) / 4 * 4), degrees(grade(degree_count)),
           values(blocks * degrees * block), reached(blocks), roundings(blocks) {
         for (std::size_t b = 0; b < blocks; ++b) {
             look();
@@ -91,8 +91,8 @@ struct PolarTable {
     // Error of U from the rounding of `count` degrees: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
     static double rounding(double each, double count) { return each * std::sqrt(count); }
 
-    bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
-        return step == apart && kernel.w == taps && kernel.beta() == beta && blocks >= block_count &&
+    bool is(double circle_step, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
+        return step == circle_step && kernel.w == taps && kernel.beta() == beta && blocks >= block_count &&
                degrees == grade(degree_count);
     }
     std::size_t bytes() const { return sizeof(double) * values.size(); }

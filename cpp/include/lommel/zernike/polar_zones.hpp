@@ -22,7 +22,7 @@ struct PolarBudget {
     // Shares of the allowed error of U: for the estimated error of a style, and for omitted orders.
     static constexpr double promise = 0.95, orders = 0.05;
     // Repetition: share of the error that the brightest pixel requires, for all styles.
-    static constexpr double again = 0.7;
+    static constexpr double retry = 0.7;
 };
 
 // Zone: range of radii, style of interpolation, and circles.

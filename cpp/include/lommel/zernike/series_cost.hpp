@@ -14,7 +14,7 @@ namespace lommel {
 
 // CPU time in nanoseconds with all tables cached, by coefficients fitted with benchmarks/choice.py.
 struct SeriesCost {
-    static constexpr double least = 27000.0;     // of any image
+    static constexpr double least = 27000.0;     // time of the smallest image
     static constexpr double declined = 20000.0;  // added if the chordal rule declines: time of its estimates
     // Error of interpolation between circles for a bright image. Strong aberrations may dim the image twice as much as
     // estimated.

@@ -13,6 +13,7 @@
 
 #include "lommel/base/once.hpp"
 #include "lommel/base/pi.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
@@ -179,6 +180,16 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
     return worst;
 }
 #endif
+
+// Horner's rule at x for a vector of polynomials; row(k): address of their coefficients, highest power first.
+template <class V, class Row>
+LOMMEL_INLINE V horner(std::size_t terms, V x, const Row& row) {
+    V sum = load<V>(row(0));
+    for (std::size_t k = 1; k < terms; ++k) {
+        sum = sum * x + load<V>(row(k));
+    }
+    return sum;
+}
 
 // Taps of a kernel as polynomials of `Terms` terms, for up to `Most` taps.
 template <class Real, std::size_t Terms, std::size_t Most>

@@ -133,11 +133,9 @@ class WaveSums {
         const double place = (turns - std::floor(turns)) * n, whole = std::floor(place);
         const V x = splat<V>(2.0 * (place - whole) - 1.0);
         for (std::size_t i = 0; i < kernel_.taps; i += I::lanes) {
-            V sum = load<V>(&kernel_.polynomials[i]);
-            for (std::size_t p = 1; p < kernel_.terms; ++p) {
-                sum = sum * x + load<V>(&kernel_.polynomials[p * WaveKernel::most_taps + i]);
-            }
-            store(weights + i, sum);
+            store(weights + i, horner(kernel_.terms, x, [&](std::size_t p) LOMMEL_INLINE_LAMBDA {
+                      return &kernel_.polynomials[p * WaveKernel::most_taps + i];
+                  }));
         }
         const std::size_t first = static_cast<std::size_t>(whole) + kernel_.fft.n - kernel_.taps / 2 + 1;
         return &grid_[first % kernel_.fft.n * element];

@@ -10,6 +10,7 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/tasks.hpp"
+#include "lommel/special/gridding.hpp"
 #include "lommel/stratified/rings.hpp"
 
 namespace lommel {
@@ -47,7 +48,7 @@ template <class T>
 class RingImages {
    public:
     static constexpr std::size_t side = 16;  // side of a tile, whose circles fit in a cache
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of circles in memory at the same time
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit on the circles in memory at the same time
 
     RingImages(const RingLight& light, const RingSteps& steps, const RingWindow& window, int threads)
         : light_(light), steps_(steps), window_(window), threads_(threads) {}
@@ -89,7 +90,7 @@ class RingImages {
 
     struct Weights {
         alignas(64) double along[RingTaps::most], around[RingTaps::most];
-        std::size_t row, angle;  // of the first taps
+        std::size_t row, angle;  // index of the first taps
     };
 
     // Taps from their polynomials at x.
@@ -98,11 +99,9 @@ class RingImages {
         using V = typename I::pack;
         const V at = splat<V>(x);
         for (std::size_t i = 0; i < RingTaps::most; i += I::lanes) {
-            V sum = load<V>(taps.polynomials + i);
-            for (std::size_t k = 1; k < taps.terms; ++k) {
-                sum = sum * at + load<V>(taps.polynomials + k * RingTaps::most + i);
-            }
-            store(out + i, sum);
+            store(out + i, horner(taps.terms, at, [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
+                      return taps.polynomials + k * RingTaps::most + i;
+                  }));
         }
     }
 
@@ -157,23 +156,23 @@ class RingImages {
 
     template <class V>
     LOMMEL_INLINE void pixel(const Rings& rings, const Weights& weights, V* total) const {
-        const std::size_t apart = steps_.row() * ring_planes;
+        const std::size_t circle_stride = steps_.row() * ring_planes;
         const double *start = rings.row(weights.row) + weights.angle * ring_planes, *along = weights.along;
         for (std::size_t p = 0; p < ring_planes * sizeof(double) / sizeof(V); ++p) {
             total[p] = splat<V>(0.0);
         }
         std::size_t j = 0;
-        for (; j + 4 <= steps_.along.count; j += 4, start += 4 * apart) {
-            circles<4>(start, apart, weights.around, along + j, total);
+        for (; j + 4 <= steps_.along.count; j += 4, start += 4 * circle_stride) {
+            circles<4>(start, circle_stride, weights.around, along + j, total);
         }
-        for (; j < steps_.along.count; j += 2, start += 2 * apart) {
-            circles<2>(start, apart, weights.around, along + j, total);
+        for (; j < steps_.along.count; j += 2, start += 2 * circle_stride) {
+            circles<2>(start, circle_stride, weights.around, along + j, total);
         }
     }
 
     // Sum over `Together` circles at once: enough chains to hide the latency of multiply-adds. Limited by loads.
     template <std::size_t Together, class V>
-    LOMMEL_INLINE void circles(const double* start, std::size_t apart, const double* around, const double* along,
+    LOMMEL_INLINE void circles(const double* start, std::size_t circle_stride, const double* around, const double* along,
                                V* total) const {
         constexpr std::size_t lanes = sizeof(V) / sizeof(double), packs = ring_planes / lanes;
         V sum[Together][packs] = {};
@@ -181,7 +180,7 @@ class RingImages {
             const V weight = splat<V>(around[l]);
             for (std::size_t k = 0; k < Together; ++k) {
                 for (std::size_t p = 0; p < packs; ++p) {
-                    sum[k][p] = sum[k][p] + weight * load<V>(start + k * apart + l * ring_planes + p * lanes);
+                    sum[k][p] = sum[k][p] + weight * load<V>(start + k * circle_stride + l * ring_planes + p * lanes);
                 }
             }
         }

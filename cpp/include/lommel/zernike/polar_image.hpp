@@ -76,11 +76,8 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
         const V at = splat<V>(x);
         for (std::size_t part = 0; part < count; part += lanes) {
-            V sum = load<V>(polynomials.at[0] + part);
-            for (std::size_t k = 1; k < Taps<Real>::terms; ++k) {
-                sum = sum * at + load<V>(polynomials.at[k] + part);
-            }
-            store(out + part, sum);
+            store(out + part,
+                  horner(Taps<Real>::terms, at, [&](std::size_t k) LOMMEL_INLINE_LAMBDA { return polynomials.at[k] + part; }));
         }
     }
 
@@ -94,11 +91,8 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
                 using Bits = typename Vector<lanes / 2>::turns;
                 at = choose_lanes(load<Bits>(PairedTaps::halves), splat<V>(second), at);
             }
-            V sum = load<V>(polynomials.at[0] + part);
-            for (std::size_t k = 1; k < PairedTaps::terms; ++k) {
-                sum = sum * at + load<V>(polynomials.at[k] + part);
-            }
-            store(out + part, sum);
+            store(out + part,
+                  horner(PairedTaps::terms, at, [&](std::size_t k) LOMMEL_INLINE_LAMBDA { return polynomials.at[k] + part; }));
         }
     }
 
@@ -212,8 +206,8 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
                 }
             }
             if (whole) {
-                constexpr std::size_t some = sizeof(Narrow) / sizeof(Real);
-                for (std::size_t p = 0; p < Tiles::directions; p += some) {
+                constexpr std::size_t narrow_lanes = sizeof(Narrow) / sizeof(Real);
+                for (std::size_t p = 0; p < Tiles::directions; p += narrow_lanes) {
                     Narrow top = load<Narrow>(tops + p);
                     for (std::size_t i = 0; i < here; ++i) {
                         top = larger(load<Narrow>(values[i] + p), top);

@@ -135,7 +135,6 @@ inline lommel::PixelWindow window_of(std::size_t height, std::size_t width, doub
     return {height, width, center_y, center_x, step, integrate};
 }
 
-// Check centers[pupil][row, column].
 inline void require_centers(const In<double, 2>& centers, std::size_t pupils) {
     require(centers.shape(0) == pupils && centers.shape(1) == 2, "one centre a pupil, of a row and a column");
     for (std::size_t i = 0; i < pupils; ++i) {

@@ -467,7 +467,6 @@ template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
 }
-// Prefetch memory that is accessed soon.
 LOMMEL_INLINE void prefetch(const void* at) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(at);

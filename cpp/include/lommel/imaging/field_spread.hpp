@@ -46,8 +46,7 @@ class FieldSpreader {
 
     static constexpr std::size_t step = 16;  // divides window sizes; also the number of values that may be loaded beyond a row
 
-    // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; values[height][width] of the
-    // scene.
+    // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; values[height][width] of the scene.
     void forward(const T* values, T* out) const;
 
     // Transpose of forward(): each pixel becomes the sum of window x `image`, an image with the size of the output of

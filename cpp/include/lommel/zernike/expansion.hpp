@@ -1,5 +1,4 @@
-// Truncation of the Zernike series of a disk: degrees, orders and quadrature for a tolerance (docs/certificate.md, section
-// 7).
+// Truncation of the Zernike series of a disk: degrees, orders and quadrature for a tolerance (docs/certificate.md, section 7).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// Polar non-uniform FFT, field on circles: sums over degrees, then Fourier transforms over azimuthal orders (certificate,
-// 11).
+// Polar non-uniform FFT, field on circles: sums over degrees, then Fourier transforms over azimuthal orders (certificate, 11).
 #pragma once
 
 #include <algorithm>

@@ -67,7 +67,6 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
     template <class Real>
     using Made = Reference<void(const Tiles::Line& line, const Real (*values)[Tiles::directions])>;
 
-    // Compute the pixels of tile i.
     void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles);
 
     // Taps of a kernel at x, in vectors of taps.

@@ -42,16 +42,16 @@ struct ComplexDisc {
     }
 };
 
-// Growth of polynomials that are at most 1 on the real unit disc: at complex (x, y) those of degree n are at most e^{n b},
-// cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (Siciak's extremal function, found by Lundin). The points with b below a limit
-// form a convex set. Returns a bound of cosh 2b on discs.
+// Growth of polynomials that are at most 1 on the real unit disc: at complex (x, y) a polynomial of degree n is at most e^{n
+// b}, cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (Siciak's extremal function, due to Lundin). The points with b below a limit
+// form a convex set. Returns a bound on cosh 2b over discs.
 inline double growth_argument(ComplexDisc x, ComplexDisc y) {
     const double across = x.largest(), down = y.largest();
     const ComplexDisc rest = x * x + y * y - ComplexDisc{1.0, 0.0};
     return across * across + down * down + rest.largest();
 }
 
-// Calls at() for the corners, in the upper half plane, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
+// Call at() for the corners, in the upper half plane, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
 template <class At>
 void each_corner(double eta, const At& at) {
     constexpr std::size_t corners = 40;
@@ -62,11 +62,11 @@ void each_corner(double eta, const At& at) {
     }
 }
 
-// Fewest nodes of a Gauss rule on [-1, 1] for an error (Trefethen, Approximation Theory and Approximation Practice, Theorem
-// 19.3; valid for one node too). largest(eta, limit) bounds the logarithm of the integrand on the ellipse with semi-axes cosh
-// eta and sinh eta; it returns 1e300 or more if there is no bound, or if the bound is certainly above the limit. `blocked`: a
-// singularity prevented larger ellipses. The number of nodes has one minimum over ln eta, but for the slack of the bounds,
-// and is minimized by descent.
+// Smallest number of nodes of a Gauss rule on [-1, 1] for an error (Trefethen, Approximation Theory and Approximation Practice,
+// Theorem 19.3; valid for one node too). largest(eta, limit): bound on the logarithm of the integrand on the ellipse with
+// semi-axes cosh eta and sinh eta; 1e300 or more if there is no bound, or if the bound is certainly above the limit. `blocked`:
+// a singularity prevented larger ellipses. Descent over ln eta finds the minimum, which is unique but for the slack of the
+// bounds.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -98,7 +98,7 @@ struct GaussNodes {
     static constexpr double none = 1e9;
 };
 
-// Bound of a function over the upper half of an ellipse around [-1, 1]; at(disc) bounds it over a disc that contains an arc.
+// Bound on a function over the upper half of an ellipse around [-1, 1]; at(disc) bounds it over a disc that contains an arc.
 // The arc with the largest bound is halved until this bound is close to a value of the function, or that value exceeds the
 // limit.
 template <class At>
@@ -138,8 +138,8 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
     return arcs[0].bound;
 }
 
-// Map from s = -1 .. 1 to y over a panel: middle + half s or, if an arc begins at one end (root = -1 low, 1 high), the
-// distance from that end is the square of (1 + s) / 2 times the length, which removes the square root.
+// Map from s = -1 .. 1 to y over a panel: middle + half s or, if an arc begins at one end (root = -1 low, 1 high), a quadratic
+// map that removes the square root: the distance from that end is the length times the square of (1 + s) / 2.
 class PanelMap {
    public:
     PanelMap(double low, double high, int root)
@@ -220,14 +220,14 @@ class PanelMap {
     double length_, anchor_, sign_;
 };
 
-// Panel of rows throughout which the same sides bound the same number of intervals.
+// Panel of rows in which the same sides bound the same number of intervals.
 struct Panel {
     double low, high;
     int root;  // end at which an arc begins: low (-1), high (1), none (0)
     std::vector<std::array<Side, 2>> spans;
 
-    // Bound on the logarithm of the integrand over s on an ellipse, for polynomials of this degree that are at most 1 on the
-    // disc.
+    // Bound on the logarithm of the integrand over s on an ellipse, for polynomials of this degree with modulus at most 1 on
+    // the disc.
     double largest(double eta, double degree, double limit) const {
         const PanelMap map(low, high, root);
         if (straight()) {
@@ -252,8 +252,8 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // Between the sides the polynomial is bounded by the larger b of the two, as the points with b below a limit are
-            // convex.
+            // Between the sides the polynomial is bounded by the larger b of the two, as the set of points with b below a limit
+            // is convex.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
@@ -263,7 +263,7 @@ struct Panel {
         return root == 0 && std::all_of(spans.begin(), spans.end(),
                                         [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
-    // Sides are linear in s, so their growth and their distance are largest at a corner of the polygon.
+    // Sides are linear in s, so their growth and their distance have their maxima at corners of the polygon.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
         double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {
@@ -289,7 +289,7 @@ class SpanNodes {
     SpanNodes(std::size_t degree, double error)
         : degree_(static_cast<double>(degree)), error_(error), known_(cells * cells, 0) {}
 
-    // Number of nodes for which the mean of a polynomial over the span is off by at most the error; [low, high] within
+    // Number of nodes for which the error of the mean of a polynomial over the span is at most `error`; [low, high] is within
     // [-half, half].
     std::size_t operator()(double low, double high, double half) {
         // Round the span outwards to a cell: the ellipses of longer spans contain those of shorter ones.
@@ -297,7 +297,7 @@ class SpanNodes {
         std::size_t& known = known_[i * cells + j];
         if (known == 0) {
             const double from = place(i), to = place(j), middle = 0.5 * (from + to), reach = 0.5 * (to - from);
-            // |x - 1| + |x + 1| = 2 cosh b, with b the growth off the chord, is convex and hence largest at a corner.
+            // |x - 1| + |x + 1| = 2 cosh b, b the growth off the chord, is convex and hence largest at a corner.
             const GaussNodes most(error_, [&](double eta, double) {
                 double sum = 2.0;
                 each_corner(eta, [&](std::complex<double> s) {

@@ -59,8 +59,7 @@ class ZernikeSum {
 
     double size() const { return size_; }  // bound on |sum|
     // Rounding of the sum in units of roundoff. A term changes by at most n^2 times the distance between two points (Markov's
-    // inequality on discs); x is off by three roundings and y by two. x^2 + y^2 and the recurrences lose 0.34 n^2, which is
-    // measured.
+    // inequality on discs); x has three roundings and y two. x^2 + y^2 and the recurrences add 0.34 n^2, by measurement.
     double rounding() const { return rounding_ + static_cast<double>(count_ + 2 * orders_.size()) * size_; }
 
     template <class V>
@@ -99,16 +98,16 @@ class ZernikeSum {
     std::size_t count_ = 0;
 };
 
-// Rule of a region, and the phase that is added on it: constant, slope along x, slope along y (radians).
+// Rule of a region, and the phase added on it: constant, slope along x, slope along y (radians).
 struct PhasedRule {
     const RowRule* rule;
     double phase[3];
 };
 
-// Field of one or several regions, each with a phase of its own, on the pixels of a window.
+// Field of one or several regions, each with an added phase, on the pixels of a window.
 class RowField {
    public:
-    // The error of the wave sums, relative to the sum of the weights, will be about `precision`.
+    // `precision`: approximate error of the wave sums relative to the sum of the weights.
     RowField(const std::vector<PhasedRule>& regions, const DiskWindow& window, double precision) : window_(window) {
         const std::size_t longest = std::max(window.height, window.width);
         std::size_t taps = 4;
@@ -142,8 +141,8 @@ class RowField {
         across_rows_ = down_->most_waves(rows_.size(), reached, [&](std::size_t i) { return window.step * rows_[i].row->y; });
     }
 
-    // Write the field of a pupil with a phase and an amplitude, times a Zernike term if `factor` is not null. Returns an
-    // error bound of the sums.
+    // Write the field of a pupil with a phase and an amplitude, times a Zernike term if `factor` is not null. Returns an error
+    // bound of the sums.
     double sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads, Doubles& out) const;
 
    private:
@@ -166,7 +165,7 @@ class RowField {
         const RowRule& rule = *turn.rule;
         const V y = splat<V>(row.y), still = splat<V>(turn.phase[0] + turn.phase[2] * row.y);
         for (std::size_t k = 0; k < row.count; k += I::lanes) {
-            // Lanes beyond the end hold nodes of the next row or zeros; their results are not used.
+            // Lanes beyond the end contain nodes of the next row or zeros; their results are not used.
             const V x = load<V>(&rule.x()[row.first + k]);
             V w = load<V>(&rule.weights()[row.first + k]), sine, cosine;
             V angle = phase.at(x, y) + splat<V>(turn.phase[1]) * x + still;
@@ -245,8 +244,8 @@ LOMMEL_ONCE double RowField::sum(const ZernikeSum& phase, const Amplitude& light
         });
     });
     const double first = across_->error(static_cast<double>(along_)), second = down_->error(static_cast<double>(across_rows_));
-    // Phases are off by the errors of terms, tilts and samples of a mask. Positions are off by two roundings, which change
-    // the phase of the waves, most at the corners; weights by eight; the amplitude by the error of its exponent.
+    // Errors of phases: from terms, tilts and samples of a mask. Positions have two roundings, which change the phase of the
+    // waves, most at the corners; weights have eight; the amplitude has the error of its exponent.
     const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
                                            static_cast<double>(window_.width) + std::abs(half_x_));
     const double turned = phase.rounding() + 4.0 * phase.size() + 8.0 * turned_ + 4.0 * samples_ + 4.0 * reach +

@@ -34,7 +34,7 @@ struct GaussRule {
     static constexpr std::size_t most_bytes = std::size_t{2} << 20;
 };
 
-// Quadrature over a region in the unit disc: (1/pi) int P dx dy is the sum of w P(x, y), off by at most `error` for
+// Quadrature over a region in the unit disc: (1/pi) int P dx dy = sum of w P(x, y), with an error of at most `error` for
 // polynomials P of the given degree with |P| <= 1 on the unit disc. Weights are positive.
 class RowRule {
    public:
@@ -62,9 +62,9 @@ class RowRule {
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
     double weight() const { return weight_; }  // sum of the weights
-    // Bound on the effect of edges misplaced by rounding, for integrands of at most 1.
+    // Bound on the contribution of edges displaced by rounding, for integrands of at most 1.
     double lost() const { return lost_; }
-    const Doubles& phase() const { return phase_; }  // of samples; empty if they have none
+    const Doubles& phase() const { return phase_; }  // of samples of a mask; empty if they have none
     double largest_phase() const { return largest_phase_; }
     std::size_t panels() const { return panels_; }
     std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
@@ -79,7 +79,7 @@ class RowRule {
         return *rule;
     }
     static constexpr double few = 24.0;  // panels with fewer nodes than this are not halved
-    // Number of nodes of a panel, with the best change of variable.
+    // Number of nodes of a panel with the best change of variable.
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
@@ -105,7 +105,7 @@ class RowRule {
     SpanNodes spans_;
 };
 
-// Clear intervals of the row at y, given by the sides of the parts there.
+// Clear intervals of the row at y, each given by its left and right side.
 std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
 
 #if defined(LOMMEL_DEFINES)
@@ -146,7 +146,7 @@ LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, d
 }
 
 LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
-    // Heights that differ only by rounding are merged: this adds or drops rows at most 2 wide in between.
+    // Heights that differ only by rounding are merged, which adds or drops the rows between them, at most 2 wide.
     constexpr double same = 4e-15;
     std::vector<double> heights;
     for (const double y : region.heights()) {
@@ -166,7 +166,7 @@ LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double er
         bool roots[2] = {false, false};
         for (auto& span : panel.spans) {
             for (Side& side : span) {
-                // An arc that begins at the end of a panel but for rounding is moved to begin there exactly.
+                // An arc that begins at the end of a panel, but for rounding, is moved to begin there exactly.
                 const double below = side.low - low, above = side.high - high;
                 if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
                     side.low = low;
@@ -201,7 +201,7 @@ LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error
         return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
     };
     GaussNodes best = nodes(panel.root);
-    // If an arc begins near, not at, an end, the same change of variable moves its branch point farther away.
+    // If an arc begins near an end but not at it, the same change of variable moves its branch point farther away.
     if (panel.root == 0 && best.blocked) {
         for (const int root : {-1, 1}) {
             const GaussNodes other = nodes(root);
@@ -235,11 +235,11 @@ LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int de
     fill(panel, static_cast<std::size_t>(whole.count));
 }
 
-// Bound on the displacement of a side at y, by rounding of the side itself, of y, and of the ends of the arc.
+// Bound on the displacement of a side at y, from rounding of the side itself, of y, and of the ends of the arc.
 LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
     const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
     const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
-    // For a turned ellipse, the rounding of sine, cosine and their products with the axes adds four roundings.
+    // Sine, cosine and their products with the axes add four roundings for a rotated ellipse.
     const double turned = side.terms > 0.0 ? 5.0 : 1.0;
     const double off = unit_roundoff * (4.0 + turned * (std::abs(side.low) + std::abs(side.high)));
     // |sqrt(d + off) - sqrt(d)| is at most off / sqrt(d), and at most sqrt(off).
@@ -265,7 +265,7 @@ LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
             lost_ += weight * (misplaced(span[0], y) + misplaced(span[1], y));
             if (!(reach > 0.0)) {
                 lost_ -= weight * 2.0 * reach;
-                continue;  // empty by rounding, at an end of the panel
+                continue;  // empty but for rounding, at an end of the panel
             }
             const GaussRule& inner = gauss(spans_(low, high, half));
             for (std::size_t k = 0; k < inner.x.size(); ++k) {

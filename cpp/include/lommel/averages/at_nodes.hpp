@@ -1,4 +1,4 @@
-// Pixel averages from samples at nodes of the window, for any aperture, with error bound (certificate, section 10).
+// Pixel averages from samples at nodes of the window, for any aperture, with an error bound (certificate, section 10).
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace lommel {
 
-// Request for the pixel averages of a window. Errors are over the largest average of a pixel anywhere in the plane or, if
-// values are divided by their largest one, over the largest in the window.
+// Request for the pixel averages of a window. Errors are relative to the largest pixel average anywhere in the plane or, if
+// values are divided by their maximum, in the window.
 struct AverageRequest {
     std::size_t height, width;
     double step;   // pixel pitch in v
@@ -32,13 +32,12 @@ struct AverageRequest {
 
     std::size_t pixels() const { return height * width; }
     bool divides() const { return scale == 0.0; }
-    // Error that averages may have before they are stored; 0.4 of it if divided by their own largest value, which doubles
-    // errors.
+    // Allowed error of averages before storing; 0.4 of it if they are divided by their maximum, which doubles errors.
     double before_storing() const { return (divides() ? 0.4 : 1.0) * (tol - (1.0 + tol) * storing); }
     double once_stored(double relative) const { return stored(divides() ? normalized_error(relative) : relative, storing); }
 };
 
-// Averages in double precision, with their bounds.
+// Averages in double precision, with error bounds.
 struct AverageAnswer {
     double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
     double *errors, *peaks;         // [pupil]. errors: relative to the peak; peaks: largest average (the peak)
@@ -51,14 +50,14 @@ struct PupilLight {
     double transmission;  // integral of the squared amplitude, relative to that of a clear aperture
 };
 
-// Request for fields at nodes. tol: allowed error of U; single: whether single precision is enough.
+// Request for fields at nodes. tol: allowed error of U; single: single precision suffices.
 struct NodeQuestion {
     const WindowNodes &rows, &columns;
     double tol;
     bool single;
 };
 
-// Numbers of each pupil, beside its averages.
+// Numbers of each pupil in addition to its averages.
 struct NodeNumbers {
     // [pupil]. error: of U at the nodes; brightest: largest sample of I; largest: largest average; together: sum of averages.
     std::vector<double> error, brightest, largest, together;
@@ -69,15 +68,15 @@ struct NodeNumbers {
           steepest(pupils * terms) {}
 };
 
-// Writes averages and derivatives; throws ToleranceNotMet if fields cannot be computed to the tolerance.
+// Write averages and derivatives; throws ToleranceNotMet if fields cannot be computed to the tolerance.
 using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, NodeNumbers&)>;
 
-// Computes the averages of some pupils within the tolerance; returns false if the window has no nodes or the tolerance is not
+// Compute the averages of some pupils within the tolerance; returns false if the window has no nodes or the tolerance is not
 // met.
 bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils, const AverageAnswer& answer,
                       const NodeSample& sample);
 
-// Calls compute(answer), which writes averages and derivatives in double precision, and stores them as images and derivatives
+// Call compute(answer), which writes averages and derivatives in double precision, and store them as images and derivatives
 // [term][pupil][pixel] with bounds. Returns false, with nothing stored, if compute does.
 template <class T, class Compute>
 bool averaged_images(const AverageRequest& asked, std::size_t pupils, const DiskAnswer<T>& images, T* slopes,
@@ -106,7 +105,7 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Disk
 LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
                                   const AverageAnswer& answer, const NodeSample& sample) {
     constexpr double of_samples = 0.8;  // fraction of the tolerance
-    // Fraction of the estimated peak that is assumed: low estimates are mostly too high.
+    // Assumed fraction of the estimated peak: low estimates are mostly too high.
     constexpr double sharp = 0.87, dim = 0.1;
     constexpr double of_response = 2e-3;  // error of the response over tolerance times least average, before the factor below
     constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio
@@ -129,7 +128,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             return false;
         }
         const double gain = rows->gain * columns->gain, spread = rows->spread * columns->spread;
-        // A clear aperture's I integrates to 4 pi over the plane (Parseval); a pixel has the area step^2.
+        // I of a clear aperture integrates to 4 pi over the plane (Parseval); a pixel has the area step^2.
         const double all = spread * 4.0 * pi * light.transmission / (step * step);
         const double size = std::sqrt(gain * std::min(gain, all));
         const double err_field = err_samples / (size + std::sqrt(size * size + gain * err_samples));
@@ -140,7 +139,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             return false;
         }
         const double error = std::max(rows->error, columns->error), missed = (2.0 + error) * error;
-        // Roundings of squares, weights, sums within blocks, and sums along rows and columns (certificate, section 10).
+        // Rounding of squares, weights, sums within blocks, and sums along rows and columns (certificate, section 10).
         const double longest = static_cast<double>(std::max(rows->places.size(), columns->places.size()));
         const double rounding =
             (single ? (2.0 * static_cast<double>(node_block) + 8.0) * 0x1p-24 : 0.0) + (2.0 * longest + 11.0) * unit_roundoff;
@@ -152,7 +151,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             if (!(peak > 0.0)) {
                 return false;
             }
-            // A of the certificate: samples weighted by moduli of weights, at most gain times the brightest sample, and at most
+            // A of the certificate, samples weighted by moduli of weights: at most gain times the largest sample, and at most
             // spread times the sum of all averages (times 1.01 for the rounding of that sum).
             const double weighed = std::min(gain * made.brightest[p], 1.01 * spread * made.together[p]);
             const double given = made.error[p] * (2.0 * std::sqrt(gain * weighed) + gain * made.error[p]) / peak,

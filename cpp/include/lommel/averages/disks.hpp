@@ -1,5 +1,5 @@
 // Pixel averages of circular and annular pupils with any Zernike terms: pixels far from the axis from the rim, where that is
-// faster, all others from samples at nodes of the window.
+// faster, the others from samples at nodes of the window.
 #pragma once
 
 #include <algorithm>
@@ -22,42 +22,42 @@ namespace lommel {
 
 class DiskAverages {
    public:
-    // `if_cheaper`: throw LimitExceeded if the Zernike series of the caller is likely to be faster.
+    // `if_cheaper`: throw LimitExceeded if the Zernike series of the caller is estimated to be faster.
     DiskAverages(const DiskPupils& pupils, const AverageRequest& asked, bool if_cheaper)
         : pupils_(pupils), asked_(asked), if_cheaper_(if_cheaper), all_(pupils.count) {
         std::iota(all_.begin(), all_.end(), std::size_t{0});
     }
     virtual ~DiskAverages() = default;
 
-    // Returns false if the window has no nodes or the averages are not within the tolerance.
+    // Return false if the window has no nodes or the averages miss the tolerance.
     bool run(const AverageAnswer& answer);
 
    protected:
     using Pupils = std::vector<std::size_t>;
 
-    // Averages all pixels outside boxes of box x box pixels around the axes of the pupils `which`, and copies those within
-    // boxes, answer.near[pupil][row][column of the box]. Writes to answer.numbers, for each pupil, the error and the largest of
-    // the averages outside. Virtual so that tests can observe it.
+    // Average all pixels outside boxes of box x box pixels around the axes of the pupils `which`, and copy those within boxes,
+    // answer.near[pupil][row][column of the box]. answer.numbers becomes, for each pupil, the error and the maximum of the
+    // averages outside. Virtual so that tests can observe it.
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:
-    static constexpr int tries = 3;  // boxes tried for each pupil
+    static constexpr int tries = 3;  // maximum number of boxes for each pupil
     static constexpr double power = 4.0;  // errors fall at least as this power of the side of a box
-    static constexpr double worth = 0.9;  // fraction of the tolerance that a larger box aims at
-    static constexpr double farthest = 16.0;  // error, relative to the tolerance, above which the next box grows no faster
+    static constexpr double worth = 0.9;  // fraction of the tolerance aimed at with a larger box
+    static constexpr double farthest = 16.0;  // error over tolerance above which the next box grows no faster
 
     bool from_rims(const AverageAnswer& answer);
-    // Averages pupils that have boxes of the same side: pixels in the box from nodes, all others from rims. `stack` has all
-    // axes in the middle of pixels. answer.errors stays infinite if the box fails.
+    // Average pupils with boxes of the same side: pixels in the box from nodes, the others from rims. `stack`: all axes in the
+    // middle of pixels. answer.errors remains infinite if the box fails.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
-    // Averages pupils at nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`:
-    // nothing else has been computed, so that a cheaper series may take over (LimitExceeded).
+    // Average pupils at nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`: no
+    // other results exist yet, so that a faster series may be used instead (LimitExceeded).
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;
-    // Stack of pupils with the axis of the window at their common center or, if centers differ, with tilts to their own
-    // (placed); stack with each axis in the middle of a pixel (moved).
+    // Stack of pupils with the axis of the window at their common centre or, if centres differ, with tilts to each (placed);
+    // stack with each axis in the middle of a pixel (moved).
     DiskStack placed(const Pupils& which, const std::vector<double>& centers, DiskWindow& window) const;
     DiskStack moved(const Pupils& which) const;
     std::vector<double> centers_of(const Pupils& which) const;

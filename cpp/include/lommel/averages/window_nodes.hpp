@@ -27,16 +27,15 @@
 
 namespace lommel {
 
-// Eigenvector of a symmetric tridiagonal matrix; `index` is the number of smaller eigenvalues, `beside` the off-diagonal.
+// Eigenvector of a symmetric tridiagonal matrix; `index`: number of smaller eigenvalues, `beside`: off-diagonal.
 //
-// The eigenvalue is found by bisection, the number of negative pivots of the shifted matrix being that of eigenvalues below the
-// shift; the vector from the pivots of both directions, joined where the residual is least (I. S. Dhillon and B. N. Parlett
+// Bisection finds the eigenvalue: the number of negative pivots of the shifted matrix is that of eigenvalues below the shift.
+// The vector follows from the pivots of both directions, joined where the residual is smallest (I. S. Dhillon and B. N. Parlett
 // 2004, doi:10.1016/j.laa.2003.12.028, section 3).
 std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t index);
 
-// Positive zeros, ascending, of the prolate spheroidal function of an even degree. The function is a sum of even Legendre
-// polynomials whose coefficients are an eigenvector of a symmetric tridiagonal matrix (Xiao, Rokhlin and Yarvin 2001, section
-// 3).
+// Positive zeros, ascending, of the prolate spheroidal function of an even degree: a sum of even Legendre polynomials whose
+// coefficients are an eigenvector of a symmetric tridiagonal matrix (Xiao, Rokhlin and Yarvin 2001, section 3).
 std::vector<double> prolate_zeros(std::size_t degree, double bandwidth);
 
 // Nodes along one axis of a window, and the weights of its pixels at them.
@@ -58,7 +57,7 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
-    // Cosines (0) and sines (1) at nodes x > 0, and the wanted response of pixels: [frequency][node] and [frequency][pixel].
+    // Cosines (0) and sines (1) at nodes x > 0, and the target response of pixels: [frequency][node] and [frequency][pixel].
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -70,7 +69,7 @@ class WindowNodes {
 };
 
 // Nodes for pixels of pitch `step` (v) whose response has at most the mean error `error`; null if the window is too large, or
-// its pixels so small that weights of either sign would magnify errors.
+// if pixels are so small that weights of both signs would amplify errors.
 class ChosenNodes {
    public:
     std::shared_ptr<const WindowNodes> nodes;
@@ -84,10 +83,10 @@ class ChosenNodes {
     std::size_t bytes() const { return 64; }
 
    private:
-    static constexpr double largest = 450.0;  // bandwidth 2 L above which filters are used instead
-    static constexpr double enough = 2.0, highest = 5.0;  // gain at which no more nodes are tried; largest gain accepted
-    static constexpr double worth = 0.85;  // two more nodes are taken if they lower the gain by this factor
-    static constexpr std::size_t tried = 8;  // numbers of nodes tried, each larger by 2
+    static constexpr double largest = 450.0;  // bandwidth 2 L above which filters replace nodes
+    static constexpr double enough = 2.0, highest = 5.0;  // gain from which on no more nodes are tried; largest accepted gain
+    static constexpr double worth = 0.85;  // two more nodes are used if they reduce the gain by this factor
+    static constexpr std::size_t tried = 8;  // maximum number of trials, each with 2 more nodes
 
     double step_;
     std::size_t pixels_;
@@ -132,7 +131,7 @@ class EvenSeries {
 
    private:
     struct Step {
-        // P_{k+1} = once x P_k - ..., `twice` being the factor of P_k in P_{k+2}; term: coefficient of P_k in the sum
+        // P_{k+1} = once x P_k - ..., `twice`: factor of P_k in P_{k+2}; term: coefficient of P_k in the sum.
         double term, once, twice;
     };
     std::vector<Step> steps_;
@@ -202,7 +201,7 @@ LOMMEL_ONCE std::vector<double> prolate_zeros(std::size_t degree, double bandwid
         const double x = std::sin(1.5707963267948966 * static_cast<double>(i) / static_cast<double>(points - 1));
         const double value = series(x);
         if (std::signbit(value) != std::signbit(below)) {
-            // False position: accurate enough, as no bound depends on where the nodes are.
+            // False position: accurate enough, as no bound depends on the positions of the nodes.
             double left = low, right = x, at_left = below, at_right = value;
             const auto middle = [&] { return (left * at_right - right * at_left) / (at_right - at_left); };
             for (int step = 0; step < 3; ++step) {
@@ -305,7 +304,7 @@ LOMMEL_ONCE ChosenNodes::ChosenNodes(double step, std::size_t pixels, double err
     if (bandwidth > largest) {
         return;
     }
-    // Number of eigenvalues above about `error`: the Shannon number and the width of the transition beyond it (D. Slepian).
+    // Number of eigenvalues above about `error`: the Shannon number plus the width of the transition beyond it (D. Slepian).
     const double count = bandwidth * 2.0 / pi + std::log(bandwidth + 3.0) * std::log(0.3 / error) / (pi * pi);
     const auto least = static_cast<std::size_t>(2.0 * std::max(2.0, std::floor(0.5 * count)));
     for (std::size_t more = 0; more < tried; ++more) {

@@ -15,9 +15,9 @@ namespace lommel {
 
 // Mean intensity on circles, as Chebyshev series on panels of the radius.
 //
-// Along any line the intensity is of exponential type 2 and between 0 and its peak; so is the mean over all directions, an
-// even function of v. Interpolation at Chebyshev points is off by interpolation_error() times half of the peak, the energy
-// within v by that times v^2 / 2. Errors of the given values are magnified by lebesgue().
+// Along any line the intensity is of exponential type 2 and between 0 and its peak; so is the mean over all directions, an even
+// function of v. Interpolation at Chebyshev points has an error of interpolation_error() times half of the peak, and the energy
+// within v of that times v^2 / 2. Errors of the given values are multiplied by lebesgue().
 class MeanProfile {
    public:
     // at(v): mean at the distance v, up to `reach`. `allowed`: error of the interpolation relative to half of the peak.
@@ -61,7 +61,7 @@ class MeanProfile {
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Magnification of errors of the values passed to the constructor.
+    // Factor on errors of the values passed to the constructor.
     double magnification() const { return lebesgue(points_); }
 
    private:

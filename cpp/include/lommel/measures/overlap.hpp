@@ -6,10 +6,10 @@
 // obscuration, the region is cut where its arcs meet, with y = eps sin(theta) beside the obscuration (H. H. Hopkins, Proc. R.
 // Soc. A 231, 91, 1955).
 //
-// D(u, y) = Phi(u - f, y) - Phi(u + f, y) is the phase of the integrand. For exp(i D), on an interval where D runs through s
-// radians, a rule of n nodes is off by about J_2n(s / 2), which falls faster than any power once n exceeds s / 4 by a few
-// cube roots of s. The run of D is estimated from the first and second derivatives of Phi; long runs are cut into pieces to
-// keep the rules short.
+// D(u, y) = Phi(u - f, y) - Phi(u + f, y) is the phase of the integrand. For exp(i D), on an interval where D changes by s
+// radians, a rule of n nodes has an error of about J_2n(s / 2), which falls faster than any power once n exceeds s / 4 by a few
+// cube roots of s. The change of D is estimated from the first and second derivatives of Phi; intervals of large change are
+// divided to keep the rules short.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ inline double shared_area(double a, double b, double d) {
     return a * a * std::atan2(height, x) + b * b * std::atan2(height, other) - d * height;
 }
 
-// Returns the OTF without aberrations at frequency f, relative to the cutoff; eps: obscuration ratio.
+// OTF without aberrations at frequency f, relative to the cutoff; eps: obscuration ratio.
 inline double flat_overlap(double f, double eps) {
     const double area = shared_area(1.0, 1.0, 2.0 * f) - 2.0 * shared_area(1.0, eps, 2.0 * f) + shared_area(eps, eps, 2.0 * f);
     return area / (pi * (1.0 - eps * eps));
@@ -87,8 +87,8 @@ class Overlap {
         survey();
     }
 
-    // Returns the OTF at frequency f in units of the cutoff, 0 to 1, in the current direction. Each rule has `more` nodes in
-    // addition to those that an error of 1e-4 needs.
+    // OTF at frequency f in units of the cutoff, 0 to 1, in the current direction. `more`: additional nodes of each rule,
+    // beyond those for an error of 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -115,7 +115,7 @@ class Overlap {
     // After set_shift(): bound on the gradient of D, in radians per radius of the aperture.
     double run() const { return std::max(across_, down_); }
 
-    // Approximate number of nodes that at() takes.
+    // Approximate number of nodes of at().
     double price(double f) const {
         const double across = 2.0 * std::min(steepest_, f * bend_along_), down = 2.0 * std::min(steepest_, f * bend_across_);
         const double end = std::acos(f), height = std::sqrt((1.0 - f) * (1.0 + f));
@@ -161,7 +161,7 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Calls use(rule, start, length) for pieces of [0, 1], over which the phase changes by `radians` in all. Few distinct
+    // Call use(rule, start, length) for pieces of [0, 1], over which the phase changes by `radians` in total. Few distinct
     // rules are used.
     template <class Use>
     void pieces(double radians, Use use) const {
@@ -248,7 +248,7 @@ class Overlap {
         const double end = 2.0 * std::asin(std::sqrt(0.5 * (1.0 - f_))), top = std::sqrt((1.0 - f_) * (1.0 + f_));
         panel(std::asin(std::min(eps_, top)), end, 1.0);
         if (eps_ > 0.0) {
-            // Where the rim of one aperture meets the obscuration of the other, and where the two obscurations meet.
+            // Arcs meet where the rim of one aperture crosses the obscuration of the other, and where the obscurations cross.
             const double last = std::asin(std::min(1.0, top / eps_));
             const double meets = std::abs(f_ - (1.0 - eps_ * eps_) / (4.0 * f_));
             std::array<double, 4> edges{0.0, std::min(last, std::acos(std::min(1.0, meets / eps_))),

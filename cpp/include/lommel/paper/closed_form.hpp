@@ -45,16 +45,16 @@ struct FresnelForm {
     FresnelTable table;
 };
 
-// Computes out[m * count + i] = int_low^high R^m exp(i (a R^2 + b R)) dR, for `count` values of b, low and high.
+// Moments out[m * count + i] = int_low^high R^m exp(i (a R^2 + b R)) dR, for `count` values of b, low and high.
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
-// Computes U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR at ascending v: out[pupil * count + i].
+// U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR at ascending v: out[pupil * count + i].
 void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 
-// Computes U at ascending v, out[pupil * n + i], from polynomials in x, from -1 to 1, with `terms` coefficients on each of
-// `count` pieces of the v axis from `start` on.
+// U at ascending v, out[pupil * n + i], from polynomials in x, from -1 to 1, with `terms` coefficients on each of `count`
+// pieces of the v axis from `start` on.
 void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
                        double start, double width, const double* v, std::size_t n, int threads, std::complex<double>* out);
 
@@ -123,7 +123,7 @@ class ClosedFormField {
         Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
     };
 
-    // Adds the part within the transition, by Gauss quadrature of the power series on panels of at most 4 rad or, if the phase
+    // Add the part within the transition, by Gauss quadrature of the power series on panels of at most 4 rad or, if the phase
     // hardly varies and the terms are few, with as many nodes as these need.
     template <class I>
     LOMMEL_INLINE void add_series(I isa, double alpha, double beta, typename I::pack v, typename I::pack low,
@@ -163,7 +163,7 @@ class ClosedFormField {
         }
     }
 
-    // Adds the part beyond the transition: R J0(v R) = x J0(x) / v, half of the real part from each of e^{+-i (x - pi/4)}.
+    // Add the part beyond the transition: R J0(v R) = x J0(x) / v, half of the real part from each of e^{+-i (x - pi/4)}.
     template <class I>
     LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
                                  const std::complex<double>* c, typename I::pack low, typename I::pack high,
@@ -190,7 +190,7 @@ class ClosedFormField {
     const Rule<12> many_;
 };
 
-// Calls use(auxiliary) with the form that is requested.
+// Call use(auxiliary) with the requested form.
 template <class Use>
 void with_auxiliary(const FresnelForm& form, const Use& use) {
     if (form.table.samples > 0) {
@@ -202,7 +202,7 @@ void with_auxiliary(const FresnelForm& form, const Use& use) {
     }
 }
 
-// Loads values from `first` on; lanes beyond the last value repeat it.
+// Load values from `first` on; lanes beyond the last value repeat it.
 template <class I>
 LOMMEL_INLINE typename I::pack lanes_from(const double* values, std::size_t first, std::size_t last) {
     if (first + I::lanes <= last) {

@@ -28,11 +28,11 @@ class RimStack {
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
 
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
-    // Writes to out[pupil] the root of the mean of |Q_K|^2 over the disk, K = rim_orders.
+    // Root of the mean of |Q_K|^2 over the disk, K = rim_orders, to out[pupil].
     void remainders(int threads, double* out) const;
 
    protected:
-    // Pupils in vector lanes; or, if `lone`, one pupil, whose lanes hold angles and, in the window's tables, radii.
+    // Pupils in vector lanes or, if `lone`, one pupil, whose lanes are angles and, in the window's tables, radii.
     struct Batch {
         Level level;
         std::size_t first, here;
@@ -54,8 +54,8 @@ class RimStack {
                                 : Batch{RimKernels::narrow(widest), count - alone + b - together, 1, true};
         }
     };
-    // Copies coefficients of the pupils to lanes, of the aperture or (inner) of its obscuration. With `line` also sums those of
-    // each azimuthal order, in units of ChordKernels::unit.
+    // Copy the coefficients of the pupils to lanes, of the aperture or (inner) of its obscuration; with `line`, also their sums
+    // over each azimuthal order, in units of ChordKernels::unit.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
         const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
@@ -108,7 +108,7 @@ class RimAverages : RimStack {
     void run(int threads) const;
 
    private:
-    // Smallest rectangle of pixels, relative to the axis, that holds the windows of all pupils of a batch.
+    // Smallest rectangle of pixels, relative to the axis, around the windows of all pupils of a batch.
     struct Around {
         std::int64_t top, bottom, left, right;
         std::size_t width() const { return static_cast<std::size_t>(right - left + 1); }
@@ -122,12 +122,12 @@ class RimAverages : RimStack {
     void render(const Batch& batch, const RimLone* lone) const;
     Around around(const Batch& batch) const;
     std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
-    // Writes the image of a pupil; returns the largest average outside the box.
+    // Write the image of a pupil; returns the largest average outside the box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // Computes the bounds alpha_k (certificate, section 10, Orders) divided by k! unit^k: each[k] bounds the error of a Fourier
-    // coefficient on the rim by aliasing of orders beyond angles - rim.orders. Also computes rounded[k], the sum of moduli to
-    // which the rounding of Q_k is relative.
+    // Bounds alpha_k (certificate, section 10, "Orders") divided by k! unit^k. each[k]: error of a Fourier coefficient on the
+    // rim from aliasing of orders beyond angles - rim.orders; rounded[k]: sum of moduli to which the rounding of Q_k is
+    // relative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 
@@ -165,7 +165,7 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    // e: sums over terms; apart: sums of the moduli of the summands of e, to which rounding is relative.
+    // e: sums over terms; apart: sums of the moduli of their summands, to which rounding is relative.
     std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);
@@ -181,7 +181,7 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
         moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
         summed[i] = apart[2 * i] + apart[2 * i + 1];
     }
-    // At theta +- i t coefficients of exp(i mu theta) grow by exp(|mu| t) at most, and |P| is at most the exponential of the
+    // At theta +- i t coefficients of exp(i mu theta) grow by at most exp(|mu| t), and |P| is at most the exponential of the
     // bound on the imaginary part of the phase.
     std::vector<double> phase(slopes.degree + 1, 0.0);
     for (std::size_t c = 0; c < line.orders.size(); ++c) {
@@ -336,7 +336,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
             const double energy = static_cast<double>(of.energy[k * lanes + lane]);
             const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
                                 2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
-            // Roundings of the sums over angles, of phases and slopes, and of k steps from Q_j to Q_{j+1}.
+            // Rounding of the sums over angles, of phases and slopes, and of k steps from Q_j to Q_{j+1}.
             const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
             off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
                    (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);
@@ -346,8 +346,8 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
     }
     const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
                  largest = static_cast<double>(scratch.largest[lane]);
-    // Roundings in single precision: of sums over radii, angles and channels; and of waves. The moduli of all `many` waves, two
-    // for each rim, sum to sqrt(many S) at most, S the smooth channel (Schwarz).
+    // Rounding in single precision: of sums over radii, angles and channels; and of waves. The moduli of all `many` waves, two
+    // for each rim, sum to at most sqrt(many S), S the smooth channel (Schwarz).
     const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                  waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                  many = 2.0 * static_cast<double>(table.rims.size());

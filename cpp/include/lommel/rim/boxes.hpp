@@ -1,4 +1,4 @@
-// Choice of each pupil's box around the axis: its pixels are averaged from samples at nodes, all others from the rim.
+// Choice of each pupil's box around the axis: pixels inside are averaged from samples at nodes, pixels outside from the rim.
 #pragma once
 
 #include <algorithm>
@@ -20,30 +20,30 @@ namespace lommel {
 // the same unit.
 class RimBoxes {
    public:
-    std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: no box, rims do not pay
-    std::vector<std::int64_t> most;  // [pupil]: largest side that the box may have within the window
+    std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: no box, rims are not faster
+    std::vector<std::int64_t> most;  // [pupil]: largest side of the box within the window
     std::vector<double> remainders, tolerances;  // [pupil]: rms of Q_K over the disk, see RimStack; allowed error of averages
 
     // `tol` is relative to the largest average, which is at least 4.4 * lowest for pupils without aberration.
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Sets sides and remainders; returns whether rims are likely to be faster than nodes of the whole window.
+    // Choose sides and remainders; returns whether rims are estimated to be faster than nodes of the whole window.
     bool choose(int threads);
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils sampled from a larger stack
-    // Largest window diagonal in pixels of v = 1, per square root of the number of pupils, which share tables. It is divided by
-    // the root of the pitch, as larger pixels have more Gauss points.
+    // Largest window diagonal in pixels of v = 1, over the square root of the number of pupils, which share tables. It is
+    // divided by the root of the pitch, as larger pixels have more Gauss points.
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on reach with an obscuration: three times as many weights per pixel
     static constexpr double shortest = 48.0;  // lower limit of that diagonal per root of pupils: small windows gain most
-    static constexpr double further = 4.0;  // least number of pupils assumed, as few are likely to be followed by others
+    static constexpr double further = 4.0;  // minimum number of pupils to assume, as a few are often followed by others
     // Cost in pairs of nodes: of a pupil's rim, of its two rims, of a call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
-    static constexpr std::int64_t together = 8;  // least number of pupils per side of a box; fewer take a larger one
+    static constexpr std::int64_t together = 8;  // minimum number of pupils per side of a box; fewer use a larger one
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in v
     static constexpr double left = 0.4;  // fraction of the tolerance for the remainder U_K of the field
-    // Rims pay if they take at most this fraction of the time of nodes of the whole window.
+    // Rims are used up to this fraction of the time of nodes of the whole window.
     static constexpr double worth = 0.85;
 
     double count() const { return static_cast<double>(stack_.count); }
@@ -107,7 +107,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) 
     return 0;
 }
 
-// Sets sides and remainders of the pupils `which`; returns whether their boxes pay.
+// Choose sides and remainders of the pupils `which`; returns whether rims with these boxes are faster.
 LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int threads) {
     remainders.resize(which.size());
     if (which.size() == stack_.count) {
@@ -130,7 +130,7 @@ LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int thread
     return work <= worth * whole() * static_cast<double>(which.size());
 }
 
-// Moves pupils to the next larger box in use if fewer than `together` have theirs, where that box is within the window.
+// Move pupils to the next larger side in use if fewer than `together` have theirs, and if that box is within the window.
 LOMMEL_ONCE void RimBoxes::gather_few() {
     std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
     for (const std::int64_t side : sides) {
@@ -155,7 +155,7 @@ LOMMEL_ONCE bool RimBoxes::choose(int threads) {
     if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
         return false;
     }
-    // Large stacks are first judged by a sample of their pupils.
+    // Large stacks are first estimated from a sample of their pupils.
     std::vector<std::size_t> all(pupils), some;
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });

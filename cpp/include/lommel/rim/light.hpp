@@ -1,4 +1,4 @@
-// Intensity far from the axis from the rims of pupils, which are side by side in vector lanes: certificate, section 10.
+// Intensity far from the axis from the rims of pupils, one pupil per vector lane (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,7 @@ struct RimLine {
 
 // Sums over the Fourier coefficients of one rim, in lanes.
 struct RimSums {
-    Floats left;    // [k][lane]: sum of squared moduli of the coefficients left out
+    Floats left;    // [k][lane]: sum of squared moduli of the omitted coefficients
     Floats energy;  // [k][lane]: sum of squared moduli of all coefficients
     std::array<Floats, 2> size;  // [ellipse][lane]: bound Sigma on the waves in an ellipse (certificate, Radii)
 };
@@ -67,7 +67,7 @@ struct RimScratch {
     Floats squares, largest, mean;
 };
 
-// Folds values a, b, c, d at theta, pi - theta, theta + pi and -theta, so that sums over a quarter of the angles suffice.
+// Fold values a, b, c, d at theta, pi - theta, theta + pi and -theta, so that sums over a quarter of the angles suffice.
 // Kinds: 0 cosines and 1 sines of even orders, 2 cosines and 3 sines of odd orders.
 template <class V, class Put>
 LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
@@ -77,7 +77,7 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Computes f_{k mu}, the Fourier coefficients of Q_k P on a rim (over k! unit^k), from the coefficients of the phases:
+// Fourier coefficients f_{k mu} of Q_k P on a rim, over k! unit^k, from the coefficients of the phases:
 // values[nu][k][re, im][lane] with nu = mu - k; 0 for |mu| > rim.orders.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,
@@ -174,7 +174,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
                 store(to, re);
                 store(to + lanes, im);
                 const std::size_t at = k * (2 * rim.orders + 1) + (side == 0 ? rim.orders + mu : rim.orders - mu);
-                // max + 3/7 min of |re| and |im| bounds the modulus from above, by at most a twelfth too much.
+                // max + 3/7 min of |re| and |im| is an upper bound of the modulus, at most a twelfth too large.
                 const V zero = splat<V>(0.0f), a = larger(re, zero - re), b = larger(im, zero - im);
                 const V modulus = larger(a, b) + splat<V>(0.4286f) * (a + b - larger(a, b));
                 whole[0] = whole[0] + splat<V>(rim.size[0][at]) * modulus;
@@ -190,7 +190,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     }
 }
 
-// Computes P at the angles of a rim for one pupil: out[angle][re, im].
+// P at the angles of a rim for one pupil: out[angle][re, im].
 template <class I>
 LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scratch, float* out) {
     using Wave = Waves<I, float>;
@@ -226,7 +226,7 @@ LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scra
     }
 }
 
-// rim_coefficients() for one pupil. Lanes hold angles at first, then [re, im][k] of Q_k P.
+// Like rim_coefficients(), for one pupil. Lanes are angles at first, then [re, im][k] of Q_k P.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const RimLine& line, double amplitude,
                                              RimScratch& scratch, Floats& values, RimSums& of) {
@@ -324,7 +324,7 @@ LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const R
     }
 }
 
-// Tables of a window for one pupil at a time, lanes holding radii: those of RimTable in blocks of as many radii as lanes.
+// Tables of a window for one pupil at a time, with radii in the lanes: those of RimTable in blocks of as many radii as lanes.
 struct RimLone {
     std::size_t lanes;
     RimWindow window;
@@ -376,8 +376,8 @@ struct RimLone {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
-// Computes X and Y at radii from..from + size - 1: waves[radius][kind as in fold()][order][re, im of X, re, im of Y][lane].
-// `Lone`: for one pupil, whose values are the same in all lanes, at a block of radii, one a lane.
+// X and Y at radii from..from + size - 1: waves[radius][kind as in fold()][order][re, im of X, re, im of Y][lane]. `Lone`: for
+// one pupil, whose values are the same in all lanes, at a block of radii, one per lane.
 template <bool Lone, class I>
 LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const RimLone* lone, std::size_t from,
                              std::size_t size, const float* values, Floats& waves) {
@@ -435,8 +435,8 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     }
 }
 
-// Computes the channels of v^3 I at an angle from x[rim][re, im of X, re, im of Y]: the smooth channel S, then for each
-// frequency of the rings the coefficients of its cosine and sine.
+// Channels of v^3 I at an angle from x[rim][re, im of X, re, im of Y]: the smooth channel S, then for each frequency of the
+// interference rings the coefficients of its cosine and sine.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     const auto two = splat<V>(2.0f), four = splat<V>(4.0f), zero = splat<V>(0.0f);
@@ -468,7 +468,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
 }
 
-// Pixels with the same weights, one or four at quarter turns, that are averaged together.
+// Pixels with the same weights, one or four at quarter turns, averaged together.
 struct RimJob {
     const RimPixels* pixels;
     std::array<std::size_t, 4> at, to;  // at: first angle, in a ring padded at both ends; to: index of the average
@@ -510,7 +510,7 @@ LOMMEL_INLINE void rim_pixel(I, const RimPixels& pixels, const float* weights, c
     }
 }
 
-// Adds the weighted channels of one radius, ring[angle][channel][lane], to the averages of pixels.
+// Add the weighted channels of one radius, ring[angle][channel][lane], to the averages of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob>& jobs, const float* ring, float* out) {
     using V = typename I::floats;
@@ -538,7 +538,7 @@ LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob
     }
 }
 
-// Computes the channels of I at all radii, one after the other, and adds them to the averages of pixels.
+// Add the channels of I at all radii, one after the other, to the averages of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
                              RimScratch& scratch) {
@@ -599,7 +599,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
                     }
                 }
             });
-            // Pads the ring periodically at both ends.
+            // Pad the ring periodically at both ends.
             std::copy_n(ring + around * line, table.margin * line, ring);
             std::copy_n(ring + table.margin * line, table.margin * line, ring + (table.margin + around) * line);
             store(scratch.largest.data(), largest);
@@ -610,7 +610,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     });
 }
 
-// Calls f(Size<N>) with the least N instantiated that is at least the degree.
+// Call f(Size<N>) with the smallest instantiated N that is at least the degree.
 template <class F>
 LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
     degree <= 4 ? f(Size<4>{}) : degree <= 7 ? f(Size<7>{}) : f(Size<rim_most_degree>{});
@@ -618,9 +618,9 @@ LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
 
 // Kernels, compiled for each instruction set and chosen at run time by `level`.
 struct RimKernels {
-    // Number of pupils side by side.
+    // Number of pupils per vector.
     static constexpr std::size_t lanes(Level level) { return 2 * widest_lanes(level); }
-    // Instruction set for one pupil, whose lanes hold radii: wider vectors would have idle lanes.
+    // Instruction set for one pupil, with radii in the lanes: wider vectors would have idle lanes.
     static constexpr Level narrow(Level level) { return std::min(level, Level::avx2); }
 
     static void mean(Level level, bool lone, const RimDisk& disk, RimScratch& scratch);

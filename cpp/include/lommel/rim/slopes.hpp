@@ -1,4 +1,4 @@
-// Derivatives of the phase of pupils along circles, from which the field far from the axis follows: certificate, section 10.
+// Derivatives of the phase of pupils along circles, for the field far from the axis (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,8 @@ inline double rim_scale(std::size_t k) {
     return scale;
 }
 
-// With dbar = d/dx + i d/dy and P = exp(i Phi): dbar^k P = Q_k P. On a circle, the numbers i dbar^j Phi / ((j - 1)! unit^j)
-// that make up Q_k are sums over mu of E_{j mu} exp(i mu theta). A Zernike term contributes to the real or to the imaginary
+// With dbar = d/dx + i d/dy and P = exp(i Phi), dbar^k P = Q_k P. On a circle, the numbers i dbar^j Phi / ((j - 1)! unit^j)
+// that determine Q_k are sums over mu of E_{j mu} exp(i mu theta). A Zernike term contributes to the real or to the imaginary
 // part of two of the E for each j.
 struct RimSlopes {
     struct Part {
@@ -47,7 +47,7 @@ struct RimSlopes {
     std::vector<std::size_t> ends;     // [j - 1]: end of the E of j
     std::vector<Part> parts;
     Floats weights;  // [circle][part]
-    Floats fixed;    // [circle][E][re, im], part that the amplitude contributes
+    Floats fixed;    // [circle][E][re, im]: contribution of the amplitude
 
     RimSlopes(const std::vector<ZernikeTerm>& list, const Amplitude& light, const std::vector<double>& circles)
         : terms(list), amplitude(light), radii(circles) {
@@ -106,12 +106,11 @@ struct RimSlopes {
         return degree;
     }
 
-    // Roundings, in units of roundoff, of a step from Q_k to Q_{k+1}: of the sums over terms and orders, and of the step
-    // itself.
+    // Rounding, in units of roundoff, of a step from Q_k to Q_{k+1}: of the sums over terms and orders, and of the step itself.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:
-    // Calls f(a, b, c) for each term c z^a conj(z)^b of R_n^m(r) exp(i m theta).
+    // Call f(a, b, c) for each term c z^a conj(z)^b of R_n^m(r) exp(i m theta).
     template <class F>
     static void each_power(std::int32_t n, std::int32_t m, const F& f) {
         double c = 1.0;  // binomial(n, (n - m) / 2)
@@ -144,8 +143,7 @@ struct RimSlopes {
     }
 };
 
-// Computes e[E][re, im][lane] of a circle from coefficients[term][lane]; with `Moduli` the sums of the moduli of their
-// summands.
+// e[E][re, im][lane] of a circle from coefficients[term][lane]; with `Moduli`, the sums of the moduli of their summands.
 template <bool Moduli = false, class I>
 LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circle, const float* coefficients, float* e) {
     using V = typename I::floats;
@@ -186,21 +184,21 @@ struct RimTurns {
     }
     const float* at(std::size_t angle) const { return turns.data() + 2 * angle * orders; }
     std::size_t blocks() const { return (count / 2 + rim_side - 1) / rim_side; }
-    // The table from an angle on, which must be the first of a vector of its block.
+    // Table from an angle on, which must be the first of a vector of its block.
     const float* from(std::size_t angle) const {
         return beside.data() + angle / rim_side * 2 * orders * rim_side + angle % rim_side;
     }
 };
 
-// Computes Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn further, from P there: q[point][k][re, im]. Degree:
-// bound on the degree of phases, known at compile time so that loops unroll. Lanes hold pupils or, if `Lone`, angles of one
+// Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn further, from P there: q[point][k][re, im]. Degree: bound on
+// the degree of phases, a compile-time constant so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one
 // pupil, whose E are the same in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
     V d[2][Degree][2];
     for (std::size_t j = 0; j < Degree; ++j) {
-        // Orders mu from -(degree - 1 - j) to degree - 1 - j; even and odd ones are summed apart.
+        // Orders mu from -(degree - 1 - j) to degree - 1 - j; even and odd ones are summed separately.
         const std::size_t most = table.degree - 1 - j, from = j == 0 ? 0 : table.ends[j - 1];
         V re[2], im[2];
         for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -280,8 +278,8 @@ struct RimDisk {
     }
 };
 
-// Computes the mean of |Q_K / (K! unit^K)|^2 over the disk, mean[lane], and the same with sums of moduli for Q_K, moduli[lane],
-// to which rounding is relative. Lanes are as in rim_powers().
+// Mean of |Q_K / (K! unit^K)|^2 over the disk, mean[lane], and the same with sums of moduli for Q_K, moduli[lane], to which
+// rounding is relative. Lanes as in rim_powers().
 template <std::size_t Degree, bool Lone, class I>
 LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
     using V = typename I::floats;

@@ -1,5 +1,5 @@
-// Tables of a window for averages of far pixels from the Fourier coefficients of pupils along their rims: certificate, section
-// 10.
+// Tables of a window for averages of far pixels from the Fourier coefficients of pupils along their rims (certificate, section
+// 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -41,10 +41,10 @@ struct RimWindow {
     double nearest() const { return 0.5 * static_cast<double>(box) * step; }
 };
 
-// Waves of one rim: that of the aperture (radius 1) or of the obscuration, where radius * v takes the place of v.
+// Waves of one rim: that of the aperture (radius 1) or of the obscuration, with radius * v instead of v.
 struct RimWaves {
     double radius = 1.0, weight = 1.0;  // radius of the rim; factor of its waves
-    std::size_t orders = 0;   // m: largest |mu|; coefficients beyond are left out
+    std::size_t orders = 0;   // m: largest |mu|; coefficients beyond are omitted
     std::size_t angles = 0;   // number N of angles on the rim
     std::size_t first = 0;    // wave i has the order nu = i - first, i < count()
     // Parts X and Y of v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv): [nu][tile of radii][k][radius of the tile].
@@ -66,8 +66,8 @@ struct RimPixels {
     std::size_t count;          // number of angles
 };
 
-// Least-squares weights of `taps` angles, `apart` (rad) from each other, that interpolate between the middle two all orders |m|
-// <= `most`.
+// Least-squares weights of `taps` angles at a spacing of `apart` (rad) for interpolation between the middle two, for all orders
+// |m| <= `most`.
 class AngleWeights {
    public:
     static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
@@ -80,7 +80,7 @@ class AngleWeights {
     AngleWeights(std::size_t taps, double most, double apart);
     // Angle from the first tap of a point at the fraction `part` of the way between the middle two.
     double angle(double part) const { return (part + static_cast<double>(taps_ / 2 - 1)) * apart_; }
-    // Computes `shares`; returns the sum of the squared misfits of all orders.
+    // Compute `shares`; returns the sum of the squared misfits of all orders.
     template <class I>
     LOMMEL_INLINE double find(I isa, const Turn& at) {
         using V = typename I::pack;
@@ -135,8 +135,8 @@ class AngleWeights {
     double turns_[4][most_taps] = {};  // cos, sin of (order + 1/2) times the angles of taps; cos, sin of half of them
 };
 
-// Barycentric interpolation at Chebyshev points of [low, 1] of functions that are analytic in an ellipse around it that
-// excludes 0; also for x outside of the interval, within the ellipse.
+// Barycentric interpolation at Chebyshev points of [low, 1], of functions that are analytic in an ellipse around it that
+// excludes 0; also valid for x outside the interval but within the ellipse.
 class RadiusRule {
    public:
     std::vector<double> places, shares;  // places: points; shares: weights for the x last requested
@@ -154,7 +154,7 @@ class RadiusRule {
     double largest(double rho) const { return 0.5 * (1.0 + low) + 0.25 * (1.0 - low) * (rho + 1.0 / rho); }
     // Interpolation error at x of functions that are at most 1 in the ellipse.
     double error(double x, double rho) const;
-    // Computes `shares` for x; returns the sum of their moduli.
+    // Compute `shares` for x; returns the sum of their moduli.
     LOMMEL_INLINE double at(double x) {
         double all = 0.0, moduli = 0.0;
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -176,7 +176,7 @@ struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
     RadiusRule rule;  // interpolation in x = R / v
-    // around: number of angles of a ring; taps: angles per point; margin: angles that are repeated at either end of a ring.
+    // around: number of angles of a ring; taps: angles per point; margin: angles repeated at either end of a ring.
     std::size_t around = 0, taps = 0, margin = 0;
     std::vector<RimPixels> pixels;
     std::vector<Floats> weights;  // [radius], see RimPixels
@@ -185,9 +185,9 @@ struct RimTable {
     double gain = 0.0;  // sum of moduli of weights of an average, all channels
     // Error of averages by interpolation between radii, relative to the squared size of waves in an ellipse.
     std::array<double, 2> off_radii{};
-    double off_pixels = 0.0;  // error of averages by Gauss's rule
+    double off_pixels = 0.0;  // error of averages by Gauss quadrature
     double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, relative to the mean of |Q_K|^2 over the disk
-    double dropped = 0.0;  // error of averages by rings left out, relative to the largest value of the smooth channel
+    double dropped = 0.0;  // error of averages by omitted rings, relative to the largest value of the smooth channel
 
     explicit RimTable(const RimWindow& asked);
     bool is(const RimWindow& asked) const { return window == asked; }
@@ -211,8 +211,8 @@ struct RimTable {
     static std::size_t angles_of(std::size_t degree, std::size_t orders) {
         return (std::max(5 * orders + 8, 2 * (rim_orders - 1) * (degree - 1) + 4) + 3) / 4 * 4;
     }
-    // Error of the response along an axis of Gauss's rule with this many points a side; averages of I are off by at most 3
-    // times this.
+    // Error of the response of Gauss quadrature along an axis with this many points a side; the error of averages of I is at
+    // most 3 times this.
     static double pixel_error(double step, std::size_t points);
 
    private:
@@ -261,7 +261,7 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
 }
 
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // Response cos(w a t / 2) at t in [-1, 1], |w| <= 2, a = step: the least bound over Bernstein ellipses.
+    // Response cos(w a t / 2) at t in [-1, 1], |w| <= 2, a = step: the smallest bound over Bernstein ellipses.
     double least = 1.0;
     for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
         const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));
@@ -286,8 +286,8 @@ LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
     return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
 }
 
-// Chooses the rule of fewest points that meets the error for all pixels; the farthest may lie outside of its interval, as their
-// intensity, falling as x^3, counts little.
+// Rule of fewest points that meets the error for all pixels; the farthest may be outside its interval, as their intensity,
+// falling as x^3, counts little.
 LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
     const double nearest = window.nearest(),
                  farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
@@ -541,7 +541,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             });
             product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
-            // Leaves out the fastest rings whose weights sum to little; each ring is at most the smooth channel.
+            // Omit the fastest interference rings whose weights have a small sum; each ring is at most the smooth channel.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                 return sums[(radius * channels() + channel) * count + angle];
             };

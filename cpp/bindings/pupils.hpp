@@ -21,7 +21,7 @@ inline lommel::Amplitude powers_of_amplitude(const In<double, 1>& powers) {
 
 inline lommel::Amplitude amplitude_of(const In<double, 1>& powers) {
     const lommel::Amplitude amplitude = powers_of_amplitude(powers);
-    // 100, with a margin for rounding.
+    // Limit of 100, with a margin for rounding.
     require(amplitude.size() <= 100.0 * (1.0 + 1e-9), "amplitude must have an exponent of 100 at most");
     require(amplitude.passive(), "amplitude must be at most 1");
     return amplitude;

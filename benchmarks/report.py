@@ -178,7 +178,7 @@ _DEMANDS = ("must", "aim", "verdict")
 
 
 # Tables that show what a second machine measured, and the heading of it.
-WITH_SECOND = ["targets", "camera", "changes", "threads"]
+WITH_SECOND = ["targets", "camera", "paper", "changes", "threads"]
 _SECOND = "on an older machine"
 
 _FIGURES = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import tempfile
 import textwrap
 from pathlib import Path
@@ -22,6 +23,15 @@ INTRODUCTION = """\
 *Bridging ray tracing and wave optics: a computationally efficient model for defocus and spherical aberration* gives a
 closed-form integral solution (CFIS) for the PSF of a defocused lens. This page reproduces its figures and numbers and
 compares them with the exact PSF.
+
+**In short.** The closed form errs by tens of per cent of the peak: at C_d = 10 by {errors}. That comes from its
+approximation of J0, and no error function mends it. That it is faster than ray tracing and than an FFT as large
+as the window holds: for 512 x 512 pixels, compiled, it costs {closed} times what the exact series of the
+default method does, that FFT {fft} times, with an error of {fft_error}; for each of 1000 PSFs of 33 x 33 it
+costs {stack} times as much, ray tracing of one {huygens} times
+([table](benchmarks.md#the-question-of-the-paper)). A successor (Ganino and Guo 2026,
+[arXiv:2605.21608](https://arxiv.org/abs/2605.21608)) goes the same way and states twice the speed of a Hankel
+transform and four times that of an FFT.
 
 `lommel paper OUTDIR` writes all figures and their data in about half a minute; this page and its pictures are
 written by `.venv/bin/python docs/make_paper.py`.
@@ -110,6 +120,29 @@ def small(picture: bytes, figure: str) -> bytes:
     return buffer.getvalue()
 
 
+def measured() -> dict[str, str]:
+    """Return the numbers of "In short" from the table of the paper's question in `benchmarks/second.json`."""
+    results = json.loads((HERE.parent / "benchmarks" / "second.json").read_text(encoding="utf-8"))
+    (table,) = (each for each in results["tables"] if each["key"] == "paper")
+    rows = {(row["image"], row["way"]): row for row in table["rows"]}
+
+    def times(image: str, way: str) -> str:
+        return f"{rows[image, way]['over lommel']['median']:.2g}"
+
+    large, small, stack = "512², C_d = 10, C_s = 0", "33², C_d = 10, C_s = 0", "1000 of 33², both random"
+    exact, transform = "closed form, Fresnel integrals", "FFT of 512², SciPy"
+    spherical = "512², C_d = 10, C_s = 3"
+    return {
+        "errors": f"{100 * rows[large, exact]['true error']:.0f} % (with C_s = 3 by "
+        f"{100 * rows[spherical, exact]['true error']:.0f} %)",
+        "closed": times(large, exact),
+        "stack": times(stack, exact),
+        "fft": times(large, transform),
+        "fft_error": f"{100 * rows[large, transform]['true error']:.1f} %",
+        "huygens": f"{rows[small, 'Huygens, distinct radii']['over lommel']['median']:.0f}",
+    }
+
+
 def errata() -> str:
     """Return the table of misprints from the documentation of `ClosedForm`, as Markdown."""
     rows: list[list[str]] = []
@@ -131,7 +164,7 @@ def errata() -> str:
 def main() -> None:
     """Compute everything and write the page."""
     (HERE / "paper").mkdir(exist_ok=True)
-    parts = [INTRODUCTION]
+    parts = [INTRODUCTION.format(**measured())]
     with tempfile.TemporaryDirectory() as folder:
         made = reproduce(Path(folder), started=print, dpi=85)
         for figure in FIGURES:

@@ -7,11 +7,13 @@ import io
 import json
 import math
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import lommel as lm
+import make_paper
 from lommel import paper
 from lommel.paper import VARIANTS, Setting
 
@@ -242,3 +244,8 @@ def test_the_tuned_form_holds_everywhere_on_the_map_and_the_paper_s_nowhere_near
     figure = paper.draw_validity(made)
     figure.canvas.draw()
     assert len(figure.axes) == 5
+
+
+def test_the_page_opens_with_what_the_benchmarks_measured():
+    opening = make_paper.INTRODUCTION.format(**make_paper.measured())
+    assert (Path(make_paper.__file__).parent / "paper.md").read_text(encoding="utf-8").startswith(opening)

@@ -180,3 +180,14 @@ def wrong_defaults(tree: ast.Module) -> Iterator[str]:
 def test_defaults_are_those_that_docstrings_state():
     wrong = {name: told for name, tree in organisation.modules().items() if (told := list(wrong_defaults(tree)))}
     assert wrong == {}
+
+
+def test_no_docstring_has_a_modulus_that_sphinx_takes_for_a_substitution():
+    # "|name|" is a substitution of reStructuredText unless it is quoted, and pages have warnings as errors.
+    quoted, found = r"``.*?``|`[^`]*`|\.\. math::.*?(?=\n\S|\Z)", []
+    for name, tree in organisation.modules().items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ClassDef | ast.FunctionDef) and (doc := ast.get_docstring(node)):
+                plain = re.sub(quoted, "", doc, flags=re.DOTALL)
+                found += [f"{name}: {each}" for each in re.findall(r"(?<!\S)\|\w[^|\n]*\|", plain)]
+    assert found == []

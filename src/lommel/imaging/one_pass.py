@@ -295,7 +295,7 @@ def _filled(plane: Values, known: NDArray[np.bool_]) -> Array:
 
 
 def _spectrum(plane: Array) -> tuple[Array, Array]:
-    """Return |f| in cycles per pixel, and the power spectrum of a plane averaged over windowed blocks."""
+    """Return ``|f|`` in cycles per pixel, and the power spectrum of a plane averaged over windowed blocks."""
     sides = [min(side, _BLOCK) for side in plane.shape]
     starts = [
         np.unique(np.linspace(0, whole - side, min(-(-whole // side), _BLOCKS)).astype(int))

@@ -140,7 +140,7 @@ def radial(n: int, m: int, rho: Array) -> Array:
 
 
 def radials(m: int, highest: int, rho: Array) -> list[Array]:
-    """Return ``R_n^|m|(rho)`` for n = |m|, |m| + 2, ... up to `highest`, which is at least |m|."""
+    """Return ``R_n^|m|(rho)`` for ``n = |m|, |m| + 2, ...`` up to `highest`, which is at least ``|m|``."""
     outer = rho ** abs(m)
     return [np.asarray(outer * factor) for factor in _jacobi(abs(m), highest, rho)]
 

@@ -190,7 +190,7 @@ class Apodization:
         return area if g < 1e-12 else math.exp(-g * low) * -math.expm1(-g * area) / g
 
     def growth(self, cosh: Array, low: float = 0.0) -> Array:
-        """Return a bound on log |amplitude| for complex t in Bernstein ellipses with foci `low` and 1.
+        """Return a bound on ``log |amplitude|`` for complex t in Bernstein ellipses with foci `low` and 1.
 
         `cosh` are the major semi-axes of the ellipses over half of the distance between the foci.
         """

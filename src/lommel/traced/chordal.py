@@ -1,8 +1,8 @@
 """The fields of pupils as products of matrices: any Zernike terms by the chordal rule, or radial symmetry.
 
 Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; along a chord the kernel is that of the rows of a window, across
-chords that of its columns. The bounds of the two sums are in docs/certificate.md, section 8: with W_p the amplitude
-of the terms of a degree n_p and ``|m|``, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in W_p, so
+chords that of its columns. The bounds of the two sums are in the certificate, section 8: with W_p the amplitude
+of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in W_p, so
 that the bound is a product too. An inner disk is more chords, of negative weights.
 """
 

@@ -128,7 +128,8 @@ struct PixelFilter {
     }
 
     // out[r][x] = sum_k of[r][k] from[lines[k] + x], in the precision of `out`; in single precision returns an upper bound on
-    // the samples. Limited by loads of samples or, for four rows, by products.
+    // the samples. Its speed is limited by loads of samples or,
+    // for four rows, by products.
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {

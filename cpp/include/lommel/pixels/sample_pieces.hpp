@@ -94,8 +94,8 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
                         float* image, double& off) const;
 
    private:
-    // Call made() with the pixels of rows [begin, end) times `by`, clamped to `least`; returns the maximum, without `by`.
-    // Limited by loads of doubles.
+    // Call made() with the pixels of rows [begin, end) times `by`, clamped to `least`; returns the maximum before `by`.
+    // Its speed is limited by loads of doubles.
     using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
     double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
                     const Made& made) const;

@@ -156,8 +156,8 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);
 
-// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Limited by reading the table
-// once.
+// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Its speed is
+// limited by reading the table, once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
                            double* im, std::size_t first = 0) {

@@ -578,7 +578,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         look();
         const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;
         double* const values = image + y * window_.width;
-        // Number of columns left and right of the circle of radius `limit`.
+        // Columns [0, left) lie left of the circle of radius `limit`, those from `right` on right of it.
         const double half = rest > 0.0 ? std::sqrt(rest) : 0.0;
         const auto inside = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, width)); };
         const std::size_t left = inside(std::floor(column - half) + 1.0),

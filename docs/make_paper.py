@@ -12,6 +12,7 @@ from PIL import Image
 
 from lommel import paper
 from lommel.base import atomic
+from lommel.base.units import percent
 from lommel.methods import ClosedForm
 from lommel.paper import FIGURES, reproduce
 
@@ -133,12 +134,12 @@ def measured() -> dict[str, str]:
     exact, transform = "closed form, Fresnel integrals", "FFT of 512², SciPy"
     spherical = "512², C_d = 10, C_s = 3"
     return {
-        "errors": f"{100 * rows[large, exact]['true error']:.0f} % (with C_s = 3 by "
-        f"{100 * rows[spherical, exact]['true error']:.0f} %)",
+        "errors": f"{percent(rows[large, exact]['true error'])} (with C_s = 3 by "
+        f"{percent(rows[spherical, exact]['true error'])})",
         "closed": times(large, exact),
         "stack": times(stack, exact),
         "fft": times(large, transform),
-        "fft_error": f"{100 * rows[large, transform]['true error']:.1f} %",
+        "fft_error": percent(rows[large, transform]["true error"], 1),
         "huygens": f"{rows[small, 'Huygens, distinct radii']['over lommel']['median']:.0f}",
     }
 

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from lommel import methods
 from lommel.base import atomic
 from lommel.base.arrays import Json, Values
+from lommel.base.units import percent
 from lommel.measures.errors import mse, peak_error
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -755,7 +756,7 @@ def _closest(name: str, places: NDArray[np.float64], values: Sequence[float], wa
 
 
 def _deviation(value: float, wanted: float) -> str:
-    return f"{100.0 * abs(value / wanted - 1.0):.0f} % too {'large' if value > wanted else 'small'}"
+    return f"{percent(abs(value / wanted - 1.0))} too {'large' if value > wanted else 'small'}"
 
 
 def _text(setting: Setting) -> str:

@@ -62,6 +62,28 @@ def test_large_images_are_the_same_by_fourier_transforms_and_by_matrices(monkeyp
         assert np.abs(one - other).max() < 1e-3 * np.abs(other).max()
 
 
+@pytest.mark.parametrize("small", [40, 1000])  # by Fourier transforms, and by matrices
+def test_images_and_slopes_are_those_of_plane_waves_summed_over_a_fine_pupil(small, monkeypatch):
+    monkeypatch.setattr(sampled_pupil, "SMALL", small)
+    side, pitch, inside, term = 61, 0.7, 0.35, (2, 2)
+    pupil = lm.Pupil(obscuration=inside)
+    made = SampledPupil(pupil, Grid(side, pitch, integrate=False), (term, (2, 0))).images(np.array([[0.7, 0.9]]), [0])
+    at = (np.arange(1500) + 0.5) / 750 - 1.0
+    rho, theta = np.hypot(at, at[:, None]), np.arctan2(at[:, None], at)
+    astigmatism = rho**2 * np.cos(2 * theta)
+    clear = (rho < 1) & (rho > inside)
+    field_of = clear * np.exp(1j * (0.7 * astigmatism + 0.9 * (2 * rho**2 - 1)))
+    rows, columns = np.array([30, 33, 47]), np.array([2, 30, 41])
+    down, across = (np.exp(-1j * np.pi * pitch * np.multiply.outer(k - side // 2, at)) for k in (rows, columns))
+    cell = (2 / at.size) ** 2
+    field, moved = (cell * (down @ part @ across.T) for part in (field_of, 1j * astigmatism * field_of))
+    # Shares of the light: |U|^2 over the area of a sample, by Parseval over that of the pupil.
+    scale = (pitch / 2) ** 2 / (np.pi * (1 - inside**2))
+    expected = scale * np.abs(field) ** 2, scale * 2 * (field.conj() * moved).real
+    for one, true, most in zip(made, expected, (np.abs(each).max() for each in made), strict=True):
+        np.testing.assert_allclose(one[0][np.ix_(rows, columns)], true, atol=1e-3 * most)
+
+
 def test_slopes_alone_are_the_same():
     sampled = SampledPupil(APERTURES["vanes"], Grid(21, 0.45), TERMS)
     whole, alone = sampled.images(EDGE, [3]), sampled.images(EDGE, [3], values=False)

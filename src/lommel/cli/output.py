@@ -19,6 +19,7 @@ import click
 
 from lommel.base import atomic, optional
 from lommel.base.arrays import Json
+from lommel.base.units import percent
 from lommel.base.validation import line, shown
 
 if TYPE_CHECKING:
@@ -71,7 +72,7 @@ class Steps:
         self._next = max(spent + _FIRST, _LATER * spent)
         left = ""
         if self._shown > 0.0:
-            left = f", {100.0 * self._shown:.0f} %, about {_lasting(spent * (1.0 / self._shown - 1.0))} left"
+            left = f", {percent(self._shown)}, about {_lasting(spent * (1.0 / self._shown - 1.0))} left"
         print(f"{_lasting(spent)}{left}: {name}", file=sys.stderr, flush=True)
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
-from lommel.base.units import format_length
+from lommel.base.units import format_length, percent
 from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_options, verdict_report
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
@@ -330,7 +330,7 @@ class Tally:
         known, _, depth, error, misfit = self.rows[-1]
         text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.took[-1]:.3g} ms; dropped {dropped}"
         if known:
-            text += f"; {100.0 * known:.0f} % {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
+            text += f"; {percent(known)} {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
     def summary(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:

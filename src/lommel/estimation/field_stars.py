@@ -114,8 +114,6 @@ class FieldStars:
     def having(self, **changes: Any) -> FieldStars:
         """Return stars of the same images with other attributes, such as `further` or `lens`."""
         found = copy(self)
-        if "lens" in changes:
-            changes["_kept"] = {}
         vars(found).update(changes)
         return found
 
@@ -210,7 +208,7 @@ class FieldStars:
 
     def _sampled(self, grid: Grid) -> SampledPupil:
         """Return the samples of the aperture, for images on a lattice."""
-        key = grid.shape, grid.pixel, self.further
+        key = self.lens, grid.shape, grid.pixel, self.further
         if key not in self._kept:
             self._kept[key] = SampledPupil(self.lens, grid, cast("list[Term]", [*self.one.terms, *self.further]))
         return self._kept[key]

@@ -14,7 +14,7 @@ import numpy as np
 from scipy import ndimage, special
 
 from lommel.base.arrays import Array, Json
-from lommel.base.units import format_length, with_error
+from lommel.base.units import format_length, percent, with_error
 from lommel.detection.molecules import DEFECT, Spots
 from lommel.estimation.star_images import label
 from lommel.fit.findings import Finding, Findings, Severity
@@ -102,7 +102,7 @@ class Checks:
         # Read noise alone puts half of the counts below the offset.
         dark = float(np.mean(counts.values < self._noise.offset))
         if dark > _DARK:
-            text = f"{100 * dark:.0f} % of the counts of the first frames are below the offset: check `offset`"
+            text = f"{percent(dark)} of the counts of the first frames are below the offset: check `offset`"
             self._add_once("below_offset", "doubt", text, share=dark)
         if words := flat_tops([counts], self._noise, "movie"):
             self._add_once("flat_top", "note", words)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Values
+from lommel.base.units import percent
 from lommel.deconvolve.algorithms import ProgressCallback, RichardsonLucy, TotalVariation, silent
 from lommel.deconvolve.iterations import Background, State, iteration_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
@@ -149,7 +150,7 @@ def deconvolve(
     findings = [] if finding is None else [finding]
     if not whole:
         text = (
-            f"{100.0 * rim:.0f} % of the light of the PSF is on the rim of its window, which cuts off its cone: what "
+            f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its cone: what "
             "is beyond counts as background or as a floor of light; take a wider window, or microscopy.restore"
         )
         findings.append(Finding("untested", "note", text, {"rim": rim, "most": _RIM}))

@@ -11,6 +11,7 @@ import numpy as np
 
 from lommel.base import display, validation
 from lommel.base.arrays import Array
+from lommel.base.units import percent
 from lommel.core.answers import Images, Wanted
 from lommel.measures import transfer
 from lommel.measures.aperture_means import strehl
@@ -470,7 +471,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
             ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), at)
             axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
         found = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
-        told = [f"{100.0 * share:.0f} % within {half * factor:.3g} {unit}" for share, half in found.items()]
+        told = [f"{percent(share)} within {half * factor:.3g} {unit}" for share, half in found.items()]
         title = ", ".join([title, *told])
         for share, half in found.items():
             axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
+from lommel.base.units import percent
 from lommel.optics.wavefront.wavefront import MAX_HIGHER, Wavefront, radians_per
 from lommel.special import zernike
 
@@ -109,7 +110,7 @@ class OPDMap:
     def __repr__(self) -> str:
         known = [f"{name} {at:g} m" for name in ("spacing", "wavelength") if (at := getattr(self, name)) is not None]
         size = "x".join(map(str, self.values.shape))
-        return f"<OPDMap {', '.join([size, f'{100.0 * self.mask.mean():.1f} % measured', *known])}>"
+        return f"<OPDMap {', '.join([size, f'{percent(self.mask.mean(), 1)} measured', *known])}>"
 
 
 @dataclass(frozen=True, eq=False)
@@ -548,7 +549,7 @@ def _require_measured(maps: Array, used: NDArray[np.bool_]) -> None:
             such = f"such as {such}, or " if values[k] == 0.0 else ""
             raise ValueError(
                 f"opd is {values[k]:g} at {counts[k]} neighbouring pixels of the pupil "
-                f"({100.0 * counts[k] / total:.1f} %), as files have it where nothing was measured: give "
+                f"({percent(counts[k] / total, 1)}), as files have it where nothing was measured: give "
                 "mask=, True where there is a measurement "
                 f"({such}True everywhere if these are), or obscuration= if they are the middle of an annular pupil"
             )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from importlib import import_module
+from operator import itemgetter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -55,7 +56,7 @@ SECTIONS = [
             "optics.pupil",
             "optics.aperture",
             "optics.wavefront.wavefront",
-            "lensfiles.image",
+            "report.image",
             "lensfiles.instrument",
             "lensfiles.lens",
         ),
@@ -74,7 +75,7 @@ SECTIONS = [
         "Cameras and example files",
         "Read the pixels and the noise of a camera; files of real instruments.",
         "See [](../instruments.md).",
-        ("lensfiles.camera", "lensfiles.example"),
+        ("lensfiles",),
     ),
     Section(
         "Microscope objectives",
@@ -240,11 +241,16 @@ def public() -> dict[str, str]:
 
 
 def section_of(module: str) -> Section:
-    """Return the first section that takes the names of a module."""
-    for section in SECTIONS:
-        if any(f"{module}.".startswith((f"{prefix}.", f"{prefix}_")) for prefix in section.modules):
-            return section
-    raise ValueError(f"no section of docs/api.py takes the names of lommel.{module}")
+    """Return the section that takes the names of a module: that of the longest prefix."""
+    prefixes = [
+        (len(prefix), section)
+        for section in SECTIONS
+        for prefix in section.modules
+        if f"{module}.".startswith((f"{prefix}.", f"{prefix}_"))
+    ]
+    if not prefixes:
+        raise ValueError(f"no section of docs/api.py takes the names of lommel.{module}")
+    return max(prefixes, key=itemgetter(0))[1]
 
 
 def groups() -> dict[str, tuple[Section, list[str], list[str]]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import lommel as lm
-from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles import of_kind
 
 
 def objectives() -> list[str]:

@@ -37,6 +37,7 @@ ORDER = [
     {"estimation"},
     {"imaging", "localize", "microscopy"},
     {"lensfiles"},
+    {"report"},
     {"adapters", "compat", "napari_plugin", "page", "paper"},
     {"cli"},
     {"the package"},

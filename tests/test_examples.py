@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.lensfiles.image_quality import compare_methods, other_model
 from lommel.methods import METHODS
 from lommel.methods.choice import reference
+from lommel.report.image_quality import compare_methods, other_model
 
 
 @pytest.fixture(scope="module")

@@ -51,8 +51,8 @@ from lommel.io.zernike_tables import (
 from lommel.lensfiles.tables import load_channels as load_channels
 from lommel.lensfiles.instrument import Camera as Camera
 from lommel.lensfiles.camera_files import load_camera as load_camera
-from lommel.lensfiles.example_files import example_files as example_files
-from lommel.lensfiles.image_quality import ImageQuality as ImageQuality
+from lommel.lensfiles import example_files as example_files
+from lommel.report.image_quality import ImageQuality as ImageQuality
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope_files import Microscope as Microscope

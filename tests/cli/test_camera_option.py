@@ -13,7 +13,7 @@ from click.testing import CliRunner
 import lommel as lm
 from lommel.cli import deconvolve_command
 from lommel.cli.instruments import instrument_of, microscope_of, noise_of
-from lommel.lensfiles.example_files import example_files
+from lommel.lensfiles import example_files
 
 ZYLA = lm.load_camera("andor-zyla-4.2")
 ORCA = lm.load_camera("hamamatsu-orca-flash4-v3")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lommel.lensfiles import example_files as examples
+from lommel import lensfiles as examples
 
 ROOT = Path(__file__).resolve().parents[2] / "examples"
 KINDS = {
@@ -87,7 +87,7 @@ def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):
     place = tmp_path / "lommel" / "examples" / "lenses"
     place.mkdir(parents=True)
     (place / "one.toml").write_text('name = "One"')
-    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "lensfiles" / "example_files.py"))
+    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "lensfiles" / "__init__.py"))
     assert examples.example_files() == {"one": place / "one.toml"}
     (place / "one.toml").unlink()
     with pytest.raises(FileNotFoundError, match="wheels bring them"):

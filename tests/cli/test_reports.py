@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.cli import reports
-from lommel.cli.reports import describe_stack
-from lommel.lensfiles.image_quality import compare_methods
 from lommel.lensfiles.instrument import wide_enough
 from lommel.lensfiles.microscope_files import Microscope
+from lommel.report.image_quality import compare_methods
+from lommel.report.lenses import describe_lens
+from lommel.report.psfs import describe_stack
 from lommel.show.drawing import HOW
 from objectives import MATCHED
 
@@ -98,7 +98,7 @@ def test_info_tells_what_changes_over_the_field(call_lommel, lenses, tmp_path):
 def test_what_lies_beyond_a_map_is_left_out(lenses, tmp_path):
     text = lenses["camera-field"].read_text(encoding="utf-8").replace("W131", 'edge = "15.5 mm"\nW131')
     (tmp_path / "own.toml").write_text(text, encoding="utf-8")
-    facts = reports.describe_lens(lm.load_instrument(tmp_path / "own.toml")).facts
+    facts = describe_lens(lm.load_instrument(tmp_path / "own.toml")).facts
     assert [place["part"] for place in facts["field"]["places"]] == [0.0, 0.5, 0.7]
 
 

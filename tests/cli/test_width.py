@@ -19,9 +19,9 @@ import lommel as lm
 from lommel.cli import output as bars
 from lommel.cli.main import COMMANDS
 from lommel.cli.options import JSON, Group, command, option
-from lommel.cli.output import Report
 from lommel.imaging import blur as blur_module
 from lommel.imaging import defocus_depth
+from lommel.report.tables import Report
 
 
 @pytest.mark.parametrize("name", ["", *COMMANDS])

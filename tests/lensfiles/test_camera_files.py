@@ -10,7 +10,7 @@ import pytest
 
 import lommel as lm
 from cases import each
-from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles import of_kind
 from lommel.lensfiles.toml_files import LensFileError
 
 CAMERAS, OBJECTIVES = of_kind("camera"), of_kind("objective")

@@ -14,23 +14,13 @@ from lommel.base.units import format_length, with_error
 from lommel.base.validation import line
 from lommel.cli.instruments import IMAGES, LENS, CameraOptions, header_differences, require_microscope
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import (
-    Facts,
-    Parts,
-    Report,
-    Wrapped,
-    paragraphs,
-    progress,
-    require_file,
-    save_figure,
-    table_of,
-    written,
-)
+from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.detection.targets import find_spots
 from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
 from lommel.recorded.frames import of_all, read_each
+from lommel.report.tables import Facts, Parts, Report, Wrapped, paragraphs, table_of
 
 if TYPE_CHECKING:
     from lommel.base.arrays import Values

@@ -25,7 +25,7 @@ from lommel.cli.options import (
     plot_option,
     report_findings,
 )
-from lommel.cli.output import Facts, Report, list_of, progress, require_folder, save_figure, written
+from lommel.cli.output import progress, require_folder, save_figure, written
 from lommel.deconvolve.algorithms import NOISE, STEPS, RichardsonLucy, TotalVariation
 from lommel.microscopy import restore
 from lommel.microscopy.deconvolution import FLAT
@@ -33,6 +33,7 @@ from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
 from lommel.microscopy.restoration import INTERRUPTED, MISFIT, between
 from lommel.recorded import recordings
+from lommel.report.tables import Facts, Report, list_of
 
 if TYPE_CHECKING:
     from rich.table import Table

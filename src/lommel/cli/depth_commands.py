@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
@@ -13,25 +13,66 @@ import numpy as np
 from lommel.base.arrays import plain
 from lommel.base.encoding import to_light
 from lommel.base.units import format_length
-from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_options, verdict_report
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of, radial_instrument
 from lommel.cli.options import FILE, JSON, OUTPUT, Group, argument, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, progress, save_figure, table_of, written
+from lommel.cli.output import progress, save_figure, written
 from lommel.cli.photo_commands import PhotoNoise, read_as, without
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.recorded.noise import Noise
+from lommel.report.lenses import lens_facts
+from lommel.report.tables import Facts, Report, finite, table_of
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:
     from lommel.imaging.defocus_depth import DefocusDepth
+    from lommel.imaging.defocus_verdict import DefocusVerdict
     from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
 _READ = 3.0  # electrons, of a camera that is not known
 _ROWS, _POINTS = 11, 121
+
+
+BETWEEN = option("--between", length="m", nargs=2, required=True, metavar="NEAR FAR",
+    help="Nearest and farthest distance to search, such as 1m 3m or 1m inf.")  # fmt: skip
+
+
+def lens_options(which: str) -> list[Any]:
+    """Return the options that :func:`each_lens` takes, for "all photos" or other images."""
+    once = f"once for {which}, or repeated for each; overrides the lens file."
+    return [
+        option("--focus", length="m", multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
+        option("--f-number", type=float, multiple=True, help=f"F-number: {once}"),
+    ]
+
+
+def each_lens(
+    lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], what: str = "photos"
+) -> list[Lens]:
+    """Return the lens of each photo."""
+    for name, given in (("--focus", foci), ("--f-number", f_numbers)):
+        if len(given) not in (0, 1, count):
+            raise ValueError(f"{name} must be given once, or for each of {count} {what}, got {len(given)}")
+    if count < 2:
+        raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
+    lenses = [lens.stopped(stop) for stop in f_numbers] or [lens]
+    lenses *= count // len(lenses)
+    if foci:
+        lenses = [one.focused(focus) for one, focus in zip(lenses, foci * (count // len(foci)), strict=True)]
+    return lenses
+
+
+def verdict_report(verdict: DefocusVerdict) -> Report:
+    """Return what was tested of the lenses and the noise, and what could not be."""
+    untested = verdict.findings.get("untested")
+    facts = verdict.to_dict()
+    del facts["misfit"]  # commands have their own
+    facts |= {"agrees": verdict.agrees, "untested": untested and untested.numbers["what"]}
+    lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
+    return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
 
 
 class PhotoLens(Group, heading="Camera"):

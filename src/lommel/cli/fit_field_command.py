@@ -15,23 +15,13 @@ from lommel.base.units import with_error
 from lommel.blur.blurs import FWHM, Jitter, Seeing
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import (
-    Facts,
-    Parts,
-    Report,
-    Wrapped,
-    paragraphs,
-    progress,
-    require_file,
-    save_figure,
-    table_of,
-    written,
-)
+from lommel.cli.output import progress, require_file, save_figure, written
 from lommel.detection.targets import Crossings, find_crossings, find_spots, grid_indices
 from lommel.estimation.field_fit import KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
 from lommel.recorded.frames import read_images
+from lommel.report.tables import Facts, Parts, Report, Wrapped, paragraphs, table_of
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:

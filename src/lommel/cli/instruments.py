@@ -13,9 +13,9 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, flag_of, option
-from lommel.cli.output import Facts
 from lommel.recorded.frames import Found, Unusable
 from lommel.recorded.noise import Noise
+from lommel.report.tables import Facts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -424,16 +424,6 @@ class CameraMaps(CameraOptions, heading="Camera"):
         texts = {"white": self.white, "read": self.read, "offset": self.offset}
         maps = {name: None if text is None else camera_map(text, name) for name, text in texts.items()}
         return maps | {"excess": self.excess}
-
-
-def camera_in_words(facts: Facts) -> str | None:
-    """Return the camera of a report and its noise in a line."""
-    if (camera := facts["camera"]) is None:
-        return None
-    units = {"read": "read noise {:g} electrons", "full_well": "full well {:g}", "gain": "{:g} electrons per count"}
-    told = [text.format(camera[name]) for name, text in units.items() if camera[name]]
-    told += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
-    return ", ".join([camera["name"], *told])
 
 
 class SeveralNumbers(Command):

@@ -18,9 +18,10 @@ from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
 from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
 from lommel.cli.options import FILE, JSON, OUTPUT, PATH, WINDOW, argument, command, option, plot_option
-from lommel.cli.output import Parts, Report, Wrapped, progress, save_figure, table_of, written
-from lommel.lensfiles.example_files import KINDS, example_files
+from lommel.cli.output import progress, save_figure, written
+from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS, ClosedForm
+from lommel.report.tables import Parts, Report, Wrapped, table_of
 from lommel.show.drawing import HOW
 
 
@@ -185,12 +186,12 @@ def info(lens: Path = LENS, seen: Described = Described(), depth: float | None =
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.cli import reports  # what these need takes longer to import than the list of commands
+    from lommel.report import lenses  # what these need takes longer to import than the list of commands
 
     microscope = microscope_of(lens, depth=depth, **vars(seen))
     if microscope is not None:
-        return reports.describe_microscope(microscope)
-    return reports.describe_lens(instrument_of(lens, **vars(seen)))
+        return lenses.describe_microscope(microscope)
+    return lenses.describe_lens(instrument_of(lens, **vars(seen)))
 
 
 @command(JSON)
@@ -218,8 +219,8 @@ def compare(
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.cli import reports  # what these need takes longer to import than the list of commands
-    from lommel.lensfiles.image_quality import compare_methods, other_model
+    from lommel.report import lenses  # what these need takes longer to import than the list of commands
+    from lommel.report.image_quality import compare_methods, other_model
 
     instrument = instrument_of(lens, **vars(seen))
     pupil = instrument.pupil()
@@ -270,7 +271,7 @@ def compare(
         "rows": rows,
         "other_model": other,
     }
-    model = f"model: {instrument.lens.model}; {reports.model_in_words(other)}"
+    model = f"model: {instrument.lens.model}; {lenses.model_in_words(other)}"
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
 

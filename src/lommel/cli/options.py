@@ -21,9 +21,10 @@ from click.core import ParameterSource
 from lommel.base import options
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
-from lommel.cli.output import Facts, Report, Wrapped, figure_format
-from lommel.lensfiles.example_files import example_files
+from lommel.cli.output import figure_format
+from lommel.lensfiles import example_files
 from lommel.methods import METHODS
+from lommel.report.tables import Facts, Report, Wrapped
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

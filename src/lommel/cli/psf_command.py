@@ -18,10 +18,9 @@ from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
-from lommel.cli import reports
 from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, Planes, Seen, instrument_of, microscope_of
 from lommel.cli.options import JSON, OUTPUT, OUTPUT_PATH, WINDOW, Group, command, documented, option, plot_option
-from lommel.cli.output import Facts, Report, Wrapped, figure_format, progress, require_folder, save_figure, written
+from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
 from lommel.io import field_files, psf_files
 from lommel.io.registry import Format, suffixes
@@ -29,6 +28,8 @@ from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
+from lommel.report import lenses, psfs
+from lommel.report.tables import Facts, Report, Wrapped
 from lommel.show.drawing import STRETCHES, figure_of
 from lommel.stacks import psf_to
 
@@ -254,7 +255,7 @@ def _describe_mtf(
         places = [(x, y, field_map.pupil(x, y)) for y in made.y.tolist() for x in made.x.tolist()]
     else:
         places = [(*(place or (None, None)), pupil())]
-    return reports.describe_mtf(instrument, places, channels)
+    return psfs.describe_mtf(instrument, places, channels)
 
 
 def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
@@ -322,9 +323,9 @@ def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts,
         find=psf_files.find,
         make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
-            reports.summarize_lens(instrument)
+            lenses.summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in said])
-            + reports.describe_psf(made, seconds)
+            + psfs.describe_psf(made, seconds)
         ),
         entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
@@ -351,8 +352,8 @@ def _of_field(
 
     def report(made: PSFGrid, seconds: float) -> Report:
         if isinstance(made.psf, ColourPSF):
-            return reports.describe_colour(instrument, made.psf, seconds)
-        return reports.describe_field(instrument, made, seconds)
+            return psfs.describe_colour(instrument, made.psf, seconds)
+        return psfs.describe_field(instrument, made, seconds)
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
@@ -375,7 +376,7 @@ def _in_colour(
         find=psf_files.find_colours,
         make=lambda: colour_psf(pupil(), instrument.window, instrument.pixel, channels, **options),
         report=lambda made, seconds: (
-            reports.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in said])
+            psfs.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in said])
         ),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
@@ -391,7 +392,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
             microscope.pupil(), microscope.window, microscope.pixel, integrate=microscope.integrate, **options
         ),
         report=lambda made, seconds: (
-            reports.describe_microscope(microscope, foci=False) + reports.describe_stack(made, seconds)
+            lenses.describe_microscope(microscope, foci=False) + psfs.describe_stack(made, seconds)
         ),
         entitle=lambda axes: _entitle_figure(axes, microscope.name),
         note=_picture_note,
@@ -403,7 +404,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
 def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
     """Return the name of a lens, its wavelength unless there are channels, and its distances."""
     lens = instrument.lens
-    focused, seen = reports.distinct(lens.focus_distance, instrument.object_distance)
+    focused, seen = lenses.distinct(lens.focus_distance, instrument.object_distance)
     light = "" if channels else f"{format_length(lens.wavelength)}, "
     where = f"object at {seen}" if focused == seen else f"focus at {focused}, object at {seen}"
     return f"{instrument.name}\n{light}{where}"

@@ -13,12 +13,13 @@ import numpy as np
 from lommel.base.units import with_error
 from lommel.cli.instruments import IMAGES, LENS, SeveralNumbers, StarCamera, numbers_of
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, plot_option
-from lommel.cli.output import Parts, Report, Wrapped, paragraphs, progress, save_figure, table_of, written
+from lommel.cli.output import progress, save_figure, written
 from lommel.estimation.field_fit import in_words
 from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
 from lommel.recorded.frames import part_of, read_images
+from lommel.report.tables import Parts, Report, Wrapped, paragraphs, table_of
 from lommel.special import zernike
 
 if TYPE_CHECKING:

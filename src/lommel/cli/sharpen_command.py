@@ -15,12 +15,10 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Values
 from lommel.base.encoding import from_light, tell_of_light
 from lommel.base.units import format_length
-from lommel.cli import depth_maps
-from lommel.cli.depth_maps import finite
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import FILE, JSON, OUTPUT, PATH, Group, argument, command, option
-from lommel.cli.output import Report, Steps, progress, require_folder, written
-from lommel.cli.photo_commands import output_type
+from lommel.cli.output import Steps, progress, require_folder, written
+from lommel.cli.photo_commands import DepthMap, depth_facts, output_type
 from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of
 from lommel.imaging import LiveSharpen, read_depth, read_photo
 from lommel.imaging.blur import tell_of_depths
@@ -28,6 +26,7 @@ from lommel.imaging.focal_engine import BLOCK
 from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
 from lommel.io.registry import formats, suffixes
+from lommel.report.tables import Report, finite
 
 if TYPE_CHECKING:
     from lommel.io.depth_maps import DepthKeywords
@@ -70,7 +69,7 @@ def sharpen(
     map_: Path | None = option("--depth", type=FILE, metavar="FILE",
         help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not known "
         "it is that of the nearest pixel."),
-    values: depth_maps.DepthMap = depth_maps.DepthMap(),
+    values: DepthMap = DepthMap(),
     seen: ClipCamera = ClipCamera(),
     noisy: VideoNoise = VideoNoise(),
 ) -> Report:  # fmt: skip
@@ -120,7 +119,7 @@ def sharpen(
         if not count:
             raise ValueError(f"no frame was read: {ended}")
     height, width = shape[:2]
-    of_depth, line = depth_maps.depth_facts(found)
+    of_depth, line = depth_facts(found)
     ends = [float(np.min(distance)), float(np.max(distance))]
     blur = float(np.max(2.0 * one.pupil(np.array(ends)).geometric_radius())) / instrument.side
     facts = {

@@ -17,9 +17,9 @@ from lommel.base.arrays import Values
 from lommel.base.encoding import from_light, to_light
 from lommel.cli.instruments import noise_of
 from lommel.cli.options import option
-from lommel.cli.output import Facts
 from lommel.cli.photo_commands import PhotoNoise
 from lommel.recorded.noise import Noise
+from lommel.report.tables import Facts
 
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera

@@ -21,16 +21,18 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, validation
 from lommel.base.encoding import from_light
 from lommel.base.units import format_length, percent
-from lommel.cli.depth_maps import BETWEEN, each_lens, finite, lens_facts, lens_options, verdict_report
+from lommel.cli.depth_commands import BETWEEN, each_lens, lens_options, verdict_report
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import JSON, OUTPUT, Group, command, documented, option, with_options
-from lommel.cli.output import Report, Steps, progress, require_folder, written
+from lommel.cli.output import Steps, progress, require_folder, written
 from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of, equalize_rows
 from lommel.imaging import LiveDepth
 from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
 from lommel.io import videos
 from lommel.io.registry import suffixes
+from lommel.report.lenses import lens_facts
+from lommel.report.tables import Report, finite
 from lommel.show.estimates import DepthColours
 
 if TYPE_CHECKING:

@@ -1,8 +1,7 @@
 """Images as a lens records them: depth of field, occlusion, blur over the field, deblurring, depth from defocus."""
 
-from lommel.deconvolve.algorithms import RichardsonLucy, TotalVariation
+from lommel.deconvolve.algorithms import Restoration, RichardsonLucy, TotalVariation
 from lommel.deconvolve.linear import LinearBlur
-from lommel.deconvolve.result import Restoration
 from lommel.imaging.blur import BlurSlopes, DepthBlur
 from lommel.imaging.datasets import LensRanges, Rendered, render_dataset
 from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus

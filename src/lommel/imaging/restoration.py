@@ -33,14 +33,15 @@ from lommel.deconvolve.algorithms import (
     NOISE,
     STEPS,
     ProgressCallback,
+    Restoration,
     RichardsonLucy,
     TotalVariation,
+    shown,
     silent,
 )
 from lommel.deconvolve.iterations import Solution, iterated
 from lommel.deconvolve.linear import LinearBlur, Window, tiles_of
 from lommel.deconvolve.poisson_counts import PhotographCounts
-from lommel.deconvolve.result import Restoration, shown
 from lommel.field.maps import FieldMap
 from lommel.fit.findings import Finding, Findings
 from lommel.imaging.blur import DepthBlur, require_lens

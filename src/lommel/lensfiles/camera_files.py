@@ -15,8 +15,7 @@ from lommel.base import validation
 from lommel.base.options import near
 from lommel.io import text_files, zernike_tables
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import toml_files
-from lommel.lensfiles.example_files import of_kind
+from lommel.lensfiles import of_kind, toml_files
 from lommel.lensfiles.instrument import Camera
 from lommel.lensfiles.toml_files import (
     Context,

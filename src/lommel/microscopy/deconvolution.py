@@ -11,10 +11,9 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Values
 from lommel.base.units import percent
-from lommel.deconvolve.algorithms import ProgressCallback, RichardsonLucy, TotalVariation, silent
+from lommel.deconvolve.algorithms import ProgressCallback, Restoration, RichardsonLucy, TotalVariation, shown, silent
 from lommel.deconvolve.iterations import Background, State, iteration_of
 from lommel.deconvolve.poisson_counts import PoissonCounts
-from lommel.deconvolve.result import Restoration, shown
 from lommel.fit.findings import Finding, Findings
 from lommel.measures.spot import stage
 from lommel.microscopy.depth_model import narrowed, spline_degrees

@@ -12,8 +12,8 @@ import numpy as np
 
 from lommel.base.arrays import Json, Values
 from lommel.deconvolve.algorithms import RichardsonLucy
+from lommel.lensfiles import example_files, of_kind
 from lommel.lensfiles.camera_files import load_camera
-from lommel.lensfiles.example_files import example_files, of_kind
 from lommel.lensfiles.microscope_files import Microscope, load_microscope
 from lommel.microscopy.deconvolution import deconvolve
 from lommel.microscopy.restoration import restore

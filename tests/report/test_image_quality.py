@@ -10,9 +10,9 @@ from html.parser import HTMLParser
 import pytest
 
 import lommel as lm
-from lommel.lensfiles.example_files import example_files
-from lommel.lensfiles.image_quality import DEPTHS, microscope_quality
+from lommel.lensfiles import example_files
 from lommel.lensfiles.microscope_files import Microscope
+from lommel.report.image_quality import DEPTHS, microscope_quality
 from objectives import MATCHED
 
 

@@ -1,0 +1,1 @@
+"""Reports on lenses, microscopes and PSFs, as facts for JSON and as tables."""

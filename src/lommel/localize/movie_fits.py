@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from functools import partial
 from os import PathLike
 from pathlib import Path
+from typing import TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
+from lommel.base import options, validation
 from lommel.base.arrays import Array, Values
 from lommel.detection.molecules import Spots, box_pixels, find, frame_counts
 from lommel.localize.checks import TILTED, Checks
@@ -26,33 +27,28 @@ from lommel.recorded.noise import Noise
 _HEIGHTS, _ITERATIONS = 65, 100  # number of heights z at which Gaussians are fitted, and of iterations
 
 
-def localize_movie(
-    movie: Movie | str | PathLike[str] | ArrayLike,
-    table: Table,
-    *,
-    noise: Noise | None = None,
-    threshold: float = 6.0,
-    width: float | None = None,
-    saturation: float | None = None,
-    starts: int = 4,
-    flat: bool = False,
-    background: str = "auto",
-    mask: ArrayLike | None = None,
-    block: int | None = None,
-    threads: int | None = None,
-    progress: Callable[[int, int], object] | None = None,
-) -> Localizations:
-    """Find the molecules of a movie and estimate their positions.
+class MovieKeywords(TypedDict, total=False):
+    """Options of the localisation of a movie."""
 
-    Blocks of frames are searched by :func:`lommel.localize.find` and fitted by :func:`lommel.localize.fit`. Drift of
-    the sample is not corrected. A molecule that emits in several frames has one row for each of them.
+    noise: Noise | None
+    threshold: float
+    width: float | None
+    saturation: float | None
+    starts: int
+    flat: bool
+    background: str
+    mask: ArrayLike | None
+    block: int | None
+    threads: int | None
+    progress: Callable[[int, int], object] | None
+
+
+@dataclass(frozen=True)
+class MovieOptions:
+    """Options of the localisation of a movie, with their defaults.
 
     Parameters
     ----------
-    movie : Movie, path or array_like of shape (frames, rows, columns)
-        Frames as the camera recorded them, in the unit of `noise`.
-    table : Table
-        Images of a molecule, with the pixels of the camera. Their shape is that of the boxes that are fitted.
     noise : Noise, optional
         Gain, offset and read noise of the camera, each a number or a map of the frame; by default frames are in
         electrons without read noise.
@@ -80,6 +76,43 @@ def localize_movie(
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
         Called with the number of frames done and their total after each block.
+    """
+
+    noise: Noise | None = None
+    threshold: float = 6.0
+    width: float | None = None
+    saturation: float | None = None
+    starts: int = 4
+    flat: bool = False
+    background: str = "auto"
+    mask: ArrayLike | None = None
+    block: int | None = None
+    threads: int | None = None
+    progress: Callable[[int, int], object] | None = None
+
+    def __post_init__(self) -> None:
+        validation.function("progress", self.progress, required=False)
+        validation.optional("noise", self.noise, Noise)
+        validation.choice("background", self.background, ("auto", *BACKGROUNDS))
+        validation.truth("flat", self.flat)
+
+
+@options.shares(MovieKeywords, MovieOptions)
+def localize_movie(
+    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
+) -> Localizations:
+    """Find the molecules of a movie and estimate their positions.
+
+    Blocks of frames are searched by :func:`lommel.localize.find` and fitted by :func:`lommel.localize.fit`. Drift of
+    the sample is not corrected. A molecule that emits in several frames has one row for each of them.
+
+    Parameters
+    ----------
+    movie : Movie, path or array_like of shape (frames, rows, columns)
+        Frames as the camera recorded them, in the unit of `noise`.
+    table : Table
+        Images of a molecule, with the pixels of the camera. Their shape is that of the boxes that are fitted.
+    {options}
 
     Returns
     -------
@@ -98,35 +131,21 @@ def localize_movie(
     >>> found = localize_movie("movie.tif", table, noise=camera)  # doctest: +SKIP
     >>> found.save("molecules.csv")  # doctest: +SKIP
     """
-    blocks = localize_blocks(
-        movie, table, noise=noise, threshold=threshold, width=width, saturation=saturation, starts=starts, flat=flat,
-        background=background, mask=mask, block=block, threads=threads, progress=progress,
-    )  # fmt: skip
-    return joined(list(blocks))
+    options.require_known(localize_movie, given, MovieKeywords)
+    return joined(list(localize_blocks(movie, table, **given)))
 
 
+@options.shares(MovieKeywords, MovieOptions)
 def localize_blocks(
-    movie: Movie | str | PathLike[str] | ArrayLike,
-    table: Table,
-    *,
-    noise: Noise | None = None,
-    threshold: float = 6.0,
-    width: float | None = None,
-    saturation: float | None = None,
-    starts: int = 4,
-    flat: bool = False,
-    background: str = "auto",
-    mask: ArrayLike | None = None,
-    block: int | None = None,
-    threads: int | None = None,
-    progress: Callable[[int, int], object] | None = None,
+    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, **given: Unpack[MovieKeywords]
 ) -> Iterator[Localizations]:
     """Yield the localisations of a movie block by block, for movies with more molecules than fit in memory.
 
     Parameters
     ----------
-    movie, table, noise, threshold, width, saturation, starts, flat, background, mask, block, threads, progress
+    movie, table
         As in :func:`lommel.localize.localize_movie`.
+    {options}
 
     Yields
     ------
@@ -138,25 +157,31 @@ def localize_blocks(
     TypeError, ValueError, OSError
         As in :func:`lommel.localize.localize_movie`.
     """
+    options.require_known(localize_blocks, given, MovieKeywords)
     validation.instance("table", table, Table)
-    validation.function("progress", progress, required=False)
-    validation.optional("noise", noise, Noise)
-    camera = noise or Noise(read=0.0)
-    kind = validation.choice("background", background, ("auto", *BACKGROUNDS))
+    return _blocks(movie, table, MovieOptions(**given))
+
+
+def _blocks(
+    movie: Movie | str | PathLike[str] | ArrayLike, table: Table, given: MovieOptions
+) -> Iterator[Localizations]:
+    """Yield the localisations of a movie block by block."""
+    camera, width, kind = given.noise or Noise(read=0.0), given.width, given.background
+    saturation, threads = given.saturation, given.threads
     widths = gaussian_widths(table)
     if width is None:
         # Median over z of the geometric mean of both widths.
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
-    search = partial(find, box=table.shape, noise=camera, threshold=threshold, width=width, threads=threads)
-    with _opened(movie, block) as (shape, blocks, name):
+    search = partial(find, box=table.shape, noise=camera, threshold=given.threshold, width=width, threads=threads)
+    with _opened(movie, given.block) as (shape, blocks, name):
         pixel = table.pixel / table.pupil.magnification  # in the sample
-        along = "none" if validation.truth("flat", flat) else table.along
+        along = "none" if given.flat else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
         # Saturated pixels are already NaN in the values that are fitted: see `marked`.
-        fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=starts, threads=threads)
+        fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=given.starts, threads=threads)
         checks, done = Checks(recording, table, fit_boxes, kind), 0
         for frames in blocks:
-            counts = frame_counts(frames, table.shape, saturation=saturation, mask=mask)
+            counts = frame_counts(frames, table.shape, saturation=saturation, mask=given.mask)
             if not done:
                 checks.first(counts)
             if counts.assumed:
@@ -173,8 +198,8 @@ def localize_blocks(
             checks.count(localizations)
             yield replace(localizations, findings=checks.findings, summary=checks.summary)
             done += len(frames)
-            if progress is not None:
-                progress(done, shape[0])
+            if given.progress is not None:
+                given.progress(done, shape[0])
 
 
 _MAX_MOVES = 3  # largest number of times a box is moved

@@ -119,9 +119,9 @@ def call_lommel(
 @pytest.fixture
 def described_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Have `lommel info` compute what it says of a lens once, for its tables and its JSON."""
-    from lommel.report import lenses
+    from lommel.report import optics
 
-    describe = lenses.describe_lens
+    describe = optics.describe_lens
 
     def kept(instrument: object) -> object:
         key = pickle.dumps(instrument)
@@ -129,7 +129,7 @@ def described_once(monkeypatch: pytest.MonkeyPatch) -> None:
             DESCRIBED[key] = describe(instrument)
         return DESCRIBED[key]
 
-    monkeypatch.setattr(lenses, "describe_lens", kept)
+    monkeypatch.setattr(optics, "describe_lens", kept)
 
 
 @pytest.fixture(autouse=True)

@@ -206,12 +206,12 @@ def test_a_window_of_one_pixel_is_compared_without_a_warning(call_lommel, lenses
 def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     traced, call_lommel, lenses, tmp_path, monkeypatch
 ):
-    from lommel.report import lenses as lens_reports
+    from lommel.report import optics as reports
 
     def broken(*_):
         raise AttributeError("'int' object\nhas no attribute")
 
-    monkeypatch.setattr(lens_reports, "describe_lens", broken)
+    monkeypatch.setattr(reports, "describe_lens", broken)
     monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)
     if traced:
         monkeypatch.setenv("LOMMEL_TRACEBACK", "1")
@@ -236,12 +236,12 @@ def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
     ],
 )
 def test_memory_that_is_short_is_no_fault_of_the_program(error, call_lommel, lenses, tmp_path, monkeypatch):
-    from lommel.report import lenses as lens_reports
+    from lommel.report import optics as reports
 
     def broken(*_):
         raise error
 
-    monkeypatch.setattr(lens_reports, "describe_lens", broken)
+    monkeypatch.setattr(reports, "describe_lens", broken)
     result = call_lommel("info", lenses["phone"], folder=tmp_path)
     assert result.returncode == 2
     assert result.stderr == f"Error: memory, or the number of threads, is short: {error}\n"

@@ -13,8 +13,7 @@ import lommel as lm
 from lommel.lensfiles.instrument import wide_enough
 from lommel.lensfiles.microscope_files import Microscope
 from lommel.report.image_quality import compare_methods
-from lommel.report.lenses import describe_lens
-from lommel.report.psfs import describe_stack
+from lommel.report.optics import describe_lens, describe_stack
 from lommel.show.drawing import HOW
 from objectives import MATCHED
 

@@ -21,7 +21,7 @@ from lommel.cli.main import COMMANDS
 from lommel.cli.options import JSON, Group, command, option
 from lommel.imaging import blur as blur_module
 from lommel.imaging import defocus_depth
-from lommel.report.tables import Report
+from lommel.report import Report
 
 
 @pytest.mark.parametrize("name", ["", *COMMANDS])

@@ -20,7 +20,7 @@ from lommel.estimation.bead_images import CONSTANTS, UNITS
 from lommel.estimation.beads import fit_beads
 from lommel.estimation.star_images import label
 from lommel.recorded.frames import of_all, read_each
-from lommel.report.tables import Facts, Parts, Report, Wrapped, paragraphs, table_of
+from lommel.report import Facts, Parts, Report, Wrapped, paragraphs, table_of
 
 if TYPE_CHECKING:
     from lommel.base.arrays import Values

@@ -33,7 +33,7 @@ from lommel.microscopy.depth_model import MODALITIES
 from lommel.microscopy.refinement import PARAMETERS
 from lommel.microscopy.restoration import INTERRUPTED, MISFIT, between
 from lommel.recorded import recordings
-from lommel.report.tables import Facts, Report, list_of
+from lommel.report import Facts, Report, list_of
 
 if TYPE_CHECKING:
     from rich.table import Table

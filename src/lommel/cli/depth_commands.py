@@ -22,8 +22,8 @@ from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_ph
 from lommel.io import photos as photo_files
 from lommel.io.registry import suffixes
 from lommel.recorded.noise import Noise
-from lommel.report.lenses import lens_facts
-from lommel.report.tables import Facts, Report, finite, table_of
+from lommel.report import Facts, Report, finite, table_of
+from lommel.report.optics import lens_facts
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from lommel.estimation.field_fit import KINDS
 from lommel.estimation.field_fit import fit_field as fit
 from lommel.estimation.star_images import label
 from lommel.recorded.frames import read_images
-from lommel.report.tables import Facts, Parts, Report, Wrapped, paragraphs, table_of
+from lommel.report import Facts, Parts, Report, Wrapped, paragraphs, table_of
 from lommel.show.drawing import figure_of
 
 if TYPE_CHECKING:

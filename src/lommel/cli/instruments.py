@@ -15,7 +15,7 @@ from lommel.base.units import format_length
 from lommel.cli.options import FILE, PATH, SIDES, WINDOW, Command, Group, Option, Parsed, argument, flag_of, option
 from lommel.recorded.frames import Found, Unusable
 from lommel.recorded.noise import Noise
-from lommel.report.tables import Facts
+from lommel.report import Facts
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

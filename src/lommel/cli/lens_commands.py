@@ -21,7 +21,7 @@ from lommel.cli.options import FILE, JSON, OUTPUT, PATH, WINDOW, argument, comma
 from lommel.cli.output import progress, save_figure, written
 from lommel.lensfiles import KINDS, example_files
 from lommel.methods import ERFS, METHODS, ClosedForm
-from lommel.report.tables import Parts, Report, Wrapped, table_of
+from lommel.report import Parts, Report, Wrapped, table_of
 from lommel.show.drawing import HOW
 
 
@@ -186,12 +186,12 @@ def info(lens: Path = LENS, seen: Described = Described(), depth: float | None =
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.report import lenses  # what these need takes longer to import than the list of commands
+    from lommel.report import optics  # what these need takes longer to import than the list of commands
 
     microscope = microscope_of(lens, depth=depth, **vars(seen))
     if microscope is not None:
-        return lenses.describe_microscope(microscope)
-    return lenses.describe_lens(instrument_of(lens, **vars(seen)))
+        return optics.describe_microscope(microscope)
+    return optics.describe_lens(instrument_of(lens, **vars(seen)))
 
 
 @command(JSON)
@@ -219,7 +219,7 @@ def compare(
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.report import lenses  # what these need takes longer to import than the list of commands
+    from lommel.report import optics  # what these need takes longer to import than the list of commands
     from lommel.report.image_quality import compare_methods, other_model
 
     instrument = instrument_of(lens, **vars(seen))
@@ -271,7 +271,7 @@ def compare(
         "rows": rows,
         "other_model": other,
     }
-    model = f"model: {instrument.lens.model}; {lenses.model_in_words(other)}"
+    model = f"model: {instrument.lens.model}; {optics.model_in_words(other)}"
     files = written([figure], lambda _: ": the reference, maps of the errors, and slices").parts
     return Report(facts, [Text(instrument.name, "bold"), Wrapped(size), table, *notes, model, *files])
 

@@ -38,7 +38,7 @@ from lommel.io import registry
 from lommel.localize import Localizations, Table, find, fit, localize_blocks, open_movie, writer
 from lommel.localize.fitting import BACKGROUNDS
 from lommel.localize.localizations import MEDIANS, joined
-from lommel.report.tables import Facts, Parts, Report, Wrapped, list_of
+from lommel.report import Facts, Parts, Report, Wrapped, list_of
 from lommel.show.drawing import figure_of
 
 _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}

@@ -24,7 +24,7 @@ from lommel.base.validation import brief, line, shown
 from lommel.cli.output import figure_format
 from lommel.lensfiles import example_files
 from lommel.methods import METHODS
-from lommel.report.tables import Facts, Report, Wrapped
+from lommel.report import Facts, Report, Wrapped
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

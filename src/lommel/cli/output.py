@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from lommel.base import atomic, optional
 from lommel.base.units import percent
 from lommel.base.validation import line, shown
-from lommel.report.tables import Report
+from lommel.report import Report
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -56,7 +56,7 @@ from lommel.io.photos import check_pattern, find, is_animation, stored, write_fr
 from lommel.io.registry import suffixes
 from lommel.optics.lens import Lens
 from lommel.recorded.noise import Noise
-from lommel.report.tables import Facts, Report, finite
+from lommel.report import Facts, Report, finite
 
 if TYPE_CHECKING:
     from lommel.imaging.photograph import Pixels

@@ -28,8 +28,7 @@ from lommel.methods import ERFS, METHODS, Method
 from lommel.optics.colour.spectrum import Channels
 from lommel.psf import PSF
 from lommel.psf import psf as compute
-from lommel.report import lenses, psfs
-from lommel.report.tables import Facts, Report, Wrapped
+from lommel.report import Facts, Report, Wrapped, optics
 from lommel.show.drawing import STRETCHES, figure_of
 from lommel.stacks import psf_to
 
@@ -255,7 +254,7 @@ def _describe_mtf(
         places = [(x, y, field_map.pupil(x, y)) for y in made.y.tolist() for x in made.x.tolist()]
     else:
         places = [(*(place or (None, None)), pupil())]
-    return psfs.describe_mtf(instrument, places, channels)
+    return optics.describe_mtf(instrument, places, channels)
 
 
 def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
@@ -323,9 +322,9 @@ def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts,
         find=psf_files.find,
         make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
-            lenses.summarize_lens(instrument)
+            optics.summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in said])
-            + psfs.describe_psf(made, seconds)
+            + optics.describe_psf(made, seconds)
         ),
         entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
@@ -352,8 +351,8 @@ def _of_field(
 
     def report(made: PSFGrid, seconds: float) -> Report:
         if isinstance(made.psf, ColourPSF):
-            return psfs.describe_colour(instrument, made.psf, seconds)
-        return psfs.describe_field(instrument, made, seconds)
+            return optics.describe_colour(instrument, made.psf, seconds)
+        return optics.describe_field(instrument, made, seconds)
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
@@ -376,7 +375,7 @@ def _in_colour(
         find=psf_files.find_colours,
         make=lambda: colour_psf(pupil(), instrument.window, instrument.pixel, channels, **options),
         report=lambda made, seconds: (
-            psfs.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in said])
+            optics.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in said])
         ),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
@@ -392,7 +391,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
             microscope.pupil(), microscope.window, microscope.pixel, integrate=microscope.integrate, **options
         ),
         report=lambda made, seconds: (
-            lenses.describe_microscope(microscope, foci=False) + psfs.describe_stack(made, seconds)
+            optics.describe_microscope(microscope, foci=False) + optics.describe_stack(made, seconds)
         ),
         entitle=lambda axes: _entitle_figure(axes, microscope.name),
         note=_picture_note,
@@ -404,7 +403,7 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
 def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
     """Return the name of a lens, its wavelength unless there are channels, and its distances."""
     lens = instrument.lens
-    focused, seen = lenses.distinct(lens.focus_distance, instrument.object_distance)
+    focused, seen = optics.distinct(lens.focus_distance, instrument.object_distance)
     light = "" if channels else f"{format_length(lens.wavelength)}, "
     where = f"object at {seen}" if focused == seen else f"focus at {focused}, object at {seen}"
     return f"{instrument.name}\n{light}{where}"

@@ -19,7 +19,7 @@ from lommel.estimation.phase_retrieval import retrieve as fit
 from lommel.estimation.star_images import label
 from lommel.io import zernike_tables
 from lommel.recorded.frames import part_of, read_images
-from lommel.report.tables import Parts, Report, Wrapped, paragraphs, table_of
+from lommel.report import Parts, Report, Wrapped, paragraphs, table_of
 from lommel.special import zernike
 
 if TYPE_CHECKING:

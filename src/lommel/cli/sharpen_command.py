@@ -26,7 +26,7 @@ from lommel.imaging.focal_engine import BLOCK
 from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
 from lommel.io.registry import formats, suffixes
-from lommel.report.tables import Report, finite
+from lommel.report import Report, finite
 
 if TYPE_CHECKING:
     from lommel.io.depth_maps import DepthKeywords

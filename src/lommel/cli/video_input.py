@@ -19,7 +19,7 @@ from lommel.cli.instruments import noise_of
 from lommel.cli.options import option
 from lommel.cli.photo_commands import PhotoNoise
 from lommel.recorded.noise import Noise
-from lommel.report.tables import Facts
+from lommel.report import Facts
 
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera

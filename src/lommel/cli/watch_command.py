@@ -31,8 +31,8 @@ from lommel.imaging.defocus_verdict import DefocusVerdict
 from lommel.imaging.focal_engine import BLOCK
 from lommel.io import videos
 from lommel.io.registry import suffixes
-from lommel.report.lenses import lens_facts
-from lommel.report.tables import Report, finite
+from lommel.report import Report, finite
+from lommel.report.optics import lens_facts
 from lommel.show.estimates import DepthColours
 
 if TYPE_CHECKING:

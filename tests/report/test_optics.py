@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.report.lenses import IN_FOCUS, describe_lens, summarize_lens
+from lommel.report.optics import IN_FOCUS, describe_lens, summarize_lens
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 

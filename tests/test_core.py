@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 import lommel
 from lommel import _core
-from rendering import rendered
+from rendering import grouped, rendered
 
 STUB = Path(lommel.__file__).with_name("_core.pyi")
 CONTIGUOUS = np.linspace(0.0, 5.0, 6)
@@ -98,7 +98,7 @@ def _render(**changes: Any) -> float:
         "derivative_images": np.empty((k, n, 5, 7), kind),
         "derivative_bounds": np.empty((k, n)),
     }
-    return _core.render(**(_ASKED | arguments | changes))
+    return _core.render(**grouped(_ASKED | arguments | changes))
 
 
 def test_rendering_refuses_what_does_not_fit() -> None:
@@ -134,7 +134,7 @@ def test_rendering_refuses_what_does_not_fit() -> None:
 
 
 def _plan(**changes: Any) -> _core.RadialPlan:
-    return _core.RadialPlan(**(_ASKED | {"height": 5, "width": 7, "kind": "d"} | changes))
+    return _core.RadialPlan(**grouped(_ASKED | {"height": 5, "width": 7, "kind": "d"} | changes))
 
 
 def test_a_plan_refuses_what_has_no_answer() -> None:
@@ -303,8 +303,8 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         "distinct_radii": lambda: _core.distinct_radii(4000 // scale, 4000 // scale)[1],
         "scatter": scatter,
         "render": render,
-        "field": lambda: _core.field(pupils, 0.3, np.array([0.0, 0.5]), far, 1e-6)[0][0],
-        "profile": lambda: _core.profile(pupils, 0.3, np.array([0.0, 0.5]), far, 1e-6)[0][0],
+        "field": lambda: _core.field((pupils, 0.3, np.array([0.0, 0.5])), far, 1e-6)[0][0],
+        "profile": lambda: _core.profile((pupils, 0.3, np.array([0.0, 0.5])), far, 1e-6)[0][0],
         "render with averages": pixels,
         "pixel_values": averages,
         "huygens_sum": lambda: _core.huygens_sum(sources, sources, np.exp(1e4j * sources), points, points, 0.1, 1e7),

@@ -9,7 +9,7 @@ import pytest
 
 BLUR = """
 from lommel import _core
-windows, halves, energies = np.ones((7, 101, 112), np.float32), np.full(6, 100), np.full(6, 4e4)
+bank = np.ones((7, 101, 112), np.float32), np.full(6, 100), np.full(6, 4e4)
 positions, scene = np.full((1200, 1200), 2.5), np.ones((1200, 1200), np.float32)
 where, wide = (positions, np.arange(1200), np.arange(1200)), np.ones((1400, 1424), np.float32)
 """
@@ -32,8 +32,8 @@ CALLS = {
         "lm.Hankel().field(lm.Pupil(), [1.0])",
         "[lm.Hankel().field(lm.Pupil(lm.Wavefront(9.0 + i)), [25_000.0 + i]) for i in range(99)]",
     ),
-    "spread": (BLUR, "_core.spread(windows, halves, energies, *where, scene, 2, wide)"),
-    "collect": (BLUR, "_core.collect(windows, halves, energies, *where, wide, 2, scene)"),
+    "spread": (BLUR, "_core.spread(bank, where, scene, 2, wide)"),
+    "collect": (BLUR, "_core.collect(bank, where, wide, 2, scene)"),
 }
 
 PROGRAM = """

@@ -109,8 +109,8 @@ def test_what_is_out_of_reach_is_refused_at_once_in_the_terms_of_the_question(me
 def test_the_core_itself_refuses_what_no_integer_holds(v):
     one, at = np.array([[1.0]]), np.array([v])
     for call in (
-        lambda: _core.field(one, 0.0, np.zeros(1), at, 1e-6),
-        lambda: _core.profile(one, 0.3, np.zeros(1), at, 1e-6),
+        lambda: _core.field((one, 0.0, np.zeros(1)), at, 1e-6),
+        lambda: _core.profile((one, 0.3, np.zeros(1)), at, 1e-6),
         lambda: _core.bessel_sequence(at, 5),
         lambda: _core_tests.series_bounds(one[0], np.zeros(1), 0, v, 1e-9),
     ):

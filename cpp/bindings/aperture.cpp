@@ -70,16 +70,18 @@ Out<double, 2> nodes(const lommel::RowRule& rule) {
     return found;
 }
 
-void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, In<std::int32_t, 2> terms,
-            In<double, 2> edge, In<double, 1> amplitude, double center_y, double center_x, double step, double precision,
-            int threads, Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes, Out<double, 1> losses) {
+void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, DiskFields stack, WindowFields place,
+            double precision, int threads, Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes,
+            Out<double, 1> losses) {
+    const auto& [terms, edge, obscuration, amplitude] = stack;
+    require(obscuration == 0.0, "an obscuration is part of the rules");
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);
     const std::size_t pupils = pupils_of(edge);
-    require_image(out.shape(1), out.shape(2));
-    require_center(center_y, center_x);
-    require_request(step, precision, threads);
+    require_shape(place, out);
+    const AxisWindow at = one_axis_window(place);
+    require_request(at.step, precision, threads);
     require(out.shape(0) == pupils && losses.shape(0) == pupils, "one image and one bound a pupil");
     require(phases.shape(0) == rules.size() && phases.shape(1) == 3, "one phase, tip and tilt a region");
     std::vector<lommel::ZernikeTerm> by;
@@ -95,7 +97,7 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
         const double* phase = phases.data() + 3 * i;
         regions.push_back({rules[i], {phase[0], phase[1], phase[2]}});
     }
-    const lommel::DiskWindow window{out.shape(1), out.shape(2), center_y, center_x, step};
+    const lommel::DiskWindow window{at.height, at.width, at.row, at.column, at.step};
     released([&] {
         lommel::row_images(regions, list, edge.data(), pupils, light, window, precision, threads, out.data(), by, slopes.data(),
                            losses.data());
@@ -112,8 +114,7 @@ void bindings::define_aperture(nb::module_& m) {
     m.def("row_rule", &row_rule, "ellipses"_a, "corners"_a, "counts"_a, "steps"_a, "degree"_a, "error"_a,
           "Return a rule that is off by at most an error for polynomials that are at most 1 on the unit disc.");
     m.def("row_samples", &row_samples, "y"_a, "counts"_a, "x"_a, "weights"_a, "phase"_a, "Return samples as such a rule.");
-    m.def("row_images", &images, "rules"_a, "phases"_a, "terms"_a, "edge"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
-          "step"_a, "precision"_a, "threads"_a, "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(),
-          "losses"_a.noconvert(),
+    m.def("row_images", &images, "rules"_a, "phases"_a, "stack"_a, "window"_a, "precision"_a, "threads"_a,
+          "images"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "losses"_a.noconvert(),
           "Intensities of pupils over regions with phases, and derivatives by the coefficients of terms.");
 }

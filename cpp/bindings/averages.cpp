@@ -18,8 +18,10 @@ using namespace bindings;
 namespace {
 
 template <class T>
-lommel::AverageRequest request_of(double step, double tol, int threads, double scale, const Out<T, 3>& images,
+lommel::AverageRequest request_of(const WindowFields& window, const Request& request, const Out<T, 3>& images,
                                   const In<std::int32_t, 2>& factors, const Out<T, 4>& slopes, const Out<double, 2>& bounds) {
+    const auto [tol, threads, scale] = request;
+    const double step = std::get<2>(window);
     const std::size_t terms = factors.shape(0);
     require_request(step, tol, threads);
     require(terms == 0 || scale > 0.0, "derivatives of values that are divided by their largest one are not available");
@@ -34,18 +36,17 @@ lommel::AverageRequest request_of(double step, double tol, int threads, double s
             terms > 0 ? factors_of(factors) : std::vector<lommel::ZernikeTerm>()};
 }
 
-template <class T, class... Center>
-bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
-                   double step, double tol, int threads, double scale, bool if_cheaper, Out<T, 3> images,
+template <class T>
+bool disk_averages(DiskFields stack, WindowFields window, Request request, bool if_cheaper, Out<T, 3> images,
                    Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
-    const lommel::DiskAnswer<T> into = disk_answer_of(pupils_of(edge), scale, images, numbers);
-    const lommel::AverageRequest request = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
-    const lommel::DiskPupils pupils =
-        disks_of(terms, edge, obscuration, amplitude, request.height, request.width, step, center...);
+    const lommel::DiskAnswer<T> into = disk_answer_of(std::get<1>(stack), window, std::get<2>(request), images, numbers);
+    const lommel::AverageRequest averages = request_of(window, request, images, factors, slopes, bounds);
+    const lommel::DiskPupils pupils = disks_of(stack, window);
     return released([&] {
-        return lommel::averaged_images(
-            request, pupils.count, into, slopes.data(), bounds.data(),
-            [&](const lommel::AverageAnswer& answer) { return lommel::DiskAverages(pupils, request, if_cheaper).run(answer); });
+        return lommel::averaged_images(averages, pupils.count, into, slopes.data(), bounds.data(),
+                                       [&](const lommel::AverageAnswer& answer) {
+                                           return lommel::DiskAverages(pupils, averages, if_cheaper).run(answer);
+                                       });
     });
 }
 
@@ -54,16 +55,17 @@ bool disk_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
 using Weights = std::optional<std::tuple<In<double, 3>, double, bool>>;
 
 template <class T>
-bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double center_y, double center_x, double step, double tol,
-                       int threads, double scale, double strehl, double transmission, nb::object rule, Out<T, 3> images,
-                       Out<double, 2> numbers, In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
+bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFields place, Request asked, double strehl,
+                       double transmission, nb::object rule, Out<T, 3> images, Out<double, 2> numbers,
+                       In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
     require(strehl > 0.0 && strehl <= 1.0 && transmission > 0.0, "strehl and transmission must be positive");
-    const lommel::DiskAnswer<T> into = disk_answer_of(pupils_of(edge), scale, images, numbers);
-    const lommel::AverageRequest request = request_of(step, tol, threads, scale, images, factors, slopes, bounds);
+    const lommel::DiskAnswer<T> into = disk_answer_of(edge, place, std::get<2>(asked), images, numbers);
+    const lommel::AverageRequest request = request_of(place, asked, images, factors, slopes, bounds);
+    const int threads = std::get<1>(asked);
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
-    require_center(center_y, center_x);
-    const lommel::DiskWindow window{request.height, request.width, center_y, center_x, step};
+    const AxisWindow at = one_axis_window(place);
+    const lommel::DiskWindow window{at.height, at.width, at.row, at.column, at.step};
     const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr};
     const auto sample = [&](const lommel::NodeQuestion& question, const lommel::AverageAnswer& to,
                             lommel::NodeNumbers& of_pupils) {
@@ -77,8 +79,8 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double cen
             const double middle = spacing * (0.5 * static_cast<double>(side - 1) - center);
             return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));
         };
-        const double down = reach(question.rows.places, request.height, center_y, step),
-                     across = reach(question.columns.places, request.width, center_x, step);
+        const double down = reach(question.rows.places, at.height, at.row, at.step),
+                     across = reach(question.columns.places, at.width, at.column, at.step);
         const auto made = nb::cast<Weights>(rule(std::hypot(down, across), question.tol, question.single,
                                                  question.rows.places.size(), question.columns.places.size()));
         if (!made) {
@@ -122,28 +124,20 @@ Out<double, 1> band_points(double reach) {
     return w;
 }
 
-template <class T, class... Center, class... Named>
-void define_disk_averages(nb::module_& m, const char* says, const Named&... named) {
-    m.def("disk_averages", &disk_averages<T, Center...>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, named...,
-          "step"_a, "tol"_a, "threads"_a, "scale"_a, "if_cheaper"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
-          "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(), says);
-}
-
 }  // namespace
 
 void bindings::define_averages(nb::module_& m) {
     for_both([&](auto pixel) {
         using T = decltype(pixel);
-        define_disk_averages<T, double, double>(
-            m,
-            "Averages over pixels of pupils of Zernike terms (n, m), and derivatives by the coefficients of `factors`; scale 0 "
-            "divides by the largest. Whether there are any: a window has no nodes, or the tolerance cannot be met.",
-            "center_y"_a, "center_x"_a);
-        define_disk_averages<T, In<double, 2>>(m, "The same, each around an axis of its own.", "centers"_a);
         m.def(
-            "aperture_averages", &aperture_averages<T>, "terms"_a, "edge"_a, "center_y"_a, "center_x"_a, "step"_a, "tol"_a,
-            "threads"_a, "scale"_a, "strehl"_a, "transmission"_a, "rule"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
-            "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(),
+            "disk_averages", &disk_averages<T>, "stack"_a, "window"_a, "request"_a, "if_cheaper"_a, "images"_a.noconvert(),
+            "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(),
+            "Averages over pixels of pupils of Zernike terms (n, m), and derivatives by the coefficients of `factors`; scale 0 "
+            "divides by the largest. Whether there are any: a window has no nodes, or the tolerance cannot be met.");
+        m.def(
+            "aperture_averages", &aperture_averages<T>, "terms"_a, "edge"_a, "window"_a, "request"_a, "strehl"_a,
+            "transmission"_a, "rule"_a, "images"_a.noconvert(), "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(),
+            "bounds"_a.noconvert(),
             "The same of an aperture, by weights of the nodes of the disk: rule(reach, tol, single, rows, columns) gives those "
             "of a quadrant, [chord][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im], what fields are off by within the "
             "reach, and whether sums may be in single precision, or None. Rows and columns are numbers of nodes.");

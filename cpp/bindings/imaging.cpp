@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <nanobind/stl/optional.h>
@@ -46,8 +49,15 @@ std::size_t levels(In<float, 1> light, In<float, 1> edges, float low, float high
     return beyond;
 }
 
+// Windows of a bank[position][row][column], the half width of each, and its share of the light.
 template <class T>
-lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int64_t, 1>& halves, const In<double, 1>& energies) {
+using BankFields = std::tuple<In<T, 3>, In<std::int64_t, 1>, In<double, 1>>;
+// Position in the bank of each pixel of the image, and the rows and columns of the scene that the image continues to.
+using SceneFields = std::tuple<In<double, 2>, In<std::int64_t, 1>, In<std::int64_t, 1>>;
+
+template <class T>
+lommel::WindowBank<T> bank_of(const BankFields<T>& bank) {
+    const auto& [windows, halves, energies] = bank;
     const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
     // The last window is a spare that vectors may read.
     require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
@@ -59,7 +69,8 @@ lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int64_t, 1>
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
 
-lommel::Scene scene_of(const In<double, 2>& positions, const In<std::int64_t, 1>& rows, const In<std::int64_t, 1>& columns) {
+lommel::Scene scene_of(const SceneFields& scene) {
+    const auto& [positions, rows, columns] = scene;
     require(lommel::all_finite(positions.data(), positions.size()), "positions must be finite");
     const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t count) {
         return std::all_of(indices.data(), indices.data() + indices.size(),
@@ -92,11 +103,11 @@ bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::
 // out += each pixel spread over its window; `out` is larger than the scene by half a window above and below, and by the next
 // multiple of 16 on either side.
 template <class T>
-void spread(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
-            In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out,
+void spread(BankFields<T> windows, SceneFields places, Strided<T> image, int threads, Out<T, 2> out,
             std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen, bool slopes) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
-    const lommel::Scene scene = scene_of(positions, rows, columns);
+    const lommel::WindowBank<T> bank = bank_of<T>(windows);
+    const lommel::Scene scene = scene_of(places);
+    const In<double, 2>& positions = std::get<0>(places);
     require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
             "positions must match the image");
     require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
@@ -109,11 +120,11 @@ void spread(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies
 
 // Transpose of spread(). Light beyond the edges is not folded back.
 template <class T>
-void collect(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
-             In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out,
+void collect(BankFields<T> windows, SceneFields places, In<T, 2> image, int threads, Out<T, 2> out,
              std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen, bool slopes) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
-    const lommel::Scene scene = scene_of(positions, rows, columns);
+    const lommel::WindowBank<T> bank = bank_of<T>(windows);
+    const lommel::Scene scene = scene_of(places);
+    const In<double, 2>& positions = std::get<0>(places);
     require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
     require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
@@ -145,18 +156,23 @@ std::pair<std::size_t, std::size_t> depth_layers(In<double, 2> defocus, double l
 }
 
 // Add the layers from .. to - 1, front to back, to the composite image.
+// Layer of each pixel (0: nearest), the representative pixel of the light behind it (-1: none), and the number of layers.
+using LayerFields = std::tuple<In<std::uint8_t, 2>, std::optional<In<std::int32_t, 2>>, int>;
+
 template <class T>
-void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
-               In<std::uint8_t, 2> layers, std::optional<In<std::int32_t, 2>> behind, int count, In<std::int64_t, 1> rows,
-               In<std::int64_t, 1> columns, bool mirrored, bool dark, std::optional<Strided<T>> image, int from, int to,
-               bool known, int threads, Out<T, 2> seen, Out<T, 2> total, std::optional<Out<T, 2>> out) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
-    const lommel::Scene scene = scene_of(positions, rows, columns);
-    const std::size_t height = positions.shape(0), width = positions.shape(1), size = height * width;
+void composite(BankFields<T> windows, SceneFields places, LayerFields layering, const std::string& border,
+               std::optional<Strided<T>> image, std::pair<int, int> range, bool known, int threads, Out<T, 2> seen,
+               Out<T, 2> total, std::optional<Out<T, 2>> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows);
+    const lommel::Scene scene = scene_of(places);
+    const auto& [layers, behind, count_] = layering;
+    const int count = count_;
+    const auto [from, to] = range;
+    const std::size_t height = std::get<0>(places).shape(0), width = std::get<0>(places).shape(1), size = height * width;
     const auto alike = [&](const auto& array) { return array.shape(0) == height && array.shape(1) == width; };
     require(count >= 1 && count <= 64 && 0 <= from && from <= to && to <= count && threads >= 0, "layers must be 1 to 64");
     require(alike(layers) && (!behind || alike(*behind)), "layers and what is behind must match the positions");
-    require(std::all_of(layers.data(), layers.data() + size, [&](std::uint8_t each) { return each < count; }),
+    require(std::all_of(layers.data(), layers.data() + size, [count](std::uint8_t each) { return each < count; }),
             "layers must be below their number");
     require(!behind || std::all_of(behind->data(), behind->data() + size,
                                    [&](std::int32_t each) { return each >= -1 && each < static_cast<std::int64_t>(size); }),
@@ -171,8 +187,8 @@ void composite(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energ
                                        behind ? behind->data() : nullptr,
                                        static_cast<std::size_t>(count),
                                        (scene.height - height) / 2,
-                                       mirrored,
-                                       dark};
+                                       border == "reflect",
+                                       border == "zero"};
     released([&] {
         lommel::Compositor<T>(bank, layered, threads, image ? image->data() : nullptr, image ? image->stride(0) : 0,
                               image ? image->stride(1) : 0)(static_cast<std::size_t>(from), static_cast<std::size_t>(to), known,
@@ -194,12 +210,22 @@ void remainder_factors(In<T, 3> cubics, In<double, 1> positions, int threads, Ou
     });
 }
 
-// Check the arrays of splines and source pixels, see field_spread.hpp.
+// Check the arrays of splines and source pixels, see field_spread.hpp: windows[row][column][node][pixel] of `side` pixels a
+// side, weights of the rows and of the columns of nodes, and the three shares of each column.
 template <class T>
-lommel::FieldSpreader<T> field_spreader(const In<T, 4>& windows, std::size_t side, const In<T, 2>& down, const In<T, 2>& places,
-                                        const In<T, 2>& shares, const In<std::int64_t, 1>& tiles, const In<double, 2>& defocus,
-                                        const In<double, 1>& breaks, const In<T, 3>& powers, const In<std::int64_t, 1>& rows,
-                                        const In<std::int64_t, 1>& columns, int threads) {
+using SplineFields = std::tuple<In<T, 4>, std::size_t, In<T, 2>, In<T, 2>, In<T, 2>>;
+// Tile of each column, defocus of each pixel, and breaks and powers of the interpolation over the defocus.
+template <class T>
+using DefocusFields = std::tuple<In<std::int64_t, 1>, In<double, 2>, In<double, 1>, In<T, 3>>;
+// Rows and columns of the image that those of the scene are copies of.
+using CopyFields = std::pair<In<std::int64_t, 1>, In<std::int64_t, 1>>;
+
+template <class T>
+lommel::FieldSpreader<T> field_spreader(const SplineFields<T>& splines, const DefocusFields<T>& at, const CopyFields& copies,
+                                        int threads) {
+    const auto& [windows, side, down, places, shares] = splines;
+    const auto& [tiles, defocus, breaks, powers] = at;
+    const auto& [rows, columns] = copies;
     const std::size_t size = windows.shape(3), order = powers.shape(1), intervals = powers.shape(0);
     const std::size_t high = defocus.shape(0), broad = defocus.shape(1), count = places.shape(0);
     require(
@@ -229,12 +255,11 @@ lommel::FieldSpreader<T> field_spreader(const In<T, 4>& windows, std::size_t sid
 
 // Add each pixel spread over its window to an image larger by the size of a window; or the transpose.
 template <class T>
-void field_spread(In<T, 4> windows, std::size_t side, In<T, 2> down, In<T, 2> places, In<T, 2> shares,
-                  In<std::int64_t, 1> tiles, In<double, 2> defocus, In<double, 1> breaks, In<T, 3> powers,
-                  In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out,
-                  bool transposed) {
-    const auto spreader =
-        field_spreader(windows, side, down, places, shares, tiles, defocus, breaks, powers, rows, columns, threads);
+void field_spread(SplineFields<T> splines, DefocusFields<T> defocus, CopyFields copies, In<T, 2> image, int threads,
+                  Out<T, 2> out, bool transposed) {
+    const auto spreader = field_spreader(splines, defocus, copies, threads);
+    const auto& [rows, columns] = copies;
+    const std::size_t side = std::get<1>(splines);
     const auto size = [](const auto& array) { return std::pair(array.shape(0), array.shape(1)); };
     const std::pair<std::size_t, std::size_t> small(rows.size(), columns.size());
     const std::pair<std::size_t, std::size_t> large(rows.size() + side - 1,
@@ -293,23 +318,21 @@ void bindings::define_imaging(nb::module_& m) {
           "Convolves the first planes of a room along all planes, at each lateral frequency, or applies the transpose.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
-        m.def("composite", &composite<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a,
-              "layers"_a.noconvert(), "behind"_a.noconvert().none(), "count"_a, "rows"_a, "columns"_a, "mirrored"_a, "dark"_a,
-              "image"_a.noconvert().none(), "from_layer"_a, "to_layer"_a, "known"_a, "threads"_a, "seen"_a.noconvert(),
-              "total"_a.noconvert(), "out"_a.noconvert() = nb::none(),
-              "Adds layers of points, from the nearest on, to what pixels see of them, of a white scene and of light.");
-        m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
-              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
-              "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
+        m.def("composite", &composite<T>, "bank"_a.noconvert(), "scene"_a, "layering"_a.noconvert(), "border"_a,
+              "image"_a.noconvert().none(), "range"_a, "known"_a, "threads"_a, "seen"_a.noconvert(), "total"_a.noconvert(),
+              "out"_a.noconvert() = nb::none(),
+              "Adds a range of layers of points, from the nearest on, to what pixels see of them, of a white scene and of "
+              "light.");
+        m.def("spread", &spread<T>, "bank"_a.noconvert(), "scene"_a, "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
+              "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
               "Adds each pixel times the window at its position in the bank, or its derivative by that, to an image larger by "
               "a window.");
-        m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
-              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
-              "seen"_a.noconvert() = nb::none(), "slopes"_a = false, "The transpose of spread().");
+        m.def("collect", &collect<T>, "bank"_a.noconvert(), "scene"_a, "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
+              "layers"_a.noconvert() = nb::none(), "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
+              "The transpose of spread().");
         m.def("remainder_factors", &remainder_factors<T>, "cubics"_a.noconvert(), "positions"_a, "threads"_a,
               "out"_a.noconvert(), "Writes the factors of the products of a remainder at each position in a bank.");
-        m.def("field_spread", &field_spread<T>, "windows"_a.noconvert(), "side"_a, "down"_a.noconvert(), "places"_a.noconvert(),
-              "shares"_a.noconvert(), "tiles"_a, "defocus"_a, "breaks"_a, "powers"_a.noconvert(), "rows"_a, "columns"_a,
+        m.def("field_spread", &field_spread<T>, "splines"_a.noconvert(), "defocus"_a.noconvert(), "copies"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "transposed"_a = false,
               "Adds each pixel times the window of splines at its place and defocus to an image larger by a window, or writes "
               "the "

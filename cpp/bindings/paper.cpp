@@ -36,9 +36,16 @@ Out<complex, 2> chirp_moments(double a, In<double, 1> b, In<double, 1> low, In<d
     return out;
 }
 
-Out<complex, 2> closed_form_fields(In<double, 1> edges, In<double, 2> alpha, In<double, 2> beta, In<complex, 2> turns,
-                                   In<double, 1> starts, In<complex, 2> coefficients, std::size_t series, std::size_t terms,
-                                   In<complex, 1> table, In<double, 1> v, int threads) {
+// Edges of the pieces; alpha, beta and the factor of each, [pupil][piece].
+using PhaseFields = std::tuple<In<double, 1>, In<double, 2>, In<double, 2>, In<complex, 2>>;
+// First |x| of each quadratic for x J0(x), its coefficients, and the number of terms of the power series below.
+using BesselFields = std::tuple<In<double, 1>, In<complex, 2>, std::size_t>;
+// Number of terms of the error function, and its table.
+using ErfFields = std::tuple<std::size_t, In<complex, 1>>;
+
+Out<complex, 2> closed_form_fields(PhaseFields phase, BesselFields bessel, ErfFields erf, In<double, 1> v, int threads) {
+    const auto& [edges, alpha, beta, turns] = phase;
+    const auto& [starts, coefficients, series] = bessel;
     const std::size_t pupils = alpha.shape(0), pieces = alpha.shape(1);
     require(beta.shape(0) == pupils && turns.shape(0) == pupils, "alpha, beta and turns must be of as many pupils");
     require(pieces > 0 && edges.shape(0) == pieces + 1 && beta.shape(1) == pieces && turns.shape(1) == pieces,
@@ -49,13 +56,12 @@ Out<complex, 2> closed_form_fields(In<double, 1> edges, In<double, 2> alpha, In<
             "starts must be positive and rise");
     require(series >= 1, "there must be a term of the series");
     require_radii(v);
-    const lommel::FresnelForm form = fresnel_form(terms, table);
+    const lommel::FresnelForm form = fresnel_form(std::get<0>(erf), std::get<1>(erf));
     auto out = new_array<complex, 2>({pupils, v.shape(0)});
-    released([&] {
-        lommel::closed_form_fields({edges.data(), alpha.data(), beta.data(), turns.data(), pieces}, pupils,
-                                   {starts.data(), coefficients.data(), starts.shape(0), series}, form, v.data(), v.shape(0),
-                                   threads, out.data());
-    });
+    const lommel::PhasePieces pieces_of{edges.data(), alpha.data(), beta.data(), turns.data(), pieces};
+    const lommel::BesselExponentials quadratics{starts.data(), coefficients.data(), starts.shape(0), series};
+    released(
+        [&] { lommel::closed_form_fields(pieces_of, pupils, quadratics, form, v.data(), v.shape(0), threads, out.data()); });
     return out;
 }
 
@@ -77,8 +83,7 @@ void bindings::define_paper(nb::module_& m) {
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");
     m.def("chirp_moments", &chirp_moments, "a"_a, "b"_a, "low"_a, "high"_a, "terms"_a, "table"_a,
           "int_low^high R^m exp(i (a R^2 + b R)) dR for m = 0, 1, 2.");
-    m.def("closed_form_fields", &closed_form_fields, "edges"_a, "alpha"_a, "beta"_a, "turns"_a, "starts"_a, "coefficients"_a,
-          "series"_a, "terms"_a, "table"_a, "v"_a, "threads"_a,
+    m.def("closed_form_fields", &closed_form_fields, "phase"_a, "bessel"_a, "erf"_a, "v"_a, "threads"_a,
           "U of the phases alpha R^2 + beta R on pieces, where turns are factors, by quadratics for x J0(x) beyond a power "
           "series.");
     m.def("polynomial_fields", &polynomial_fields, "pieces"_a, "start"_a, "width"_a, "v"_a, "threads"_a,

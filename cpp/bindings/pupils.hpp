@@ -1,9 +1,13 @@
 // Conversion of pupils from arrays, and of output arrays for images.
 #pragma once
 
+#include <nanobind/stl/variant.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "lommel/radial/images.hpp"
@@ -12,6 +16,19 @@
 #include "python.hpp"
 
 namespace bindings {
+
+// NamedTuples of lommel.core.engine, which cross field by field.
+// RadialStack: coefficients[pupil][term], radians; obscuration; powers of the amplitude.
+using RadialFields = std::tuple<In<double, 2>, double, In<double, 1>>;
+// DiskStack: terms[term][n, m]; coefficients[pupil][term], radians at the edge; obscuration; powers of the amplitude.
+using DiskFields = std::tuple<In<std::int32_t, 2>, In<double, 2>, double, In<double, 1>>;
+// Pixel at the axis of all images, as (row, column), or centers[pupil][row, column].
+using Center = std::variant<std::pair<double, double>, In<double, 2>>;
+// Window: (height, width), center, pitch in v.
+using WindowFields = std::tuple<std::pair<std::size_t, std::size_t>, Center, double>;
+
+// Tolerance, largest number of threads (0: all processors), and factor of the intensity (0: over its largest value).
+using Request = std::tuple<double, int, double>;
 
 // Amplitude without checking that it is at most 1, for tests of its bounds.
 inline lommel::Amplitude powers_of_amplitude(const In<double, 1>& powers) {
@@ -38,7 +55,8 @@ inline lommel::Stack stack_of(const double* coefficients, std::size_t pupils, st
     require(terms <= lommel::LegendreRule::most_terms, "coefficients must be 30 a pupil at most");
     return {coefficients, pupils, terms, obscuration, amplitude};
 }
-inline lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, const In<double, 1>& amplitude) {
+inline lommel::Stack stack_of(const RadialFields& given) {
+    const auto& [coefficients, obscuration, amplitude] = given;
     return stack_of(coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration_of(obscuration),
                     amplitude_of(amplitude));
 }
@@ -54,13 +72,21 @@ std::vector<lommel::ZernikeTerm> terms_of(const In<Integer, 2>& given, std::size
     return terms;
 }
 
+// Check the last two axes of images, or of weights of their pixels.
+template <class Images>
+void require_shape(const WindowFields& window, const Images& images) {
+    require(std::get<0>(window) == std::pair(images.shape(1), images.shape(2)), "images must have the shape of the window");
+    require_image(images.shape(1), images.shape(2));
+}
+
 // Output arrays: an image for each pupil, and numbers[scale, error bound, peak][pupil] in one array, as calls may take only a
 // microsecond. scale: factor of the intensity; 0 divides by the largest value.
 template <class T>
-lommel::Answer<T> answer_of(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
+lommel::Answer<T> answer_of(std::size_t pupils, const WindowFields& window, double scale, const Out<T, 3>& images,
+                            const Out<double, 2>& numbers) {
     require(images.shape(0) == pupils && numbers.shape(0) == 3 && numbers.shape(1) == pupils,
             "one image, scale, bound and peak a pupil");
-    require_image(images.shape(1), images.shape(2));
+    require_shape(window, images);
     double* const scales = numbers.data();
     std::fill_n(scales, pupils, scale);
     return {images.data(), scales, scales + pupils, scales + 2 * pupils, nullptr, 0, nullptr, nullptr};
@@ -124,35 +150,51 @@ inline std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& gi
     return terms;
 }
 
-// Pupils without radial symmetry, around one axis (row, column) or an axis for each.
-template <class... Center>
-lommel::DiskPupils disks_of(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
-                            const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step,
-                            const Center&... center) {
-    lommel::DiskWindow window{height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step};
-    const double* centers = nullptr;
-    require_image(height, width);
-    if constexpr (sizeof...(Center) == 2) {
-        require_center(center...);
-        window = {height, width, center..., step};
-    } else {
-        require_centers(center..., pupils_of(edge));
-        centers = (center.data(), ...);
+// Window around the one axis of all images; around the first of several, which `centers` then points to.
+struct AxisWindow {
+    std::size_t height, width;
+    double row, column, step;
+    const double* centers;  // [pupil][row, column], or null
+};
+
+inline AxisWindow axis_window(const WindowFields& window, std::size_t pupils) {
+    const auto& [shape, center, step] = window;
+    require_image(shape.first, shape.second);
+    if (const auto* centers = std::get_if<In<double, 2>>(&center)) {
+        require_centers(*centers, pupils);
+        return {shape.first, shape.second, centers->data()[0], centers->data()[1], step, centers->data()};
     }
+    const auto [row, column] = std::get<0>(center);
+    require_center(row, column);
+    return {shape.first, shape.second, row, column, step, nullptr};
+}
+
+// The same for images around one axis.
+inline AxisWindow one_axis_window(const WindowFields& window) {
+    require(std::holds_alternative<std::pair<double, double>>(std::get<1>(window)), "one centre, a row and a column");
+    return axis_window(window, 1);
+}
+
+inline lommel::DiskPupils disks_of(const DiskFields& stack, const WindowFields& window) {
+    const auto& [terms, edge, obscuration, amplitude] = stack;
+    const AxisWindow at = axis_window(window, pupils_of(edge));
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
-    return {std::move(list),         edge.data(), pupils_of(edge), obscuration_of(obscuration),
-            amplitude_of(amplitude), window,      centers};
+    return {std::move(list),
+            edge.data(),
+            edge.shape(0),
+            obscuration_of(obscuration),
+            amplitude_of(amplitude),
+            {at.height, at.width, at.row, at.column, at.step},
+            at.centers};
 }
 
 // Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Returns 0, or the achieved error
 // bound if the tolerance cannot be met.
-template <bool Moves, class Work, class... Center>
-double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
-                 const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step, double tol, int threads,
-                 const Work& work, const Center&... center) {
-    const lommel::DiskPupils pupils = disks_of(terms, edge, obscuration, amplitude, height, width, step, center...);
-    require_request(step, tol, threads);
+template <bool Moves, class Work>
+double ask_disks(const DiskFields& given, const WindowFields& window, double tol, int threads, const Work& work) {
+    const lommel::DiskPupils pupils = disks_of(given, window);
+    require_request(pupils.window.step, tol, threads);
     return judged([&] {
         lommel::DiskStack stack = pupils.stack();
         if constexpr (Moves) {
@@ -164,33 +206,26 @@ double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, do
 }
 
 template <class T>
-lommel::DiskAnswer<T> disk_answer_of(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
-    const lommel::Answer<T> answer = answer_of(pupils, scale, images, numbers);
+lommel::DiskAnswer<T> disk_answer_of(const In<double, 2>& edge, const WindowFields& window, double scale,
+                                     const Out<T, 3>& images, const Out<double, 2>& numbers) {
+    const lommel::Answer<T> answer = answer_of(pupils_of(edge), window, scale, images, numbers);
     return {answer.images, answer.scales, answer.bounds, answer.peaks};
 }
 
-template <template <class> class Engine, bool Moves, class T, class... Center>
-double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
-                   double step, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers) {
-    const lommel::DiskAnswer<T> answer = disk_answer_of(pupils_of(edge), scale, images, numbers);
-    return ask_disks<Moves>(
-        terms, edge, obscuration, amplitude, images.shape(1), images.shape(2), step, tol, threads,
-        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
-            Engine<T>(stack, window, tol, threads, answer).run();
-        },
-        center...);
+template <template <class> class Engine, bool Moves, class T>
+double disk_images(DiskFields stack, WindowFields window, Request request, Out<T, 3> images, Out<double, 2> numbers) {
+    const auto [tol, threads, scale] = request;
+    const lommel::DiskAnswer<T> answer = disk_answer_of(std::get<1>(stack), window, scale, images, numbers);
+    return ask_disks<Moves>(stack, window, tol, threads, [&](const lommel::DiskStack& of, const lommel::DiskWindow& at) {
+        Engine<T>(of, at, tol, threads, answer).run();
+    });
 }
 
 template <template <class> class Engine, bool Moves>
 void define_disk_images(nb::module_& m, const char* name, const char* says) {
     for_both([&](auto pixel) {
-        using T = decltype(pixel);
-        m.def(name, &disk_images<Engine, Moves, T, double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
-              "center_y"_a, "center_x"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(),
+        m.def(name, &disk_images<Engine, Moves, decltype(pixel)>, "stack"_a, "window"_a, "request"_a, "images"_a.noconvert(),
               "numbers"_a.noconvert(), says);
-        m.def(name, &disk_images<Engine, Moves, T, In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
-              "centers"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
-              "The same, each around an axis of its own.");
     });
 }
 

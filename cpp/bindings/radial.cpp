@@ -16,15 +16,15 @@ using namespace bindings;
 
 namespace {
 
-lommel::PixelWindows windows_of(std::size_t height, std::size_t width, std::size_t, double row, double column, double step,
-                                bool integrate) {
-    return window_of(height, width, row, column, step, integrate);
+lommel::PixelWindows windows_of(const WindowFields& window, bool integrate, std::size_t pupils) {
+    const AxisWindow at = axis_window(window, pupils);
+    const lommel::PixelWindow first = window_of(at.height, at.width, at.row, at.column, at.step, integrate);
+    return at.centers == nullptr ? lommel::PixelWindows(first) : lommel::PixelWindows{first, at.centers, pupils};
 }
-lommel::PixelWindows windows_of(std::size_t height, std::size_t width, std::size_t pupils, const In<double, 2>& centers,
-                                double step, bool integrate) {
-    require_centers(centers, pupils);
-    const double* first = centers.data();
-    return {window_of(height, width, first[0], first[1], step, integrate), first, pupils};
+
+lommel::PixelWindow one_window(const WindowFields& window, bool integrate) {
+    const AxisWindow at = one_axis_window(window);
+    return window_of(at.height, at.width, at.row, at.column, at.step, integrate);
 }
 
 template <class T>
@@ -33,15 +33,15 @@ double images_of(const lommel::Stack& stack, const lommel::PixelWindows& windows
     return judged([&] { lommel::render_radial<T>(stack, windows, tol, threads, answer); });
 }
 
-// Images around one axis (row, column), or around an axis for each pupil.
-template <class T, class... Center>
-double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, Center... center, double step,
-              bool integrate, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers,
-              In<std::int64_t, 1> powers, Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
-    lommel::Answer<T> answer = answer_of(stack.count, scale, images, numbers);
-    const lommel::PixelWindows windows = windows_of(images.shape(1), images.shape(2), stack.count, center..., step, integrate);
-    require_request(step, tol, threads);
+template <class T>
+double render(RadialFields pupils, WindowFields window, bool integrate, Request request, Out<T, 3> images,
+              Out<double, 2> numbers, In<std::int64_t, 1> powers, Out<T, 4> derivative_images,
+              Out<double, 2> derivative_bounds) {
+    const auto [tol, threads, scale] = request;
+    const lommel::Stack stack = stack_of(pupils);
+    lommel::Answer<T> answer = answer_of(stack.count, window, scale, images, numbers);
+    const lommel::PixelWindows windows = windows_of(window, integrate, stack.count);
+    require_request(std::get<2>(window), tol, threads);
     const std::vector<std::size_t> which = powers_of(powers);
     require_derivatives(which.size(), stack.count, images, derivative_images, derivative_bounds);
     if (!which.empty()) {
@@ -54,24 +54,21 @@ double render(In<double, 2> coefficients, double obscuration, In<double, 1> ampl
 }
 
 // Return whether averages of a stack, or only their derivatives, are faster from finer samples.
-bool filters_pay(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width,
-                 double row, double column, double step, double tol, bool derivatives) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
-    require_request(step, tol, 1);
-    const lommel::PixelWindows window = window_of(height, width, row, column, step, true);
-    const lommel::PixelRenderer<double> renderer(stack, window, tol, 1, {});
+bool filters_pay(RadialFields pupils, WindowFields window, double tol, bool derivatives) {
+    const lommel::Stack stack = stack_of(pupils);
+    require_request(std::get<2>(window), tol, 1);
+    const lommel::PixelRenderer<double> renderer(stack, one_window(window, true), tol, 1, {});
     return derivatives ? renderer.filters_pay_for_derivatives() : renderer.filters_pay();
 }
 
 // Plan for repeated calls with stacks of pupils that differ in their phases only; everything else is checked once.
 class RadialPlan {
    public:
-    RadialPlan(double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width, double row, double column,
-               double step, bool integrate, double tol, int threads, double scale, char kind)
+    RadialPlan(double obscuration, In<double, 1> amplitude, WindowFields window, bool integrate, Request request, char kind)
         : obscuration_(obscuration_of(obscuration)), amplitude_(amplitude_of(amplitude)),
-          window_(window_of(height, width, row, column, step, integrate)), tol_(tol), threads_(threads), scale_(scale),
-          kind_(kind) {
-        require_request(step, tol, threads);
+          window_(one_window(window, integrate)), tol_(std::get<0>(request)), threads_(std::get<1>(request)),
+          scale_(std::get<2>(request)), kind_(kind) {
+        require_request(window_.step, tol_, threads_);
         require(kind == 'f' || kind == 'd', "kind must be f or d");
     }
 
@@ -129,9 +126,8 @@ class RadialPlan {
     char kind_;
 };
 
-std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude,
-                                                 In<double, 1> v, double tol) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
+std::pair<Out<complex, 2>, Out<double, 1>> field(RadialFields pupils, In<double, 1> v, double tol) {
+    const lommel::Stack stack = stack_of(pupils);
     auto out = new_array<complex, 2>({stack.count, v.shape(0)});
     auto bounds = new_array<double, 1>({stack.count});
     released([&] { lommel::fields(stack, v.data(), v.shape(0), tol, out.data(), bounds.data()); });
@@ -139,11 +135,10 @@ std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, dou
 }
 
 // Error bounds are negative if the tolerance cannot be met.
-std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2> coefficients, double obscuration,
-                                                                   In<double, 1> amplitude, In<double, 1> v, double tol,
+std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(RadialFields pupils, In<double, 1> v, double tol,
                                                                    int threads) {
     require(threads >= 0, "threads must be at least 0");
-    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
+    const lommel::Stack stack = stack_of(pupils);
     auto out = new_array<double, 2>({stack.count, v.shape(0)});
     auto peaks = new_array<double, 1>({stack.count});
     auto bounds = new_array<double, 1>({stack.count});
@@ -155,32 +150,23 @@ std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2>
 
 void bindings::define_radial(nb::module_& m) {
     for_both([&](auto pixel) {
-        m.def("render", &render<decltype(pixel), double, double>, "coefficients"_a, "obscuration"_a, "amplitude"_a,
-              "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(),
+        m.def("render", &render<decltype(pixel)>, "stack"_a, "window"_a, "integrate"_a, "request"_a, "images"_a.noconvert(),
               "numbers"_a.noconvert(), "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
               "derivative_bounds"_a.noconvert().none() = nb::none(),
               "Images of a stack of pupils by the spectral engine, and their derivatives by the coefficients of t^power; "
               "returns 0, or the bound where tol cannot be met.");
-        m.def("render", &render<decltype(pixel), In<double, 2>>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
-              "step"_a, "integrate"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
-              "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
-              "derivative_bounds"_a.noconvert().none() = nb::none(), "The same, each around an axis of its own.");
     });
-    m.def("filters_pay", &filters_pay, "coefficients"_a, "obscuration"_a, "amplitude"_a, "height"_a, "width"_a, "center_y"_a,
-          "center_x"_a, "step"_a, "tol"_a, "derivatives"_a,
+    m.def("filters_pay", &filters_pay, "stack"_a, "window"_a, "tol"_a, "derivatives"_a,
           "Whether averages of a stack, or their derivatives alone, had best be those of finer samples.");
     nb::class_<RadialPlan>(m, "RadialPlan", "Images of pupils, one stack after the other, that differ in their phase alone.")
-        .def(nb::init<double, In<double, 1>, std::size_t, std::size_t, double, double, double, bool, double, int, double,
-                      char>(),
-             "obscuration"_a, "amplitude"_a, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a,
-             "tol"_a, "threads"_a, "scale"_a, "kind"_a)
+        .def(nb::init<double, In<double, 1>, WindowFields, bool, Request, char>(), "obscuration"_a, "amplitude"_a, "window"_a,
+             "integrate"_a, "request"_a, "kind"_a)
         .def(
             "render", &RadialPlan::render, "coefficients"_a, "images"_a, "scales"_a.none() = nb::none(),
             "Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be "
             "met, or None where the arrays do not match or are not of the types, the order and the access that this takes, and "
             "where averages had best be those of finer samples.");
-    m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
-          "U at rising v, and bounds on its error.");
-    m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "threads"_a = 1,
+    m.def("field", &field, "stack"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
+    m.def("profile", &profile, "stack"_a, "v"_a, "tol"_a, "threads"_a = 1,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
 }

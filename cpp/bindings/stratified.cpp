@@ -1,7 +1,11 @@
 // Planes of a microscope in plane-layered media: images and profiles.
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <tuple>
 #include <vector>
+
+#include <nanobind/stl/optional.h>
 
 #include "lommel/stratified/images.hpp"
 #include "lommel/stratified/rings_image.hpp"
@@ -12,10 +16,14 @@ using namespace bindings;
 
 namespace {
 
-// Arrays: rho (q,), parts (m, q); rates (3, q) with the phase and its change by depth and by focus; planes (3, n) with depth,
-// focus and power; forms (k, m, m); turns (k, 3) with the azimuthal order of each form and the factors of its cosine and sine.
-lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, const In<complex, 2>& rates, double error,
-                         const In<double, 2>& planes, const In<complex, 3>& forms, const In<double, 2>& turns) {
+// Layered of lommel.core.engine: rho (q,), parts (m, q); rates (3, q) with the phase and its change by depth and by focus; the
+// error of each part; planes (3, n) with depth, focus and power; forms (k, m, m); turns (k, 3) with the azimuthal order of each
+// form and the factors of its cosine and sine.
+using PlaneFields =
+    std::tuple<In<double, 1>, In<complex, 2>, In<complex, 2>, double, In<double, 2>, In<complex, 3>, In<double, 2>>;
+
+lommel::Planes planes_of(const PlaneFields& given) {
+    const auto& [rho, parts, rates, error, planes, forms, turns] = given;
     const std::size_t angles = rho.shape(0), count = parts.shape(0), orders = forms.shape(0), n = planes.shape(1);
     require(angles > 0 && count > 0 && count <= lommel::most_parts && n > 0 && orders > 0, "empty, or too many parts");
     require(parts.shape(1) == angles && rates.shape(0) == 3 && rates.shape(1) == angles, "one value an angle");
@@ -47,41 +55,34 @@ lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, 
 // bounds of the fields differentiated with respect to depth, focus, v and wavenumber; turning (3, q) and change (m, q), see
 // lommel::Angles.
 template <class T>
-struct AskedSlopes {
-    In<double, 2> by, own;
-    In<double, 1> of_fields;
-    In<complex, 2> turning;
-    In<complex, 2> change;  // or empty
-    Out<T, 4> images;
-    Out<double, 2> errors;
-};
+using SlopeFields = std::tuple<In<double, 2>, In<double, 2>, In<double, 1>, In<complex, 2>, std::optional<In<complex, 2>>,
+                               Out<T, 4>, Out<double, 2>>;
 
 template <class T>
-lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& requested, const Out<T, 3>& images,
+lommel::LayeredSlopes<T> slopes_of(const SlopeFields<T>& given, lommel::Planes& requested, const Out<T, 3>& images,
                                    bool integrate) {
     using What = lommel::LayeredSlope::What;
-    require(given.own.is_valid() && given.of_fields.is_valid() && given.turning.is_valid() && given.images.is_valid() &&
-                given.errors.is_valid(),
-            "derivatives are given whole");
-    const std::size_t count = given.by.shape(0), n = requested.count, q = requested.angles.count;
-    require(given.by.shape(1) == 2 && count > 0 && given.own.shape(0) == count && given.own.shape(1) == n,
+    const auto& [by, own, fields, turning, change, slopes, errors] = given;
+    const In<double, 1>& of_fields = fields;
+    const std::size_t count = by.shape(0), n = requested.count, q = requested.angles.count;
+    require(by.shape(1) == 2 && count > 0 && own.shape(0) == count && own.shape(1) == n,
             "derivatives are a number and a factor each, with a number for each plane");
-    require(given.of_fields.shape(0) == 4 && given.turning.shape(0) == 3 && given.turning.shape(1) == q, "one value an angle");
-    requested.angles.turning = given.turning.data();
-    if (given.change.is_valid()) {
-        require(given.change.shape(0) == requested.angles.parts && given.change.shape(1) == q, "one value an angle");
-        requested.angles.change = given.change.data();
+    require(of_fields.shape(0) == 4 && turning.shape(0) == 3 && turning.shape(1) == q, "one value an angle");
+    requested.angles.turning = turning.data();
+    if (change) {
+        require(change->shape(0) == requested.angles.parts && change->shape(1) == q, "one value an angle");
+        requested.angles.change = change->data();
     }
-    const auto need = [&](lommel::By by) {
-        const auto same = [&](const lommel::Derivative& each) { return each.by == by; };
+    const auto need = [&](lommel::By which) {
+        const auto same = [&](const lommel::Derivative& each) { return each.by == which; };
         if (std::none_of(requested.derivatives.begin(), requested.derivatives.end(), same)) {
-            requested.derivatives.push_back({by, given.of_fields.data()[static_cast<std::size_t>(by)]});
+            requested.derivatives.push_back({which, of_fields.data()[static_cast<std::size_t>(which)]});
         }
     };
     lommel::LayeredSlopes<T> made;
     std::size_t pictures = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const double which = given.by.data()[2 * k];
+        const double which = by.data()[2 * k];
         require(which == 0.0 || which == 1.0 || which == 2.0 || which == 3.0, "derivatives are 0, 1, 2 or 3");
         const What what = static_cast<What>(static_cast<int>(which));
         require(what != What::axis || requested.radial(), "only light that is radially symmetric is moved here");
@@ -95,34 +96,31 @@ lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& 
             need(lommel::By::radius);
         }
         pictures += what == What::axis ? 2 : 1;
-        made.requested.push_back({what, given.by.data()[2 * k + 1], given.own.data() + k * n});
+        made.requested.push_back({what, by.data()[2 * k + 1], own.data() + k * n});
     }
-    require(given.images.shape(0) == pictures && given.images.shape(1) == n && given.images.shape(2) == images.shape(1) &&
-                given.images.shape(3) == images.shape(2) && given.errors.shape(0) == pictures && given.errors.shape(1) == n,
+    require(slopes.shape(0) == pictures && slopes.shape(1) == n && slopes.shape(2) == images.shape(1) &&
+                slopes.shape(3) == images.shape(2) && errors.shape(0) == pictures && errors.shape(1) == n,
             "derivatives must match the images");
-    made.images = given.images.data();
-    made.errors = given.errors.data();
+    made.images = slopes.data();
+    made.errors = errors.data();
     return made;
 }
 
-// Windows around one axis, centers (1, 2), or around one axis per plane, (n, 2).
+// Windows around one axis, or around one axis per plane.
 template <class T>
-bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates, double error, In<double, 2> planes,
-                    In<complex, 3> forms, In<double, 2> turns, In<double, 2> centers, double step, bool integrate,
-                    double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers, In<double, 2> by, In<double, 2> own,
-                    In<double, 1> of_fields, In<complex, 2> turning, In<complex, 2> change, Out<T, 4> slopes,
-                    Out<double, 2> slope_errors) {
-    lommel::Planes requested = planes_of(rho, parts, rates, error, planes, forms, turns);
+bool layered_images(PlaneFields planes, WindowFields window, bool integrate, double allowed, int threads, Out<T, 3> images,
+                    Out<double, 2> numbers, std::optional<SlopeFields<T>> slopes) {
+    lommel::Planes requested = planes_of(planes);
     const std::size_t n = requested.count;
     require(images.shape(0) == n && numbers.shape(0) == 3 && numbers.shape(1) == n, "one image, scale, bound and peak a plane");
     require(allowed > 0.0 && threads >= 0, "allowed must be positive, threads at least 0");
-    require_centers(centers, centers.shape(0) == 1 ? 1 : n);
+    require_shape(window, images);
+    const AxisWindow place = axis_window(window, n);
     lommel::LayeredSlopes<T> derivatives;
-    if (by.is_valid()) {
-        derivatives = slopes_of<T>({by, own, of_fields, turning, change, slopes, slope_errors}, requested, images, integrate);
+    if (slopes) {
+        derivatives = slopes_of<T>(*slopes, requested, images, integrate);
     }
-    const double* at = centers.data();
-    const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
+    const lommel::PixelWindow first = window_of(place.height, place.width, place.row, place.column, place.step, integrate);
     // A single axis off the middle is treated as one axis per plane, as one table serves windows around any axis. Derivatives
     // of samples, and shifts of averages, are only available around such axes.
     const bool moved =
@@ -130,15 +128,15 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
                     [](const lommel::LayeredSlope& slope) { return slope.what == lommel::LayeredSlope::What::axis; });
     std::vector<double> own_axes;
     lommel::PixelWindows windows(first);
-    if (centers.shape(0) == n && n > 1) {
-        windows = {first, at, n};
+    if (place.centers != nullptr && n > 1) {
+        windows = {first, place.centers, n};
     } else if (!first.centered() || (integrate ? moved : !derivatives.requested.empty())) {
         for (std::size_t p = 0; p < n; ++p) {
-            own_axes.insert(own_axes.end(), at, at + 2);
+            own_axes.insert(own_axes.end(), {place.row, place.column});
         }
         windows = {first, own_axes.data(), n};
     }
-    if (!lommel::LayeredImages<T>::fits(requested, windows, by.is_valid())) {
+    if (!lommel::LayeredImages<T>::fits(requested, windows, slopes.has_value())) {
         return false;
     }
     double* const scales = numbers.data();
@@ -148,10 +146,8 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
 }
 
 // Azimuthal orders of the intensity at increasing v, shape (n, k, radii), and the error bound of their sum, shape (n,).
-std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates,
-                                                           double error, In<double, 2> planes, In<complex, 3> forms,
-                                                           In<double, 2> turns, In<double, 1> v, int threads) {
-    const lommel::Planes requested = planes_of(rho, parts, rates, error, planes, forms, turns);
+std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(PlaneFields planes, In<double, 1> v, int threads) {
+    const lommel::Planes requested = planes_of(planes);
     require_radii(v);
     require(v.shape(0) > 0 && threads >= 0, "v must not be empty, threads at least 0");
     const std::size_t count = v.shape(0), orders = requested.harmonics.size();
@@ -183,16 +179,19 @@ lommel::RingTaps taps_of(const In<double, 2>& polynomials, std::size_t count) {
     return {polynomials.data(), polynomials.shape(0), count};
 }
 
-// Images of planes with any wavefront. bessel (orders, circles, nodes), parts (n or 1, 2 orders - 1, fields, nodes), waves
-// (n, nodes), power (n,); filter over circles; tap polynomials along and around, and their numbers; gains and aliases (2, m).
+// Rings of lommel.core.engine: bessel (orders, circles, nodes), parts (n or 1, 2 orders - 1, fields, nodes), waves (n, nodes),
+// power (n,); number of angles; filter over circles; tap polynomials along and around, and their numbers; gains and aliases
+// (2, m).
+using RingFields = std::tuple<In<double, 3>, In<complex, 4>, In<complex, 2>, In<double, 1>, std::size_t, In<double, 1>,
+                              In<double, 2>, In<double, 2>, std::pair<std::size_t, std::size_t>, In<double, 2>>;
+
+// Images of planes with any wavefront; the pitch of the window is in circles.
 template <class T>
-Out<double, 2> ringed_images(In<double, 3> bessel, In<complex, 4> parts, In<complex, 2> waves, In<double, 1> power,
-                             std::size_t angles, In<double, 1> filter, In<double, 2> along, In<double, 2> around,
-                             std::pair<std::size_t, std::size_t> taps, In<double, 2> gains, In<double, 2> centers, double step,
-                             In<double, 1> scales, int threads, Out<T, 3> images) {
+Out<double, 2> ringed_images(RingFields rings, WindowFields place, In<double, 1> scales, int threads, Out<T, 3> images) {
+    const auto& [bessel, parts, waves, power, angles, filter, along, around, taps, gains] = rings;
     const std::size_t n = waves.shape(0), orders = bessel.shape(0), circles = bessel.shape(1), nodes = bessel.shape(2);
-    const std::size_t fields = parts.shape(2), height = images.shape(1), width = images.shape(2);
-    require(n > 0 && orders > 0 && nodes > 0 && fields > 0 && height > 0 && width > 0 && threads >= 0, "nothing may be empty");
+    const std::size_t fields = parts.shape(2);
+    require(n > 0 && orders > 0 && nodes > 0 && fields > 0 && threads >= 0, "nothing may be empty");
     require(parts.shape(0) == n || parts.shape(0) == 1, "one wavefront, or one a plane");
     require(parts.shape(1) == 2 * orders - 1 && parts.shape(3) == nodes && waves.shape(1) == nodes, "one value a node");
     require(power.shape(0) == n && scales.shape(0) == n && images.shape(0) == n, "one image, power and scale a plane");
@@ -209,10 +208,13 @@ Out<double, 2> ringed_images(In<double, 3> bessel, In<complex, 4> parts, In<comp
                                   gains.data() + gains.shape(1),
                                   gains.shape(1)};
     require(steps.filters > 0, "a filter has one weight at least");
-    require_centers(centers, centers.shape(0) == 1 ? 1 : n);
-    const lommel::RingWindow window{height, width, centers.data(), centers.shape(0), step};
-    const double most = window.farthest() * step + static_cast<double>(steps.before() + steps.filters) + 1.0;
-    require(step > 0.0 && most <= static_cast<double>(circles), "too few circles for the window");
+    require_shape(place, images);
+    const AxisWindow at = axis_window(place, n);
+    const double axis[] = {at.row, at.column};
+    const bool own = at.centers != nullptr;
+    const lommel::RingWindow window{at.height, at.width, own ? at.centers : axis, own ? n : 1, at.step};
+    const double most = window.farthest() * at.step + static_cast<double>(steps.before() + steps.filters) + 1.0;
+    require(at.step > 0.0 && most <= static_cast<double>(circles), "too few circles for the window");
     auto numbers = new_array<double, 2>({lommel::RingNumbers::count(fields), n});
     released([&] {
         lommel::RingImages<T>(light, steps, window, threads).run(scales.data(), images.data(), {numbers.data(), n, fields});
@@ -225,22 +227,18 @@ Out<double, 2> ringed_images(In<double, 3> bessel, In<complex, 4> parts, In<comp
 void bindings::define_stratified(nb::module_& m) {
     for_both([&](auto pixel) {
         m.def(
-            "layered_images", &layered_images<decltype(pixel)>, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a,
-            "turns"_a, "centers"_a, "step"_a, "integrate"_a, "allowed"_a, "threads"_a, "images"_a.noconvert(),
-            "numbers"_a.noconvert(), "by"_a.none() = nb::none(), "own"_a.none() = nb::none(), "of_fields"_a.none() = nb::none(),
-            "turning"_a.none() = nb::none(), "change"_a.none() = nb::none(), "slopes"_a.noconvert().none() = nb::none(),
-            "slope_errors"_a.noconvert().none() = nb::none(),
+            "layered_images", &layered_images<decltype(pixel)>, "planes"_a, "window"_a, "integrate"_a, "allowed"_a, "threads"_a,
+            "images"_a.noconvert(), "numbers"_a.noconvert(), "slopes"_a.noconvert() = nb::none(),
             "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
             "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "
             "has no way for.");
         m.def(
-            "ringed_images", &ringed_images<decltype(pixel)>, "bessel"_a, "parts"_a, "waves"_a, "power"_a, "angles"_a,
-            "filter"_a, "along"_a, "around"_a, "taps"_a, "gains"_a, "centers"_a, "step"_a, "scales"_a, "threads"_a,
+            "ringed_images", &ringed_images<decltype(pixel)>, "rings"_a, "window"_a, "scales"_a, "threads"_a,
             "images"_a.noconvert(),
             "Images of planes with any wavefront, interpolated between circles, times scales. Returns of each plane the "
             "largest square of each field, the largest intensity on circles, what its orders may be off by and their sum, and "
             "the largest pixel.");
     });
-    m.def("layered_profiles", &layered_profiles, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a, "turns"_a,
-          "v"_a, "threads"_a, "The orders of the azimuth of the intensity at rising v, and what their sum is off by.");
+    m.def("layered_profiles", &layered_profiles, "planes"_a, "v"_a, "threads"_a,
+          "The orders of the azimuth of the intensity at rising v, and what their sum is off by.");
 }

@@ -92,7 +92,7 @@ Named watched_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obs
                        In<double, 2> centers, double step, double tol, double scale, bool if_cheaper, std::size_t failing,
                        Out<double, 3> values) {
     const lommel::DiskPupils pupils =
-        disks_of(terms, edge, obscuration, amplitude, values.shape(1), values.shape(2), step, centers);
+        disks_of({terms, edge, obscuration, amplitude}, {{values.shape(1), values.shape(2)}, centers, step});
     require(values.shape(0) == pupils.count, "one image a pupil");
     const lommel::AverageRequest asked{values.shape(1), values.shape(2), step, tol, scale, 0.0, 1, {}};
     Watched averages(pupils, asked, if_cheaper, failing);
@@ -111,20 +111,18 @@ double rim_remainders(In<std::int32_t, 2> terms, In<double, 2> edge, double obsc
                       Out<double, 1> remainders, Out<double, 2> axes) {
     const std::size_t pupils = pupils_of(edge);
     require(remainders.shape(0) == pupils && axes.shape(0) == pupils && axes.shape(1) == 2, "numbers of each pupil");
-    return ask_disks<true>(
-        terms, edge, obscuration, amplitude, height, width, step, 0.1, threads,
-        [&](const lommel::DiskStack& stack, const lommel::DiskWindow&) {
-            for (std::size_t p = 0; p < pupils; ++p) {
-                axes.data()[2 * p] = static_cast<double>(stack.rows[p]);
-                axes.data()[2 * p + 1] = static_cast<double>(stack.columns[p]);
-            }
-            if (lommel::RimStack::serves(stack)) {
-                lommel::RimStack(stack).remainders(threads, remainders.data());
-            } else {
-                std::fill_n(remainders.data(), pupils, std::numeric_limits<double>::infinity());
-            }
-        },
-        centers);
+    return ask_disks<true>({terms, edge, obscuration, amplitude}, {{height, width}, centers, step}, 0.1, threads,
+                           [&](const lommel::DiskStack& stack, const lommel::DiskWindow&) {
+                               for (std::size_t p = 0; p < pupils; ++p) {
+                                   axes.data()[2 * p] = static_cast<double>(stack.rows[p]);
+                                   axes.data()[2 * p + 1] = static_cast<double>(stack.columns[p]);
+                               }
+                               if (lommel::RimStack::serves(stack)) {
+                                   lommel::RimStack(stack).remainders(threads, remainders.data());
+                               } else {
+                                   std::fill_n(remainders.data(), pupils, std::numeric_limits<double>::infinity());
+                               }
+                           });
 }
 
 bool rim_boxes(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude,
@@ -135,24 +133,22 @@ bool rim_boxes(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration
                 numbers.shape(0) == 2 && numbers.shape(1) == pupils,
             "numbers of each pupil");
     bool pay = false;
-    ask_disks<true>(
-        terms, edge, obscuration, amplitude, height, width, step, tol, threads,
-        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
-            lommel::RimBoxes boxes(stack, window, tol, lowest);
-            pay = boxes.choose(threads);
-            if (!pay) {
-                return;
-            }
-            std::copy_n(boxes.sides.data(), pupils, sides.data());
-            std::copy_n(boxes.most.data(), pupils, sides.data() + pupils);
-            std::copy_n(boxes.remainders.data(), pupils, numbers.data());
-            std::copy_n(boxes.tolerances.data(), pupils, numbers.data() + pupils);
-            for (std::size_t p = 0; p < pupils; ++p) {
-                axes.data()[2 * p] = stack.rows[p];
-                axes.data()[2 * p + 1] = stack.columns[p];
-            }
-        },
-        centers);
+    ask_disks<true>({terms, edge, obscuration, amplitude}, {{height, width}, centers, step}, tol, threads,
+                    [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+                        lommel::RimBoxes boxes(stack, window, tol, lowest);
+                        pay = boxes.choose(threads);
+                        if (!pay) {
+                            return;
+                        }
+                        std::copy_n(boxes.sides.data(), pupils, sides.data());
+                        std::copy_n(boxes.most.data(), pupils, sides.data() + pupils);
+                        std::copy_n(boxes.remainders.data(), pupils, numbers.data());
+                        std::copy_n(boxes.tolerances.data(), pupils, numbers.data() + pupils);
+                        for (std::size_t p = 0; p < pupils; ++p) {
+                            axes.data()[2 * p] = stack.rows[p];
+                            axes.data()[2 * p + 1] = stack.columns[p];
+                        }
+                    });
     return pay;
 }
 
@@ -166,13 +162,12 @@ double rim_averages(In<std::int32_t, 2> terms, In<double, 2> edge, double obscur
                         [&](std::int64_t place) { return place >= 0 && place < static_cast<std::int64_t>(images.shape(0)); }),
             "places must be those of images");
     require(near.shape(0) == pupils && near.shape(2) == box && box % 2 == 1, "boxes of an odd number of pixels");
-    return ask_disks<true>(
-        terms, edge, obscuration, amplitude, images.shape(1), images.shape(2), step, 0.1, threads,
-        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
-            const lommel::RimAnswer answer{remainders.data(), near.data(), places.data(), images.data(), numbers.data()};
-            lommel::RimAverages(stack, window, box, error, answer).run(threads);
-        },
-        centers);
+    return ask_disks<true>({terms, edge, obscuration, amplitude}, {{images.shape(1), images.shape(2)}, centers, step}, 0.1,
+                           threads, [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+                               const lommel::RimAnswer answer{remainders.data(), near.data(), places.data(), images.data(),
+                                                              numbers.data()};
+                               lommel::RimAverages(stack, window, box, error, answer).run(threads);
+                           });
 }
 
 }  // namespace

@@ -273,8 +273,11 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     c = [strength * value for value in c]
     images, numbers, step = np.empty((1, 1, 8)), np.empty((3, 1)), 1.2
     scales, bounds, peaks = numbers
-    disk, places = (np.array([c]), obscuration, np.array(light)), (0.0 if divided else 1.0, images, numbers)
-    unmet = _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, column, step, tol, 1, *places)
+    disk, request = (
+        (TERMS.astype(np.int32), np.array([c]), obscuration, np.array(light)),
+        (tol, 1, float(not divided)),
+    )
+    unmet = _core.chordal_images(disk, ((1, 8), (0.0, column), step), request, images, numbers)
     if unmet:
         assert unmet > tol
         return
@@ -315,8 +318,11 @@ def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divi
     c = [0.1 * value for value in c]
     images, numbers, step, light = np.empty((1, 1, 8), np.float32), np.empty((3, 1)), 1.2, [0.0]
     _, bounds, peaks = numbers
-    disk, places = (np.array([c]), obscuration, np.array(light)), (0.0 if divided else 1.0, images, numbers)
-    assert _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, 3.0, step, tol, 1, *places) == 0.0
+    disk, request = (
+        (TERMS.astype(np.int32), np.array([c]), obscuration, np.array(light)),
+        (tol, 1, float(not divided)),
+    )
+    assert _core.chordal_images(disk, ((1, 8), (0.0, 3.0), step), request, images, numbers) == 0.0
     low, high, area = -3 * step, 4 * step, obscuration**2
     stack = _core_tests.disk_stack(TERMS, np.array(c), obscuration, 0.0, 3.0, step, moved=False)
     terms = stack["terms"]

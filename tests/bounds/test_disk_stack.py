@@ -124,7 +124,8 @@ def test_every_pupil_of_a_stack_has_its_own_inner_disk(engine):
 
     def image(rows):
         images, numbers = np.empty((len(rows), 6, 7)), np.empty((3, len(rows)))
-        assert engine(terms, rows, 0.5, np.zeros(1), 2.2, 3.7, 0.9, 1e-9, 1, 1.0, images, numbers) == 0.0
+        stack, window = (terms, rows, 0.5, np.zeros(1)), ((6, 7), (2.2, 3.7), 0.9)
+        assert engine(stack, window, (1e-9, 1, 1.0), images, numbers) == 0.0
         return images
 
     together = image(edge)

@@ -334,8 +334,9 @@ def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscurati
     _core_tests.clear_caches()
     images, numbers = np.empty((1, side, side)), np.empty((3, 1))
     scale, (_, bounds, peaks) = 0.0 if normalize == "peak" else 1.0, numbers
-    stack = (terms.astype(np.int32), np.array([list(c.values())]), obscuration, np.zeros(1), middle, middle)
-    assert _core.series_images(*stack, step, tol, 1, scale, images, numbers) == 0.0
+    stack = terms.astype(np.int32), np.array([list(c.values())]), obscuration, np.zeros(1)
+    window = (side, side), (middle, middle), step
+    assert _core.series_images(stack, window, (tol, 1, scale), images, numbers) == 0.0
     size = sum(abs(x) for x in c.values())
     variance = sum(x * x / (n + 1) / (2 if m else 1) for (n, m), x in c.items())
     dimmest = min(size + 1.0, 2.5 * math.sqrt(1.0 + variance))

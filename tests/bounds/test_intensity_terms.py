@@ -232,7 +232,7 @@ def test_the_bounds_of_two_disks_add_up_the_inner_one_by_its_area():
 @given(phases, lights, obscurations, st.sampled_from([1e-4, 1e-7, 1e-11]))
 def test_the_bound_of_a_field_counts_what_makes_its_phase_0_in_the_middle(phase, light, obscuration, tol):
     v = np.linspace(0.0, 20.0, 200)
-    found = _core.field(np.array([phase]), obscuration, np.array(light), v, tol)[1][0]
+    found = _core.field((np.array([phase]), obscuration, np.array(light)), v, tol)[1][0]
     error = _core_tests.peaks(np.array(phase), np.array(light), obscuration, tol)["first_error"]
     expanded = _core_tests.field_bound(np.array(phase), np.array(light), 0, obscuration, 20.0, error)
     turned = UNIT * (len(phase) * sum(abs(mp.mpf(c)) for c in phase) + 8)

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from lommel import _core
 from lommel.imaging.bank import Bank
+from lommel.imaging.blur import parts
 from lommel.imaging.sensor_light import shares_used
 
 LEVELS = ["portable", "avx2", "avx512"]
@@ -61,7 +62,7 @@ def room(b: Bank, image: np.ndarray) -> np.ndarray:
 
 def spread(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
     out, beyond = room(b, image), margin(b.half) - b.half
-    _core.spread(b.windows, b.halves, b.energies, positions, *places(positions), image, threads, out)
+    _core.spread(parts(b), (positions, *places(positions)), image, threads, out)
     assert not out[:, :beyond].any()
     assert not out[:, -beyond:].any()
     return out[:, beyond:-beyond]
@@ -70,7 +71,7 @@ def spread(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) 
 def collect(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
     out, beyond = np.full(positions.shape, np.nan, image.dtype), margin(b.half) - b.half
     larger = np.pad(image, ((0, 0), (beyond, beyond)), constant_values=1e3)
-    _core.collect(b.windows, b.halves, b.energies, positions, *places(positions), larger, threads, out)
+    _core.collect(parts(b), (positions, *places(positions)), larger, threads, out)
     return out
 
 
@@ -141,10 +142,10 @@ def check_layers(b: Bank, positions: np.ndarray, layers: np.ndarray, seen: np.nd
         shown = np.clip(used[at] - layers[y, x], 0.0, 1.0) * b.window(positions[y, x])
         total[at] += image[y, x] * shown
         back[y, x] = (shown * other[at]).sum()
-    given, out, taken = (b.windows, b.halves, b.energies, positions), room(b, image), np.empty_like(image)
-    _core.spread(*given, *places(positions), image, 2, out, layers, seen)
+    scene, out, taken = (positions, *places(positions)), room(b, image), np.empty_like(image)
+    _core.spread(parts(b), scene, image, 2, out, layers, seen)
     larger = np.ascontiguousarray(np.pad(other, ((0, 0), (beyond, beyond)), constant_values=1e3))
-    _core.collect(*given, *places(positions), larger, 2, taken, layers, seen)
+    _core.collect(parts(b), scene, larger, 2, taken, layers, seen)
     allowed = 1e-5 if dtype == np.float32 else 1e-12
     assert np.abs(out[:, beyond:-beyond] - total).max() <= allowed * max(1.0, np.abs(total).max())
     assert np.abs(taken - back).max() <= allowed * max(1.0, np.abs(back).max())
@@ -189,14 +190,14 @@ def test_slopes_are_what_windows_change_by(level, height, width, half, dtype):
     b, positions = bank(rng, half, count=9, dtype=dtype), rng.integers(0, 8, (height, width)) + 0.5
     image, other = rng.standard_normal((2, height, width)).astype(dtype)
     out, beyond, taken = room(b, image), margin(b.half) - b.half, np.empty_like(image)
-    _core.spread(b.windows, b.halves, b.energies, positions, *places(positions), image, 2, out, slopes=True)
+    _core.spread(parts(b), (positions, *places(positions)), image, 2, out, slopes=True)
     double = replace(b, windows=b.windows.astype(np.float64))
     there, here = (spread(double, positions + s, image.astype(np.float64)) for s in (step, -step))
     slope, allowed = (there - here) / (2.0 * step), 1e-4 if dtype is np.float32 else 2e-6
     size = max(1.0, np.abs(slope).max())
     assert np.abs(out[:, beyond:-beyond] - slope).max() <= allowed * size
     larger = np.pad(other, ((half, half), (margin(half), margin(half)))).astype(dtype)
-    _core.collect(b.windows, b.halves, b.energies, positions, *places(positions), larger, 2, taken, slopes=True)
+    _core.collect(parts(b), (positions, *places(positions)), larger, 2, taken, slopes=True)
     wanted = np.vdot(out.astype(np.float64), larger)
     assert abs(np.vdot(image.astype(np.float64), taken) - wanted) <= allowed * size * np.abs(other).sum()
 
@@ -212,7 +213,7 @@ def test_spreading_adds_to_what_is_there():
     rng = np.random.default_rng(3)
     b, positions, image = bank(rng, 2), rng.uniform(0.0, 5.0, (6, 7)), rng.random((6, 7))
     out = room(b, image) + 1.0
-    _core.spread(b.windows, b.halves, b.energies, positions, *places(positions), image, 0, out)
+    _core.spread(parts(b), (positions, *places(positions)), image, 0, out)
     beyond = margin(b.half) - b.half
     assert out[:, beyond:-beyond] == pytest.approx(1.0 + spread(b, positions, image), rel=1e-14)
 
@@ -223,11 +224,11 @@ def test_rows_and_columns_say_which_pixels_lie_where(level):
     b, positions, image = bank(rng, 3), rng.uniform(0.0, 5.0, (6, 7)), rng.standard_normal((6, 7, 3))[:, ::-1, 1]
     rows, columns = np.pad(np.arange(6), 2, mode="symmetric"), np.pad(np.arange(7), 2, mode="edge")
     out, back = room(b, np.empty((10, 11))), np.empty((10, 11))
-    _core.spread(b.windows, b.halves, b.energies, positions, rows, columns, image, 0, out)
+    _core.spread(parts(b), (positions, rows, columns), image, 0, out)
     beyond, chosen = margin(b.half) - b.half, np.ix_(rows, columns)
     wanted = spread(b, np.ascontiguousarray(positions[chosen]), np.ascontiguousarray(image[chosen]))
     assert np.array_equal(out[:, beyond:-beyond], wanted)
-    _core.collect(b.windows, b.halves, b.energies, positions, rows, columns, out, 0, back)
+    _core.collect(parts(b), (positions, rows, columns), out, 0, back)
     assert np.array_equal(back, collect(b, np.ascontiguousarray(positions[chosen]), wanted))
 
 
@@ -245,11 +246,19 @@ def test_what_does_not_fit_is_refused():
         "threads": 0,
     }
 
+    def grouped(given):
+        rest = dict(given)
+        of_bank, scene = (
+            tuple(rest.pop(name) for name in names)
+            for names in (("windows", "halves", "energies"), ("positions", "rows", "columns"))
+        )
+        return {"bank": of_bank, "scene": scene, **rest}
+
     def spreading(**changed):
-        _core.spread(**{**fits, "image": image, "out": wide, **changed})
+        _core.spread(**grouped({**fits, "image": image, "out": wide, **changed}))
 
     def collecting(**changed):
-        _core.collect(**{**fits, "image": large, "out": image, **changed})
+        _core.collect(**grouped({**fits, "image": large, "out": image, **changed}))
 
     spreading()
     collecting()

@@ -16,6 +16,7 @@ from disk_questions import disk_question
 from lommel import _core
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
+from rendering import grouped
 
 TERMS = [zernike.term(j, "noll") for j in range(2, 46)]  # n from 1 to 8
 
@@ -359,18 +360,19 @@ def test_the_compiled_core_refuses_what_does_not_fit(change, message):
     }  # fmt: skip
     for engine in (_core.chordal_images, _core.series_images):
         with pytest.raises(ValueError, match=message):
-            engine(**(arguments | change))
+            engine(**grouped(arguments | change))
 
 
 @pytest.mark.parametrize("engine", [_core.chordal_images, _core.series_images])
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 def test_an_image_is_written_where_it_is_to_be_even_if_other_arguments_are_converted(engine, kind):
     images, numbers = np.zeros((1, 3, 3), kind), np.zeros((3, 1))
-    place = (1, 1, 0.5, 1e-3, 1, 1.0)  # whole numbers for the centre
-    assert engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images, numbers) == 0.0
+    stack = np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1)
+    window, request = ((3, 3), (1, 1), 0.5), (1e-3, 1, 1.0)  # whole numbers for the centre
+    assert engine(stack, window, request, images, numbers) == 0.0
     assert images.min() > 0.1
     with pytest.raises(TypeError, match="incompatible function arguments"):
-        engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images.astype(int), numbers)
+        engine(stack, window, request, images.astype(int), numbers)
 
 
 def test_a_pupil_that_passes_less_light_than_rounding_makes_is_refused_and_not_tried_for_ever():

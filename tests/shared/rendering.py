@@ -20,6 +20,22 @@ class Rendered(NamedTuple):
     slope_bounds: np.ndarray
 
 
+def grouped(given: dict[str, Any]) -> dict[str, Any]:
+    """Return arguments of the core with those of pupils, window and request in tuples, as the core takes them."""
+    rest = dict(given)
+    kind = ("coefficients",) if "coefficients" in rest else ("terms", "edge")
+    found: dict[str, Any] = {}
+    if kind[0] in rest:
+        found["stack"] = tuple(rest.pop(name) for name in (*kind, "obscuration", "amplitude"))
+    pixels = rest.get("images", rest.get("weights"))
+    shape = pixels.shape[-2:] if pixels is not None else (rest.pop("height"), rest.pop("width"))
+    center = rest.pop("centers") if "centers" in rest else (rest.pop("center_y"), rest.pop("center_x"))
+    found["window"] = shape, center, rest.pop("step")
+    if "scale" in rest:
+        found["request"] = tuple(rest.pop(name) for name in ("tol", "threads", "scale"))
+    return found | rest
+
+
 def rendered(
     pupils: Any,
     obscuration: float,
@@ -40,7 +56,8 @@ def rendered(
     count, which = len(coefficients), np.array(powers, np.int64)
     images, numbers = np.empty((count, *shape), dtype), np.empty((3, count))
     slopes, slope_bounds = np.empty((len(which), *images.shape), dtype), np.empty((len(which), count))
-    place = (*(center or (shape[0] // 2, shape[1] // 2)), step, integrate, tol, threads)
-    written = (0.0 if divided else 1.0, images, numbers, which, slopes, slope_bounds)
-    unmet = _core.render(coefficients, obscuration, np.array(light, np.float64), *place, *written)
+    stack = coefficients, obscuration, np.array(light, np.float64)
+    window = shape, center or (shape[0] // 2, shape[1] // 2), step
+    request = tol, threads, 0.0 if divided else 1.0
+    unmet = _core.render(stack, window, integrate, request, images, numbers, which, slopes, slope_bounds)
     return Rendered(unmet, images, *numbers, slopes, slope_bounds)

@@ -76,7 +76,7 @@ class Window(NamedTuple):
     """
 
     shape: tuple[int, int]
-    center: Any
+    center: tuple[float, float] | Array
     step: float
 
 
@@ -112,15 +112,14 @@ def radial_images(
         more |= {"derivative_images": slopes.values, "derivative_bounds": slopes.error}
     render: Callable[..., float] = _core.render
     # By position, for by name a small image would take a sixth longer.
-    place = (*window.center, window.step, integrate, tol, wanted.threads, scale, values, numbers)
-    _require(render(*stack, *place, **more), tol, _over(wanted))
+    unmet = render(stack, window, integrate, (tol, wanted.threads, scale), values, numbers, **more)
+    _require(unmet, tol, _over(wanted))
     return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
 def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: bool = False) -> bool:
     """Return whether averages of a stack, or their derivatives alone, are cheaper from finer samples."""
-    pay: Callable[..., bool] = _core.filters_pay
-    return pay(*stack, *window.shape, *window.center, window.step, tol, derivatives)
+    return _core.filters_pay(stack, window, tol, derivatives)
 
 
 def radial_plan(
@@ -131,22 +130,9 @@ def radial_plan(
     It returns None, with nothing written, where the arrays do not match, or :func:`filters_pay`; of `stack` all but
     its terms counts.
     """
-    (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
-    height, width = window.shape
-    plan = _core.RadialPlan(
-        obscuration=stack.obscuration,
-        amplitude=stack.amplitude,
-        height=height,
-        width=width,
-        center_y=row,
-        center_x=column,
-        step=window.step,
-        integrate=integrate,
-        tol=tol,
-        threads=wanted.threads,
-        scale=scale,
-        kind=kind,
-    )
+    scale, kind = _one_scale(wanted), np.dtype(wanted.dtype).char
+    request = tol, wanted.threads, scale
+    plan = _core.RadialPlan(stack.obscuration, stack.amplitude, window, integrate, request, kind)
     over, alike = _over(wanted), np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers
     render = plan.render
@@ -189,8 +175,7 @@ def far_averages(stack: DiskStack, window: Window, most: float, tol: float, thre
     """
     count = len(stack.edge)
     values, numbers = np.empty((count, *window.shape)), np.empty((count, 5))
-    compute: Callable[..., float] = _core.far_averages
-    compute(*stack, *window.center, window.step, most, tol, threads, values, numbers)
+    _core.far_averages(stack, window, most, tol, threads, values, numbers)
     return FarPixels(values, numbers[:, 0], numbers[:, 1], numbers[:, 3:])
 
 
@@ -236,8 +221,7 @@ def disk_averages(
     """
     images, (scale, *places) = _averages_room(len(stack.edge), window, wanted)
     compute: Callable[..., bool] = _core.disk_averages
-    given = (*stack, *window.center, window.step, tol, wanted.threads, scale, if_cheaper)
-    return images if compute(*given, *places) else None
+    return images if compute(stack, window, (tol, wanted.threads, scale), if_cheaper, *places) else None
 
 
 # From the largest distance in v, the error that fields may have there, whether sums in single precision are wanted,
@@ -262,8 +246,8 @@ def aperture_averages(
     """
     images, (scale, *places) = _averages_room(len(stack.edge), window, wanted)
     compute: Callable[..., bool] = _core.aperture_averages
-    given = (stack.terms, stack.edge, *window.center, window.step, tol, wanted.threads, scale, strehl, transmission)
-    return images if compute(*given, rule, *places) else None
+    given = (stack.terms, stack.edge, window, (tol, wanted.threads, scale), strehl, transmission, rule)
+    return images if compute(*given, *places) else None
 
 
 def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:
@@ -271,8 +255,7 @@ def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, flo
 
     ValueError where the former cannot be computed.
     """
-    (row, column), (height, width) = window.center, window.shape
-    return _core.disk_costs(*stack, row, column, height, width, window.step, tol, tol >= 1e-6)
+    return _core.disk_costs(stack, window, tol, tol >= 1e-6)
 
 
 def chordal_plan(
@@ -282,15 +265,14 @@ def chordal_plan(
 
     Called with the terms, their coefficients and the array for the values, of any axes before those of the window.
     """
-    (row, column), scale, threads, step = window.center, _one_scale(wanted), wanted.threads, window.step
+    request = tol, wanted.threads, _one_scale(wanted)
     compute = _core.cheaper_chordal_images if if_cheaper else _core.chordal_images
 
     def ask(terms: NDArray[np.int32], edge: Array, values: Pixels) -> tuple[Array, float]:
         stack, count = values.shape[:-2], edge.size // len(terms)
         numbers = np.empty((3, count))
         flat, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
-        place = row, column, step, tol, threads, scale
-        if unmet := compute(terms, flat, obscuration, amplitude, *place, images, numbers):
+        if unmet := compute((terms, flat, obscuration, amplitude), window, request, images, numbers):
             raise not_met(tol, unmet, "the largest value in the window")
         return numbers[0].reshape(stack), max(numbers[1].tolist())
 
@@ -302,19 +284,18 @@ def chordal_gradient(
 ) -> Array:
     """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k)."""
     values, which = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
-    gradient: Callable[..., float] = _core.chordal_gradient
-    asked = {"step": window.step, "tol": tol, "threads": threads, "weights": weights, "factors": which}
-    unmet = gradient(*stack, *window.center, **asked, values=values)
-    _require(unmet, tol, "the largest value in the window")
+    _require(
+        _core.chordal_gradient(stack, window, tol, threads, weights, which, values),
+        tol,
+        "the largest value in the window",
+    )
     return values
 
 
 def chordal_sums(stack: DiskStack, window: Window, counts: tuple[int, int], threads: int = 0) -> NDArray[np.float32]:
     """Return intensities by so many chords and nodes, in single precision, unproven, shape ``(n, width, height)``."""
     made = np.empty((len(stack.edge), *window.shape[::-1]), dtype=np.float32)
-    sums: Callable[..., None] = _core.chordal_sums
-    chords, nodes = counts
-    sums(*stack, *window.center, step=window.step, chords=chords, nodes=nodes, threads=threads, images=made)
+    _core.chordal_sums(stack, window, counts, threads, made)
     return made
 
 
@@ -323,9 +304,7 @@ def chordal_sums_gradient(
 ) -> Array:
     """Return derivatives of their sums, times weights ``(n, height, width)``, by all coefficients."""
     made = np.empty(stack.edge.shape)
-    gradient: Callable[..., None] = _core.chordal_sums_gradient
-    asked = {"step": window.step, "chords": counts[0], "nodes": counts[1], "threads": threads, "weights": weights}
-    gradient(*stack, *window.center, **asked, values=made)
+    _core.chordal_sums_gradient(stack, window, counts, threads, weights, made)
     return made
 
 
@@ -361,7 +340,7 @@ def folded_waves(terms: NodeTerms, edge: Array, weights: Array, largest: float) 
     W is a sum of `terms` times the coefficients `edge`, shape (wavefronts, terms). The second kind, for a `largest` W
     above 0, is ``i W exp(i W)`` over it.
     """
-    return _core.folded_waves(*terms, edge, weights, largest)
+    return _core.folded_waves(terms, edge, weights, largest)
 
 
 class SeriesSizes(NamedTuple):
@@ -419,9 +398,7 @@ def chordal_series_light(
     terms); a set of fields has one of these series, is multiplied by i times one of the `terms` or, for -1, none, and
     has waves of a kind.
     """
-    light: Callable[..., tuple[Array, Array, Array]] = _core.chordal_series_light
-    rows = *window.center, *window.shape, window.step, wrong, power, threads
-    return light(*tables[:2], coefficients, *tables[2:], sets, *terms, *waves, *rows)
+    return _core.chordal_series_light(tables, (coefficients, sets), terms, waves, window, wrong, power, threads)
 
 
 def chordal_series_gradient(
@@ -439,9 +416,7 @@ def chordal_series_gradient(
     In each plane the sum, then its derivatives by sets but the first, none with a term, then by all `terms`, and as a
     second array the largest light and the largest modulus of each field.
     """
-    gradient: Callable[..., tuple[Array, Array]] = _core.chordal_series_gradient
-    rows = *window.center, window.step, weights, threads
-    return gradient(*tables[:2], coefficients, *tables[2:], sets, *terms, *waves, *rows)
+    return _core.chordal_series_gradient(tables, (coefficients, sets), terms, waves, window, weights, threads)
 
 
 def _disk_images(
@@ -454,19 +429,19 @@ def _disk_images(
     **more: object,
 ) -> Images:
     scale, values, numbers = _places(len(stack.edge), window, wanted)
-    place = (*window.center, window.step, tol, wanted.threads, scale, values, numbers)
-    _require(compute(*stack, *place, **more), tol, over)
+    request = tol, wanted.threads, scale
+    _require(compute(stack, window, request, values, numbers, **more), tol, over)
     return Images(values, numbers[0], numbers[1], None, numbers[2])
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
     """Return U at rising v, with errors that serve an intensity within `tol` of the peak, likely."""
-    return FieldValues(*_core.field(*stack, v, tol))
+    return FieldValues(*_core.field(stack, v, tol))
 
 
 def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) -> Intensities:
     """Return I at rising v, within `tol` of the peak."""
-    values, bounds, peaks = _core.profile(*stack, v, tol, threads)
+    values, bounds, peaks = _core.profile(stack, v, tol, threads)
     _require(-min(float(bounds.min()), 0.0), tol, "the peak")
     return Intensities(values, bounds, peaks)
 
@@ -533,31 +508,26 @@ def layered_images(
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance."""
     count = asked.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
-    numbers, centers = np.empty((3, count)), np.asarray(window.center, dtype=np.float64).reshape(-1, 2)
+    numbers = np.empty((3, count))
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
     kinds = 0 if slopes is None else len(slopes.by) + int((slopes.by[:, 0] == BY_AXIS).sum())
     found, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
-    more: dict[str, object] = {"step": window.step, "integrate": integrate, "allowed": allowed}
-    if slopes is not None:
-        more |= {"by": slopes.by, "own": slopes.own, "of_fields": slopes.of_fields, "turning": slopes.turning}
-        more |= {"change": slopes.changes, "slopes": found, "slope_errors": errors}
+    derivatives = None if slopes is None else (*slopes, found, errors)
     images: Callable[..., bool] = _core.layered_images
-    made = images(*asked, centers, threads=wanted.threads, images=values, numbers=numbers, **more)
+    made = images(asked, window, integrate, allowed, wanted.threads, values, numbers, derivatives)
     of = None if slopes is None else Slopes(found, errors / numbers[2])
     return Images(values, numbers[0], numbers[1], of, numbers[2]) if made else None
 
 
 def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
     """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
-    return _core.layered_profiles(*asked, v, threads)
+    return _core.layered_profiles(asked, v, threads)
 
 
 def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: Pixels) -> Ringed:
     """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
-    centers = np.ascontiguousarray(window.center, dtype=np.float64)
     images: Callable[..., Array] = _core.ringed_images
-    more = {"step": window.step, "scales": np.ascontiguousarray(scales), "threads": threads, "images": out}
-    made = images(*asked, centers=centers, **more)
+    made = images(asked, window, np.ascontiguousarray(scales), threads, out)
     return Ringed(made[:-4], *made[-4:])
 
 
@@ -645,9 +615,9 @@ def row_images(
     values, slopes, lost = (
         np.empty(s) for s in ((count, *window.shape), (len(factors), count, *window.shape), (count,))
     )
-    (row, column), options = window.center, (window.step, precision, wanted.threads)
-    place = stack.terms, stack.edge, stack.amplitude, row, column, *options
-    _core.row_images(list(rules), phases, *place, values, factors, slopes, lost)
+    unobscured = stack._replace(obscuration=0.0)  # the rules leave the obscuration out
+    threads = wanted.threads
+    _core.row_images(list(rules), phases, unobscured, window, precision, threads, values, factors, slopes, lost)
     return values, slopes, lost
 
 

@@ -6,7 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeVar
+from typing import TYPE_CHECKING, Literal, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -397,11 +397,11 @@ class WindowBlur:
         padded[:, :, : part.shape[2], : side * side] = part.reshape(*part.shape[:3], -1)
         tiles, places, shares, self.error = _parabolas(across, axes[1], x, left, part, allowed)
         powers = powers[front : front + len(used) - 1]
-        given = {"windows": padded, "down": down, "places": places, "shares": shares, "powers": powers}
-        self._given: dict[str, Any] = {
-            name: np.ascontiguousarray(values, dtype=kind) for name, values in given.items()
-        }
-        self._given |= {"tiles": tiles, "defocus": along, "breaks": used, "threads": threads, "side": side}
+        down, places, shares, powers = (
+            np.ascontiguousarray(values, dtype=kind) for values in (down, places, shares, powers)
+        )
+        self._splines = padded, side, down, places, shares
+        self._defocus, self._threads = (tiles, along, used, powers), threads
         self._side, self._margin, self._border = side, 0 if border == "zero" else side // 2, border
         self._shape = defocus.shape
 
@@ -426,7 +426,7 @@ class WindowBlur:
         """Return the blurred image of a plane of light."""
         rows, columns = self._places
         light, out = plane[rows[:, None], columns], self._room(plane.dtype)
-        engine.field_spread(rows=rows, columns=columns, image=light, out=out, **self._given)
+        engine.field_spread(self._splines, self._defocus, self._places, light, self._threads, out)
         return out[self._inside]
 
     def adjoint(self, plane: Values) -> Values:
@@ -434,7 +434,7 @@ class WindowBlur:
         rows, columns = self._places
         room, taken = self._room(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
         room[self._inside] = plane
-        engine.field_spread(rows=rows, columns=columns, image=room, out=taken, transposed=True, **self._given)
+        engine.field_spread(self._splines, self._defocus, self._places, room, self._threads, taken, transposed=True)
         return without_copies(taken, rows, columns, self._shape)
 
 

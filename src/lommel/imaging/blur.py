@@ -216,7 +216,7 @@ class DepthBlur(LinearBlur):
             for band, rim in self._bands(rows, used.half):
                 where = points.positions, rows[band], columns
                 limits = points.layers, None if shown is None else shown[rim]
-                engine.spread(*parts(used), *where, plane, self.threads, room[rim], *limits, slopes)
+                engine.spread(parts(used), where, plane, self.threads, room[rim], *limits, slopes)
                 if self.watch is not None:
                     self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
         if self.border == "reflect":  # light that leaves a mirrored image enters from the mirror
@@ -247,7 +247,7 @@ class DepthBlur(LinearBlur):
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
             engine.collect(
-                *parts(bank or self.banks[channel]), *where, room, self.threads, taken, points.layers, shown, slopes
+                parts(bank or self.banks[channel]), where, room, self.threads, taken, points.layers, shown, slopes
             )
             yield without_copies(taken, rows, columns, self.shape)
 

@@ -271,18 +271,12 @@ class Occlusion(LinearBlur):
         each = [(0, layering.number)] if blur.watch is None else [(k, k + 1) for k in range(layering.number)]
         for first, last in each:
             engine.composite(
-                *parts(used),
-                blur.positions(channel),
-                layering.layers,
-                layering.behind,
-                layering.number,
-                rows,
-                columns,
-                blur.border == "reflect",
-                blur.border == "zero",
+                parts(used),
+                (blur.positions(channel), rows, columns),
+                (layering.layers, layering.behind, layering.number),
+                blur.border,
                 plane,
-                first,
-                last,
+                (first, last),
                 known,
                 blur.threads,
                 *shares,

@@ -168,8 +168,8 @@ def disk_stack(pupil: Pupil) -> DiskStack:
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:
     """Return the pixels of a grid as a window in v."""
-    each = (np.stack([np.ravel(part) for part in grid.center], axis=1),) if grid.stack else None
-    return Window(grid.shape, each or grid.axis, grid.step(pupil))
+    center = np.stack([np.ravel(part) for part in grid.center], axis=1) if grid.stack else grid.axis
+    return Window(grid.shape, center, grid.step(pupil))
 
 
 def disk_images(

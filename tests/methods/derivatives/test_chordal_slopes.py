@@ -17,6 +17,7 @@ from lommel.core.engine import DiskStack, Window, chordal_gradient, chordal_imag
 from lommel.methods.averaging import filtered_by, spread_out
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
+from rendering import grouped
 
 TERMS = [zernike.term(j, "noll") for j in range(2, 29)]  # n from 1 to 6
 LEVELS = ["portable", "avx2", "avx512"]
@@ -36,7 +37,7 @@ def quadrature(stack: DiskStack, window: Window, terms: list[tuple[int, int]]) -
     light = (2.0 / 180 * w * r)[:, None] * np.exp(-np.polynomial.polynomial.polyval(rho**2, stack.amplitude))
     x, y = (rho * np.cos(angle)).ravel(), (rho * np.sin(angle)).ravel()
     count, (height, width) = len(stack.edge), window.shape
-    centers = window.center[0] if len(window.center) == 1 else np.tile(window.center, (count, 1))
+    centers = window.center if isinstance(window.center, np.ndarray) else np.tile(window.center, (count, 1))
 
     @cache
     def waves(row: float, column: float) -> tuple[np.ndarray, np.ndarray]:
@@ -64,7 +65,7 @@ def question(seed: int, obscuration: float, own_axes: bool) -> tuple[DiskStack, 
     stack = DiskStack(np.array(chosen, np.int32), edge, obscuration, np.array([0.0, rng.choice([0.0, 1.5])]))
     # In the middle of the window, between pixels, or beside.
     center = rng.uniform(0.0, 8.0, (count, 2)) if own_axes else rng.choice([1.0, 2.5, rng.uniform(0.0, 8.0)], 2)
-    return stack, Window(shape, (center,) if own_axes else tuple(center.tolist()), rng.uniform(0.3, 1.6)), wanted
+    return stack, Window(shape, center if own_axes else tuple(center.tolist()), rng.uniform(0.3, 1.6)), wanted
 
 
 @settings(max_examples=60)
@@ -240,7 +241,7 @@ def test_the_compiled_core_refuses_what_does_not_fit():
         ({"bounds": np.zeros((2, 2))}, "must match the images"),
     ):
         with pytest.raises(ValueError, match=message):
-            _core.chordal_derivatives(**(given | change))
+            _core.chordal_derivatives(**grouped(given | change))
     given = stack | place | {"weights": np.ones((1, 3, 3)), "factors": factors, "values": np.zeros((1, 2))}
     for change, message in (
         ({"weights": np.ones((2, 3, 3))}, "one image of weights a pupil"),
@@ -248,7 +249,7 @@ def test_the_compiled_core_refuses_what_does_not_fit():
         ({"edge": np.ones((0, 1))}, "one pupil at least"),
     ):
         with pytest.raises(ValueError, match=message):
-            _core.chordal_gradient(**(given | change))
+            _core.chordal_gradient(**grouped(given | change))
 
 
 def test_values_that_are_divided_by_their_largest_one_have_no_derivatives():

@@ -56,7 +56,11 @@ def test_the_core_refuses_what_it_cannot_carry():
     two, one, v = np.array([0.0, 1.0]), np.ones((1, 1)), np.linspace(0.0, 5.0, 3)
     start, quadratic, nothing = np.ones(1), np.ones((1, 3), complex), np.zeros(0, complex)
     good = (two, one, one, one + 0j, start, quadratic, 3, 0, nothing, v, 1)
-    assert _core.closed_form_fields(*good).shape == (1, 3)
+
+    def fields(given: tuple[object, ...]) -> np.ndarray:
+        return _core.closed_form_fields(given[:4], given[4:7], given[7:9], *given[9:])
+
+    assert fields(good).shape == (1, 3)
     for place, value, message in (
         (0, np.ones(1), "one value a piece"),
         (2, np.ones((2, 1)), "as many pupils"),
@@ -70,7 +74,7 @@ def test_the_core_refuses_what_it_cannot_carry():
         (9, np.array([np.nan]), "v must be"),
     ):
         with pytest.raises(ValueError, match=message):
-            _core.closed_form_fields(*good[:place], value, *good[place + 1 :])
+            fields((*good[:place], value, *good[place + 1 :]))
     with pytest.raises(ValueError, match="s must be"):
         _core_tests.fresnel_auxiliary(-np.ones(1))
     with pytest.raises(ValueError, match="b, low and high"):

@@ -39,7 +39,9 @@ def exact_averages(pupil, step, places):
 
 def axes_of(window, count):
     """Return the axis of each pupil, (n, 2)."""
-    return window.center[0] if len(window.center) == 1 else np.tile(window.center, (count, 1)).astype(float)
+    return (
+        window.center if isinstance(window.center, np.ndarray) else np.tile(window.center, (count, 1)).astype(float)
+    )
 
 
 def remainders_of(stack, window):
@@ -287,7 +289,7 @@ def test_boxes_are_within_the_window_also_of_pupils_that_go_with_others():
     stack = disk_stack(pupils(rng, 20, 0.1))._replace(edge=np.concatenate(edge))
     centers = np.full((20, 2), 16.0)
     centers[17:, 0] = 3.0
-    sides, axes, _ = boxes_of(stack, Window((33, 33), (centers,), 8.0), 1e-4)
+    sides, axes, _ = boxes_of(stack, Window((33, 33), centers, 8.0), 1e-4)
     assert sides[:17].min() > 7
     assert (sides[17:] > 0).all()
     assert (sides[17:] // 2 <= 3).all()

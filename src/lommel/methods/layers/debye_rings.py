@@ -169,7 +169,8 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
             taps=(along.taps.size, around.taps.size),
             gains=np.stack([around.gains, around.errors]),
         )
-        window = Window(grid.shape, centers[part] if len(centers) > 1 else centers, step / (0.5 * band))
+        center = centers[part] if len(centers) > 1 else tuple(centers[0].tolist())
+        window = Window(grid.shape, center, step / (0.5 * band))
         found = ringed_images(sums, window, scales[part], wanted.threads, values[part])
         size = max(float(np.abs(each).sum()) for each in rule.parts)
         # Quadrature, omitted orders, and roundings of the transform over angles (section 16, "Rounding").

@@ -144,7 +144,8 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
     if not known(pupil.light):
         return None
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
-    window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
+    centers = np.stack(grid.center, axis=-1).reshape(-1, 2)
+    window = Window(grid.shape, centers if len(centers) > 1 else tuple(centers[0].tolist()), step)
 
     def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
         # Pixel averages are sums over more values of fields than samples are.

@@ -230,7 +230,7 @@ class ClosedForm(FieldMethod[Pupil]):
         phase, bessel = _phase(edges, rows), self._bessel
 
         def fields(at: Array) -> NDArray[np.complex128]:
-            return engine.closed_form_fields(*phase, *bessel, self.terms, *self.erf.compiled, at, threads)
+            return engine.closed_form_fields(phase, (*bessel, self.terms), self.erf.compiled, at, threads)
 
         if not isinstance(self.erf, FresnelErf):
             return fields(v)
@@ -404,7 +404,7 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
     assert fit.bound is not None
     starts, quadratics = _hankel_pieces(ratio, float(v[-1]) if v.size else 0.0)
     phase = _phase(fit.edges, np.stack([fit.alpha, fit.beta, fit.gamma], axis=-1)[None])
-    values = engine.closed_form_fields(*phase, starts, quadratics, _SERIES, *FresnelErf().compiled, v, 1)[0]
+    values = engine.closed_form_fields(phase, (starts, quadratics, _SERIES), FresnelErf().compiled, v, 1)[0]
     pieces = fit.alpha.size + starts.size
     # The remainder of Hankel's expansion is at most its first neglected terms, here below 4e-9 of U.
     return values, amplitude + fit.bound + 4e-9 + _KERNEL * math.sqrt(pieces)

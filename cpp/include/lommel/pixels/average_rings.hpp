@@ -1,6 +1,6 @@
-// Pixel averages around an arbitrary axis, for windows too large for one polynomial: rings of equal width, on each of which
-// averages are polynomials of the distance times angular harmonics, with weights that depend only on pixel pitch and largest
-// distance (certificate, section 9).
+// Pixel averages of a radially symmetric PSF around an arbitrary axis, for windows too large for one polynomial. On each ring
+// of equal width, averages are sums of angular harmonics times polynomials of the distance from the axis; the weights depend
+// only on pixel pitch and largest distance (docs/certificate.md, section 9).
 #pragma once
 
 #include <algorithm>
@@ -19,25 +19,25 @@
 namespace lommel {
 
 struct AverageRings : PixelRings {
-    // Largest distance in v: beyond it, I at all radii takes longer than other methods.
+    // Largest distance of a pixel from the axis, in optical units; beyond it, other methods are faster.
     static constexpr double most_reach = 2000.0;
-    // Approximate number of products to compute the weights: rings, angles and points of each, positions in a pixel, and nodes
-    // for these.
+    // Approximate number of products to compute the weights: number of rings, times 16 distances, times numbers of angles, of
+    // quadrature points in a pixel, and of radii per ring.
     static double work(double pitch, double reach) {
         const double places = 0.8 * pitch + 8.0;
         return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);
     }
-    // Limit of work(): beyond it, the weights take longer than many images by other methods.
+    // Limit of work(); beyond it, computing the weights takes longer than rendering many images by other methods.
     static constexpr double most_work = 2e7;
 
-    double step;  // pixel pitch in v
+    double step;  // pixel pitch in optical units
     double farthest;  // largest distance of a pixel centre from the axis, in pixels
-    int level;  // the error is about 10^-level, its bound `error`
-    double width;  // width of a ring in v
+    int level;  // requested accuracy in decimal digits; the error bound is `error`
+    double width;  // width of a ring in optical units
 
     AverageRings(double pitch, double pixels, int digits, int threads);
 
-    // See AnywhereTable::outermost().
+    // Largest distance from the axis that the table covers, corners of pixels included, in optical units.
     double outermost() const { return rings.back().nodes.high; }
     std::size_t bytes() const {
         return sizeof(double) * (weights.size() + radii.size()) + sizeof(std::int32_t) * places.size();
@@ -50,8 +50,8 @@ struct AverageRings : PixelRings {
         return cache<AverageRings>.get(pitch, pixels, digits, threads);
     }
 
-    // Compute the pixels of a window, in whole vectors, from I at the radii; returns the rounding of the polynomials in units
-    // of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
+    // Compute out[pixel], the averages over the pixels of `window`, from the intensity at each radius; returns the rounding
+    // error of the polynomials, in units of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 };
 
@@ -60,7 +60,7 @@ LOMMEL_ONCE AverageRings::AverageRings(double pitch, double pixels, int digits, 
     : step(pitch), farthest(pixels), level(digits) {
     const double allowed = std::pow(10.0, -level), half = plan(step, allowed), slack = step * 0.70710678118654752;
     width = 2.0 * half;
-    const std::size_t outputs = radial_degree * harmonics;  // a multiple of whole blocks
+    const std::size_t outputs = radial_degree * harmonics;  // number of coefficients per ring, a multiple of block_outputs
     static_assert(radial_degree % block_outputs == 0);
     std::vector<double> radius;
     std::size_t entries = 0;
@@ -80,7 +80,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
                                         double* out) const {
     std::vector<std::int32_t> ring_of, place_of;
     std::vector<std::size_t> starts, next;
-    constexpr std::size_t whole = 2 * row_lanes;  // values are summed in groups of this size, or of a divisor
+    constexpr std::size_t whole = 2 * row_lanes;  // values of a ring are padded to multiples of this, two of the widest vectors
     const std::size_t pixels = window.height * window.width, room = pixels + whole * rings.size();
     const std::size_t outputs = radial_degree * harmonics;
     scratch.resize(2 * pixels + 3 * room);
@@ -99,7 +99,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
     for (std::size_t i = 0; i < pixels; ++i) {
         ++next[static_cast<std::size_t>(ring_of[i])];
     }
-    // Values of a ring are contiguous; padding of its last vectors is at x = 0, the middle of the ring.
+    // Store the pixels of each ring contiguously, padded to whole vectors with points at the middle of the ring.
     starts.assign(rings.size() + 1, 0);
     for (std::size_t r = 0; r < rings.size(); ++r) {
         const std::size_t end = starts[r] + next[r];
@@ -115,7 +115,7 @@ LOMMEL_ONCE double AverageRings::values(const PixelWindow& window, const double*
         cosine[place] = angle[i];
         place_of[i] = static_cast<std::int32_t>(place);
     }
-    constexpr std::size_t block = 4;  // rings per task
+    constexpr std::size_t block = 4;  // number of rings per parallel task
     std::vector<double> penalties((rings.size() + block - 1) / block, 0.0);
     parallel_for(penalties.size(), threads, [&](std::size_t, std::size_t task) {
         thread_local Doubles own;

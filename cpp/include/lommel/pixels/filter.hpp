@@ -1,4 +1,4 @@
-// Pixel averages from finer samples by a separable filter.
+// Pixel averages computed from finer samples of the intensity by a separable filter.
 #pragma once
 
 #include <algorithm>
@@ -11,21 +11,22 @@
 
 namespace lommel {
 
-// Filter taps of one or two adjacent pixels, which together span `stride` samples: [pixel][tap], all from the same sample on.
+// Filter for one or two adjacent pixels, which together span `stride` samples. weights[pixel][tap]: `taps` weights for each of
+// these pixels; tap 0 of both is on the same sample.
 struct PixelFilter {
     const double* weights;
     std::size_t taps, stride;
     double lowest = 0.0;             // lower limit to which averages are clamped
-    const double* across = nullptr;  // taps along rows, if different
-    std::size_t pixels = 1;          // pixels per stride, one or two
-    double dark = 0.0;               // samples up to this value are summed in single precision, if stored so
+    const double* across = nullptr;  // weights along x, if they differ from those along y; otherwise null
+    std::size_t pixels = 1;          // number of pixels that `stride` samples span, 1 or 2
+    double dark = 0.0;               // float samples that do not exceed this value are summed in single precision
 
-    // Number of samples that `count` adjacent pixels use.
+    // Number of samples, along one axis, that `count` adjacent pixels use.
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
-    // Averages of height x width pixels, images `pitch` values apart, from samples(height) x samples(width) samples each.
-    // Averages of an intensity are not negative, so clamping to 0 does not increase their error; those of derivatives may be
-    // negative. Sums are in double precision unless single precision meets the tolerance.
+    // Average `count` images of samples(height) x samples(width) samples to images of height x width pixels, which begin
+    // `pitch` values apart in `to`. Averages are clamped to the member `lowest`: 0 for an intensity, whose error this does not
+    // increase; a negative number for derivatives.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const;
@@ -33,7 +34,7 @@ struct PixelFilter {
    private:
     static constexpr std::size_t rows_together = 4;
 
-    // Smallest number of groups of pixels in a row for which sums are in single precision.
+    // Smallest number of strides per image row for which single precision is used: as many as floats in two vectors.
     template <class I>
     static constexpr std::size_t least(I) {
         return 2 * sizeof(typename I::floats) / sizeof(float);
@@ -43,7 +44,8 @@ struct PixelFilter {
     void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
         const std::size_t tall = samples(height), wide = samples(width), groups = (height + Rows - 1) / Rows;
-        // Taps padded with zeros for samples that belong to the other rows of the same block.
+        // `Rows` adjacent pixel rows are computed from the same samples. Zeros pad the weights of a row where only other rows
+        // use a sample.
         const std::size_t padding = (Rows - 1) * stride, length = taps + 2 * padding;
         std::vector<double> padded(pixels * length);
         for (std::size_t k = 0; k < pixels; ++k) {
@@ -93,10 +95,11 @@ struct PixelFilter {
         });
     }
 
-    // Row of pixels from a line of samples, in the precision of the samples; taps of[pixel][tap].
+    // Average along x: write `width` pixels to `to` from a line of `wide` samples, with the weights of[pixel][tap], in
+    // precision `Sum`.
     template <class I, class Sum>
     LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, const Sum* of, double* to) const {
-        // Strand: samples `stride` apart stored contiguously, so that adjacent pixels load vectors.
+        // A strand is every stride-th sample, stored contiguously, so that a vector load serves adjacent pixels.
         const std::size_t each = (wide + stride - 1) / stride, count = (width - 1) / pixels + 1;
         thread_local Aligned<Sum> strands, sets;
         thread_local std::vector<std::size_t> lines;
@@ -127,9 +130,9 @@ struct PixelFilter {
         }
     }
 
-    // out[r][x] = sum_k of[r][k] from[lines[k] + x], in the precision of `out`; in single precision returns an upper bound on
-    // the samples. Its speed is limited by loads of samples or,
-    // for four rows, by products.
+    // Compute out[r * count + x], the sum over k of of[r][k] * from[lines[k] + x], in the precision of `out`. In single
+    // precision, return the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed. Limited by
+    // loads of samples or, for four rows, by multiplications.
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {
@@ -187,7 +190,7 @@ struct PixelFilter {
 template <class T>
 void PixelFilter::average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to,
                           std::size_t pitch, int threads) const {
-    // Rows that share most of their samples are summed together, so that these are loaded once.
+    // Pixel rows that share most of their samples are computed together, so that each sample is loaded once.
     if (2 * (rows_together - 1) * stride < pixels * taps) {
         average<rows_together>(from, count, height, width, to, pitch, threads);
     } else {

@@ -12,16 +12,16 @@
 namespace lommel {
 
 using RadialDegree = std::integral_constant<std::size_t, 16>;
-constexpr std::size_t radial_degree = RadialDegree::value;  // number of Chebyshev coefficients across a ring
-constexpr std::size_t block_outputs = 16;  // number of values that share a block of weights
+constexpr std::size_t radial_degree = RadialDegree::value;  // number of Chebyshev coefficients in the distance, for one ring
+constexpr std::size_t block_outputs = 16;  // number of output values in one block of weights
 
-// The number of positions is padded to a multiple of this.
+// The number of quadrature points in a pixel is padded to a multiple of this, two of the widest vectors.
 constexpr std::size_t position_step = 2 * row_lanes;
 
-// Compute row[k], the weights of the nodes: sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for the polynomial f through the
-// nodes. Lagrange polynomials are products of the factors before and after node k, without cancellation; scale[k] = 1 / the
-// product of nodes[k] - nodes[j] over j != k. z and share are padded, with a share of 0; scratch has room for 3 count vectors.
-// Four chains of products overlap to hide their latency.
+// Compute row[k] such that sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for every polynomial f of degree below `count`.
+// The Lagrange polynomial of node k is the product of 2 (z - nodes[j]) over j != k, without cancellation, times scale[k] = 1 /
+// product of 2 (nodes[k] - nodes[j]). Unused entries of z and share have share 0; `scratch` has room for 3 count vectors. Four
+// chains of products overlap to hide their latency.
 template <class I>
 LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
                                 const double* scale, std::size_t count, double* scratch, double* row) {
@@ -31,7 +31,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     std::fill_n(sums, count * lanes, 0.0);
     const std::size_t half = count / 2;
     for (std::size_t i = 0; i < positions; i += 2 * lanes) {
-        V twice[2], below[2], above[2];  // products of the factors of the nodes before and after a node
+        V twice[2], below[2], above[2];  // 2 z; products of 2 (z - node) over the nodes before and after node n
         for (std::size_t u = 0; u < 2; ++u) {
             twice[u] = load<V>(z + i + u * lanes) * splat<V>(2.0);
             below[u] = load<V>(share + i + u * lanes);
@@ -71,14 +71,14 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     }
 }
 
-// Compute sums[p][offset .. offset + block_outputs) of `Together` pupils: intensities at the nodes times a block of weights
-// [node][block_outputs]. Limited by reading the weights, once for all pupils.
+// Compute sums[p][offset + output] for `Together` pupils p and one block of outputs: the sum over nodes of intensity[p][node]
+// times weights[node][output]. Limited by reading the weights, once for all pupils.
 template <std::size_t Together, class I>
 LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, const double* const* intensity,
                                  double* const* sums, std::size_t offset) {
     using V = typename I::pack;
     constexpr std::size_t packs = Together == 1 && 4 * I::lanes <= block_outputs ? 4 : 2;
-    constexpr std::size_t chains = Together == 1 ? 2 : 1;  // independent chains of sums, so that multiply-adds overlap
+    constexpr std::size_t chains = Together == 1 ? 2 : 1;  // number of independent sums, whose multiply-adds overlap
     for (std::size_t j = 0; j < block_outputs; j += packs * I::lanes) {
         V sum[Together][chains][packs] = {};
         const auto add = [&](std::size_t chain, std::size_t n) LOMMEL_INLINE_LAMBDA {
@@ -114,7 +114,8 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// Sum of |coefficient| x penalty.
+// Rounding error of a series: sum of the moduli of its coefficients, each times its own rounding error in units of roundoff
+// (penalty).
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;
@@ -126,8 +127,8 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
     return lane_sum(sum);
 }
 
-// Clenshaw recurrence in the radius for `Orders` harmonics of some vectors of pixels, each with `degree` coefficients: of
-// T_k(x) or, if `Odd`, of T_(2k+1)(r) / r with x = 2 r^2 - 1.
+// Evaluate the radial polynomials of `Orders` harmonics at `Vectors` vectors of pixels, by Clenshaw's recurrence. Each has
+// `degree` coefficients: of the Chebyshev polynomials T_k(x) or, if `Odd`, of T_(2k+1)(r) / r with x = 2 r^2 - 1.
 template <std::size_t Orders, std::size_t Vectors, bool Odd = false, class Degree, class V>
 LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const V (&x)[Vectors], V (&out)[Orders][Vectors]) {
     V now[Orders][Vectors], before[Orders][Vectors] = {}, twice[Vectors];
@@ -147,7 +148,7 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
             }
         }
     };
-    // Two steps per iteration, so that `now` need not be copied to `before`.
+    // Two steps of the recurrence per iteration, so that `now` need not be copied to `before`.
     std::size_t k = degree - 2;
     for (; k > 1; k -= 2) {
         step(k, now, before);
@@ -165,7 +166,8 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
     }
 }
 
-// Compute `count` pixels, in whole steps of four vectors, for a single harmonic. Limited by arithmetic.
+// Sum a Chebyshev series at `count` pixels: out[i] = sum over k of coefficients[k] T_k(x[i]). Writes whole groups of four
+// vectors. Limited by arithmetic.
 template <class I>
 LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients, const double* x, std::size_t count,
                                double* out) {
@@ -182,7 +184,7 @@ LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients
     }
 }
 
-// Call take(values) with each harmonic of two vectors of pixels, in order.
+// Call take(values) for each harmonic, in ascending order, with the values of its radial polynomial at two vectors of pixels.
 template <bool Odd, class I, class Degree, class V, class Take>
 LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, std::size_t harmonics, const V (&at)[2],
                                  const Take& take) {
@@ -196,7 +198,8 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         j += orders;
     };
     // `add_orders` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
-    // A single order is one chain of dependent operations; four at once need more than sixteen registers.
+    // Harmonics are evaluated two to four at a time: one alone is a chain of dependent operations, and four need over 16
+    // registers.
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
             add_orders(std::integral_constant<std::size_t, 4>{});
@@ -214,8 +217,8 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
     }
 }
 
-// Compute `count` pixels of a ring from coefficients [harmonic][degree]; x: -1 to 1 across the ring, cosine: of four times the
-// angle. Limited by arithmetic.
+// Sum angular harmonics at `count` pixels of a ring. coefficients[harmonic][degree]; x: radial position in the ring, -1 to 1;
+// cosine: cos(4 theta) with the polar angle theta. Limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                  const double* cosine, std::size_t count, double* out) {
@@ -223,7 +226,7 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
     for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
         const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};
         const V angle[2] = {load<V>(cosine + i), load<V>(cosine + i + I::lanes)};
-        // T_j(cosine) of this and of the previous order.
+        // now, before: Chebyshev polynomials T_j and T_(j-1) of cos(4 theta) for harmonic j; T_(-1) = T_1.
         V now[2], before[2], sum[2];
         for (std::size_t u = 0; u < 2; ++u) {
             now[u] = splat<V>(1.0);
@@ -243,8 +246,9 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
     }
 }
 
-// Compute `across`, the sum over odd orders 2j+1 of coefficients times T_(2k+1)(r) / r times cos((2j+1) angle) / cos(angle),
-// and `down`, the same with the angle from the other axis; `cosine` is that of twice the angle. Limited by arithmetic.
+// Sum harmonics of odd order. across: sum over j, k of coefficients[j][k] T_(2k+1)(r) / r cos((2j+1) theta) / cos(theta), with
+// Chebyshev polynomials T, r^2 = (1 + x) / 2 and theta the angle from the x axis; down: the same with theta from the y axis.
+// cosine: cos(2 theta), theta from the x axis. Limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_odd_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                      const double* cosine, std::size_t count, double* across, double* down) {

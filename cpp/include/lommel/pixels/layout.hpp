@@ -1,4 +1,5 @@
-// Distinct radii of a grid around the centre of a pixel, an edge or a corner, and for each pixel the index of its radius.
+// Distinct distances of a window's pixels from an axis at a pixel centre, an edge's midpoint or a corner, and the index of
+// each pixel's distance.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,14 @@
 
 namespace lommel {
 
-// Ascending radii, padded so that the widest kernel can read anywhere; in the unit of the owner.
+// Ascending radii, padded for vector loads past the last one. Each derived class states their unit.
 struct Radii {
     Doubles radii;
-    std::size_t count = 0;  // without padding
+    std::size_t count = 0;  // number of radii without the padding
     double reach() const { return radii.back(); }
 };
 
-struct Layout : Radii {  // distinct radii in pixels
+struct Layout : Radii {  // the radii are in units of the pixel pitch
     FoldedSide rows, columns;
 
     Layout(const FoldedSide& down, const FoldedSide& across);
@@ -31,12 +32,13 @@ struct Layout : Radii {  // distinct radii in pixels
     std::size_t width() const { return columns.count; }
     std::size_t bytes() const { return sizeof(double) * radii.size() + 2 * of_few_.size() + 4 * of_many_.size(); }
 
-    // Rank of the radius of the pixel at these distances.
+    // Index, in `radii`, of the pixel with the dy-th row distance and the dx-th column distance from the axis.
     std::size_t rank(std::size_t dy, std::size_t dx) const {
         const std::size_t at = dy * columns.distances() + dx;
         return of_many_.empty() ? of_few_[at] : of_many_[at];
     }
-    // Write the rows at distances [first, last), on both sides of the axis, from values at the radii.
+    // Write the image rows whose distances from the axis have indices [first, last), on both sides of the axis, from a radial
+    // profile with one value per radius.
     template <class T>
     void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 
@@ -46,14 +48,14 @@ struct Layout : Radii {  // distinct radii in pixels
     static std::shared_ptr<const Layout> get(const FoldedSide& down, const FoldedSide& across) {
         return cache<Layout>.get(down, across);
     }
-    // Around the centre of pixel (height / 2, width / 2).
+    // Layout around the centre of pixel (height / 2, width / 2).
     static std::shared_ptr<const Layout> get(std::size_t height, std::size_t width) {
         return get(FoldedSide(height), FoldedSide(width));
     }
 
    private:
-    // [distance along y][distance along x]: rank of each pixel's radius, stored in one of these; 16 bits halve the time of
-    // memory reads.
+    // Index of each pixel's radius, [row distance][column distance]: in of_few_ if 16 bits suffice, which halves the time of
+    // memory reads, otherwise in of_many_.
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };

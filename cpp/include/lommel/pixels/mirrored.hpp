@@ -1,4 +1,4 @@
-// Groups of up to eight pixels that differ only in the signs and the order of |x|, |y|.
+// Groups of up to eight pixels at (+-a, +-b) and (+-b, +-a) from the axis, hence at equal distances from it.
 #pragma once
 
 #include <algorithm>
@@ -12,19 +12,19 @@
 namespace lommel {
 
 struct MirroredPixels {
-    std::int64_t height, width, row, column;  // of the image; pixel of the axis, possibly outside
+    std::int64_t height, width, row, column;  // image size; pixel whose centre is on the axis, possibly outside the image
     struct Group {
-        std::int32_t a, b;  // a >= b >= 0, in pixels
+        std::int32_t a, b;  // larger and smaller of |x| and |y|, distances from the axis in pixels
         std::int64_t square() const { return std::int64_t{a} * a + std::int64_t{b} * b; }
     };
-    std::vector<Group> groups;  // in ascending order of distance
+    std::vector<Group> groups;  // in ascending order of distance from the axis
 
     MirroredPixels(std::int64_t h, std::int64_t w, std::int64_t r, std::int64_t c) : height(h), width(w), row(r), column(c) {
         const std::int64_t far_y = std::max(std::abs(r), std::abs(h - 1 - r));
         const std::int64_t far_x = std::max(std::abs(c), std::abs(w - 1 - c));
         const std::int64_t near_y = r < 0 ? -r : std::max<std::int64_t>(0, r - h + 1);
         const std::int64_t near_x = c < 0 ? -c : std::max<std::int64_t>(0, c - w + 1);
-        // (a, b) is (|x|, |y|) or (|y|, |x|), b <= a. Both ranges of b are short if the axis is far outside.
+        // For each a, b <= a runs over |y| if columns with |x| = a are in the image, and over |x| if rows with |y| = a are.
         Glance glance;
         for (std::int64_t a = std::min(near_x, near_y); a <= std::max(far_x, far_y); ++a) {
             const bool along_x = a >= near_x && a <= far_x, along_y = a >= near_y && a <= far_y;
@@ -47,7 +47,7 @@ struct MirroredPixels {
         });
     }
 
-    // Index of the first group at a distance of at least `radius` pixels.
+    // Index of the first group at least `radius` pixels from the axis.
     std::size_t first_at(double radius) const {
         const auto found = std::lower_bound(groups.begin(), groups.end(), radius * radius,
                                             [](const Group& g, double s) { return static_cast<double>(g.square()) < s; });

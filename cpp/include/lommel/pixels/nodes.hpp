@@ -1,4 +1,4 @@
-// Quadrature nodes for pixel averages: radii within a ring, and positions within a pixel.
+// Nodes for pixel averages: radii of a ring for interpolating the intensity, and quadrature points of a pixel.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is interpolated as a polynomial of
-// the squared distance, as I is even.
+// Chebyshev points for interpolating the intensity at distances from `low` to `high`. If `even` (close to the axis), the
+// interpolant is a polynomial of the squared distance, as the intensity is an even function of the distance.
 struct RingNodes {
     double low, high;
     bool even;
@@ -34,7 +34,7 @@ struct RingNodes {
         error = off(count);
     }
 
-    // Copy with at least `least` points.
+    // Return a copy with at least `least` points.
     RingNodes of(std::size_t least) const {
         RingNodes more = *this;
         more.count = std::max(count, least);
@@ -44,7 +44,7 @@ struct RingNodes {
     double radius(std::size_t i) const {
         return even ? high * std::sqrt(0.5 * (1.0 + point(i))) : 0.5 * (low + high + (high - low) * point(i));
     }
-    // Map squared distances to [-1, 1], the interval of the points.
+    // Map squared distances from the axis to the interval [-1, 1] of point(), in place.
     LOMMEL_INLINE void squeeze(double* squares, std::size_t length) const {
         if (even) {
             const double slope = high > 0.0 ? 2.0 / (high * high) : 0.0;
@@ -60,8 +60,8 @@ struct RingNodes {
     }
 };
 
-// Gauss nodes and weights, padded to vectors: of a square, with weights that sum to 1; or of two opposite sides, for the
-// average along the side before the middle minus that along the side behind it.
+// Gauss nodes (across, down) and weights (share), padded to whole vectors. square(): for the average over a pixel; sides():
+// for the average along its left edge minus that along its right edge.
 struct Points {
     std::size_t padded;
     Doubles across, down, share;

@@ -1,5 +1,6 @@
-// Windows with a separate axis for each pupil: samples or averages as polynomials of the distance from the axis, with weights
-// that depend only on pixel pitch and largest distance (certificate, section 9, "An axis for each pupil").
+// Pixel values in windows whose axis differs from pupil to pupil: samples or averages are polynomials of the distance from the
+// axis, times angular harmonics, with weights that depend only on pixel pitch and largest distance (docs/certificate.md,
+// section 9, "An axis for each pupil").
 #pragma once
 
 #include <algorithm>
@@ -19,25 +20,26 @@
 
 namespace lommel {
 
-struct AnywhereTable : Radii {  // radii at which I is needed, in v
-    // Largest distance in v: beyond it, the polynomials are so long that tables of a single window are faster.
+struct AnywhereTable : Radii {  // radii at which the intensity is computed, in optical units
+    // Largest distance of a pixel from the axis, in optical units; beyond it, a table for each window is faster than such long
+    // polynomials.
     static constexpr double most_reach = 110.0;
 
-    double step;     // pixel pitch in v
-    bool integrate;  // see PixelWindow::integrate
+    double step;     // pixel pitch in optical units
+    bool integrate;  // true: averages over pixels; false: samples at pixel centres
     double farthest;  // largest distance of a pixel centre from the axis, in pixels
-    int level;        // the error is about 10^-level, its bound `error`
+    int level;        // requested accuracy in decimal digits; the error bound is `error`
     std::size_t harmonics = 1, gauss, degree, outputs;
-    Doubles weights, penalty;  // [block of outputs][node][output]; rounding of each coefficient
-    double error, of_nodes = 1.0, of_grid, rounding;  // see PixelTable
+    Doubles weights, penalty;  // weights[block of outputs][node][output]; rounding error of each coefficient
+    double error, of_nodes = 1.0, of_grid, rounding;  // error bound; Lebesgue constants of radii and polynomials; rounding
 
     AnywhereTable(double pitch, bool averages, double pixels, int digits);
 
     double magnification() const { return of_grid * of_nodes; }
-    // Largest distance of any point of a pixel from the axis, in v.
+    // Largest distance of any point of a pixel from the axis, in optical units.
     double outermost() const { return step * (farthest + (integrate ? 0.70710678118654752 : 0.0)); }
-    // Factor from an error of I to an error of v I', the derivative of an image with respect to the logarithm of its scale
-    // (section 15).
+    // Factor from an error of the intensity I(v) to an error of v dI/dv, the derivative with respect to the logarithm of the
+    // image's scale (docs/certificate.md, section 15).
     double growth() const { return 2.0 * (outermost() + static_cast<double>(std::max({count, degree, gauss, 4 * harmonics}))); }
     std::size_t bytes() const { return sizeof(double) * (weights.size() + penalty.size() + radii.size()); }
     bool is(double pitch, bool averages, double pixels, int digits) const {
@@ -48,8 +50,9 @@ struct AnywhereTable : Radii {  // radii at which I is needed, in v
         return cache<AnywhereTable>.get(pitch, averages, pixels, digits);
     }
 
-    // Compute the pixels of a window, in whole vectors, from I at the radii; returns the rounding of the polynomials in units
-    // of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
+    // Compute out[pixel], the samples or averages of `window`, from the intensity at each radius; returns the rounding error
+    // of the polynomials, in units of roundoff. `out` is written in whole vectors. Limited by the latency of multiply-adds, of
+    // which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
@@ -68,7 +71,7 @@ struct AnywhereTable : Radii {  // radii at which I is needed, in v
                 cosine[i] = cosine_of_four(dx, dy, square);
             }
         });
-        // Padding repeats the first pixel.
+        // Pad x and cosine with the values of the first pixel.
         std::fill(x + pixels, x + room, x[0]);
         std::fill(cosine + pixels, cosine + room, cosine[0]);
         if (harmonics > 1) {
@@ -111,7 +114,8 @@ struct AnywhereTable : Radii {  // radii at which I is needed, in v
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // Squared distances have an error of 15 units of half the largest one, T_k of k^2 times that.
+            // Squared distances, scaled to [-1, 1], have a rounding error of up to 15 roundoffs; the Chebyshev polynomial of
+            // degree k amplifies it by up to k^2.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);
@@ -130,7 +134,7 @@ LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pix
     const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
     degree = std::max<std::size_t>(2, places.count);
     of_grid = by_angle * lebesgue(degree);
-    // Samples need I only at the interpolation points themselves.
+    // Samples, unlike averages, need the intensity only at the interpolation points themselves.
     const RingNodes nodes =
         integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
     for (std::size_t i = 0; i < nodes.count; ++i) {

@@ -1,5 +1,5 @@
-// Polynomials through 16 Chebyshev points, and their approximation by polynomials of fewer terms on equal parts (certificate,
-// section 9, "Samples around one axis").
+// Polynomials through 16 Chebyshev points, and their approximation by polynomials of lower degree on equal parts of the
+// interval (docs/certificate.md, section 9, "Samples around one axis").
 #pragma once
 
 #include <algorithm>
@@ -18,17 +18,18 @@
 
 namespace lommel {
 
-// Linear maps from values at 16 ascending Chebyshev points of [-1, 1] to outputs at points x > 0, for the even and the odd part
-// of the interpolating polynomial: their sum is the output at x, their difference the output at -x, up to sign.
+// Two matrices that map a polynomial's values at 16 Chebyshev points of [-1, 1] to `count` outputs at points x > 0: `even`
+// acts on sums, `odd` on differences of the values at mirrored points. The sum of both results is the output at x; their
+// difference, up to sign, that at -x.
 struct Halves {
     static constexpr std::size_t points = 16, half = points / 2, together = 8;
     std::size_t count, pitch;
-    Doubles even, odd;  // [point][output], padded to `pitch` outputs
+    Doubles even, odd;  // matrices [point][output], rows padded to `pitch` outputs
 
     explicit Halves(std::size_t outputs)
         : count(outputs), pitch((outputs + together - 1) / together * together), even(half * pitch), odd(half * pitch) {}
 
-    // Even and odd part of the values, times `by`.
+    // Sums (even) and differences (odd) of the values at mirrored points, times `by`.
     struct Values {
         double even[half], odd[half];
         Values(const double* values, double by) {
@@ -40,7 +41,7 @@ struct Halves {
         }
     };
 
-    // Call take(start, even, odd) with the outputs of both parts, `together` at a time.
+    // Call take(start, even, odd) with the results of both matrices for outputs start, start + 1, ..., `together` at a time.
     template <class I, class Take>
     LOMMEL_INLINE void each(I, const Values& values, const Take& take) const {
         using V = typename I::pack;
@@ -63,25 +64,26 @@ struct Halves {
         }
     }
 
-    // m-th derivatives at x of the even and odd parts of the Lagrange polynomials of the points above the middle.
+    // Compute evens[i] and odds[i], the m-th derivatives at x of the even and the odd part of the Lagrange polynomial of the
+    // i-th Chebyshev point above 0.
     void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const;
 };
 
-// Coefficients of the polynomials through `Terms` Chebyshev points of each of `count` equal parts of [-1, 1], in a variable
-// from -1/2 to 1/2 across each part.
+// Approximation of a polynomial on `parts` equal parts of [-1, 1]: on each part, the interpolant through `Terms` Chebyshev
+// points, in a variable that runs from -1/2 to 1/2.
 template <std::size_t Terms>
 struct Parts {
-    static constexpr std::size_t most = 64;  // largest number of parts, even
+    static constexpr std::size_t most = 64;  // largest number of parts; the number is even
     std::size_t parts;
-    double sizes = 0.0;  // sum over powers of the largest 1-norm of coefficients
-    Halves halves;       // outputs [part above the middle][power]
+    double sizes = 0.0;  // for rounding: sum over powers of twice the largest 1-norm of a coefficient's factors
+    Halves halves;       // maps values to coefficients [part][power] of the parts above 0
 
     explicit Parts(std::size_t count);
 
     bool is(std::size_t count) const { return parts == count; }
     std::size_t bytes() const { return sizeof(double) * (halves.even.size() + halves.odd.size()); }
-    // mu of the certificate: largest difference between a polynomial within [-1, 1] and its approximations on the parts, by
-    // Markov's bound on the derivative.
+    // Bound on the difference between a polynomial of modulus at most 1 and its interpolants on the parts, from Markov's bound
+    // on derivatives (mu in docs/certificate.md, section 9).
     double bent() const {
         const double degree = static_cast<double>(Halves::points - 1);
         double size = 2.0;
@@ -94,7 +96,8 @@ struct Parts {
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
     static std::shared_ptr<const Parts> get(std::size_t count) { return cache<Parts>.get(count); }
 
-    // Compute the coefficients of all parts of a piece, to[part][power]; largest[power] becomes their largest modulus.
+    // Compute to[part][power], the coefficients of all parts, from a polynomial's values at the Chebyshev points;
+    // largest[power] is raised to their largest modulus.
     template <class I, class To>
     LOMMEL_INLINE void cut(I isa, const Halves::Values& values, To* to, double* largest) const {
         constexpr std::size_t lanes = std::min(I::lanes, Terms);
@@ -125,9 +128,9 @@ struct Parts {
     }
 };
 
-// Bounds on the second and the fourth derivative of the polynomial of a piece.
+// Bounds on the second and the fourth derivative, on [-1, 1], of the polynomial through values at 16 Chebyshev points.
 struct Bends {
-    static constexpr std::size_t second = 32, fourth = 16;  // number of Chebyshev points where they are evaluated
+    static constexpr std::size_t second = 32, fourth = 16;  // numbers of Chebyshev points for derivatives 2 and 4
     static_assert(second / 2 % Halves::together == 0 && fourth / 2 % Halves::together == 0);
 
     struct Sizes {
@@ -159,14 +162,14 @@ struct Bends {
     }
 };
 
-// Matrix [point][power] from values at ascending Chebyshev points to monomial coefficients.
+// Matrix [point][power] that maps values at `Count` ascending Chebyshev points to monomial coefficients.
 template <std::size_t Count>
 std::array<double, Count * Count> through_points() {
     const ChebyshevToMonomials<Count, wide> taken;
     std::array<double, Count * Count> made{};
     for (std::size_t i = 0; i < Count; ++i) {
         double values[Count] = {};
-        values[Count - 1 - i] = 1.0;  // there the points descend
+        values[Count - 1 - i] = 1.0;  // ChebyshevToMonomials takes descending points
         taken(values, 1, made.data() + i * Count);
     }
     return made;
@@ -203,7 +206,8 @@ Parts<Terms>::Parts(std::size_t count) : parts(count), halves(count / 2 * Terms)
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const {
-    // T_k and its derivatives, by (T_{k + 1} + T_{k - 1})^(j) = 2 x T_k^(j) + 2 j T_k^(j - 1).
+    // chebyshev[k][j]: j-th derivative at x of the Chebyshev polynomial T_k, from the recurrence T_(k+1) = 2 x T_k - T_(k-1)
+    // differentiated j times.
     wide chebyshev[points][5] = {};
     chebyshev[0][0] = 1;
     chebyshev[1][0] = static_cast<wide>(x);

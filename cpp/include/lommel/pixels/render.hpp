@@ -1,4 +1,4 @@
-// Expansion of radial profiles to images, and storing of intensities.
+// Expansion of radial profiles to images, and conversion of intensities to the type of the image.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// Side of a window whose axis is at a pixel centre or midway between two. `low`: last pixel up to the axis, `high`: first pixel
-// from the axis on.
+// One side of a window whose axis is at a pixel centre or midway between two pixels. count: number of pixels; low, high: the
+// pixels on both sides of the axis, equal if it is at a pixel centre.
 struct FoldedSide {
     std::size_t count, low, high;
 
@@ -28,20 +28,20 @@ struct FoldedSide {
     explicit FoldedSide(std::size_t pixels) : count(pixels), low(pixels / 2), high(low) {}
 
     bool operator==(const FoldedSide& o) const { return count == o.count && low == o.low && high == o.high; }
-    std::size_t between() const { return high - low; }  // 1 if the axis is between two pixels
-    // Number of distinct distances: 0, 1, ... pixels from `high`, or from `low` downwards.
+    std::size_t between() const { return high - low; }  // 1 if the axis is between two pixels, otherwise 0
+    // Number of distinct distances from the axis. The distance of index d is that of pixels low - d and high + d.
     std::size_t distances() const { return std::max(low + 1, count - high); }
-    // First pixel at a distance; twice(): there is a second one, high + distance.
+    // first(): pixel with this distance, the lower one if there are two; twice(): true if there are two.
     std::size_t first(std::size_t distance) const { return distance <= low ? low - distance : high + distance; }
     bool twice(std::size_t distance) const {
         return distance <= low && high + distance < count && high + distance > low - distance;
     }
 };
 
-// Distinct squared radii of a quadrant of rows x columns distances; pixels with the same dy^2 + dx^2 share a value. Each has an
-// integer number: dy^2 + dx^2 or, if the axis is between two rows, that minus 1/4, as (y + 1/2)^2 = y (y + 1) + 1/4; if it is
-// between rows and columns, half of dy^2 + dx^2 - 1/2. Stored as one bit for each number, and the count of bits before each
-// word: linear time, without sorting, and small enough for the first-level cache, unlike a rank for each number.
+// Distinct squared radii dy^2 + dx^2 of the pixels of a quadrant. An integer number represents each: dy^2 + dx^2 if the axis
+// is at a pixel centre, dy^2 + dx^2 - 1/4 if it is between two rows or two columns, (dy^2 + dx^2 - 1/2) / 2 if between both.
+// One bit per number, with the count of bits before each word, gives ranks in linear time, without sorting, from a table that
+// fits into the first-level cache.
 class SquaredRadii {
    public:
     SquaredRadii(const FoldedSide& rows, const FoldedSide& columns)
@@ -49,7 +49,8 @@ class SquaredRadii {
           words_(number(rows_ - 1, cols_ - 1) / 64 + 1) {
         for (std::size_t y = 0; y < rows_; ++y) {
             look();
-            // If rows and columns are alike, (x, y) represents (y, x) too.
+            // If the axis is at the same offset from rows and columns, pixel (y, x) has the radius of (x, y): mark only one of
+            // them.
             for (std::size_t x = odd_y_ == odd_x_ && y < std::min(rows_, cols_) ? y : 0; x < cols_; ++x) {
                 const std::size_t s = number(y, x);
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;
@@ -68,23 +69,23 @@ class SquaredRadii {
         return odd_y_ + odd_x_ == 2 ? 2.0 * s + 0.5 : s + 0.25 * static_cast<double>(odd_y_ + odd_x_);
     }
 
-    // Call take(rank, number) with the numbers in ascending order.
+    // Call take(rank, number) for the distinct radii in ascending order; square() converts the number to a squared radius.
     template <class Take>
     void each(const Take& take) const {
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             std::size_t rank = 0;
             for (std::size_t word = 0; word < words_.size(); ++word) {
                 for (std::uint64_t bits = words_[word].bits; bits != 0; bits &= bits - 1) {
-                    take(rank++, 64 * word + set(~bits & (bits - 1)));  // removes zeros below the last bit
+                    take(rank++, 64 * word + set(~bits & (bits - 1)));  // counts the zeros below the lowest set bit
                 }
             }
         });
     }
 
-    // Write the rank of each pixel's radius.
+    // Write index[y][x], the rank of each pixel's radius among the distinct radii.
     template <class Rank>
     void ranks(Rank* index) const {
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where vectors are available
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // in code for processors with vectors, bit counts are one instruction
             for (std::size_t y = 0; y < rows_; ++y) {
                 look();
                 for (std::size_t x = 0; x < cols_; ++x) {
@@ -109,7 +110,8 @@ class SquaredRadii {
     std::vector<Word> words_;
 };
 
-// Ascending squared radii around the centre of a pixel; `index` becomes the rank of each pixel's radius.
+// Return the distinct squared radii, ascending, of (rows + 1) x (cols + 1) pixels whose first one is centred on the axis;
+// index[y][x] becomes the rank of each pixel's radius.
 std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
@@ -121,7 +123,7 @@ LOMMEL_ONCE std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size
 }
 #endif
 
-// Maximum of values >= 0, in eight chains that compilers vectorise.
+// Maximum of nonnegative values, in eight independent chains that compilers vectorise.
 LOMMEL_INLINE double largest(const double* values, std::size_t count) {
     double top[8] = {};
     std::size_t i = 0;
@@ -145,7 +147,7 @@ LOMMEL_ONCE double largest_value(const double* values, std::size_t count) {
 }
 #endif
 
-// Store values times a scale; `out` may be `values`.
+// Write scale * values[i], converted to type T; `out` may be `values`.
 template <class From, class T>
 void store_scaled(const From* values, double scale, std::size_t count, T* out) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -154,7 +156,7 @@ void store_scaled(const From* values, double scale, std::size_t count, T* out) {
         }
     });
 }
-// Like store_scaled(), clamped to `least`: intensities are not negative, so clamping to 0 does not increase their error.
+// Like store_scaled(), with results below `least` replaced by it. For an intensity, 0 as `least` does not increase the error.
 template <class T>
 void store_least(const double* values, double scale, std::size_t count, T least, T* out) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -171,8 +173,8 @@ extern template void store_least<float>(const double*, double, std::size_t, floa
 extern template void store_least<double>(const double*, double, std::size_t, double, double*);
 #endif
 
-// Write a row to both sides of its middle. Not inlined: in callers with few free registers its end would be loaded for each
-// pixel.
+// Write profile[from[dx]] to the pixels dx to the right and dx to the left of the axis. Not inlined: callers with few free
+// registers would reload the end of the loop for each pixel.
 template <class T, class Rank>
 LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_t count, T* right, T* left) {
     for (std::size_t dx = 0; dx < count; ++dx) {
@@ -182,13 +184,13 @@ LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_
     }
 }
 
-// Write the rows at distances [first, last) on both sides of the axis from the values at the distinct radii. Each row is
-// gathered once and its mirror image copied; limited by the loads of the gather and by memory writes.
+// Write the image rows whose distances from the axis have indices [first, last), on both sides of the axis. Each pixel is
+// profile[index of its radius]. Mirrored rows are copied; limited by the loads of profile values and by memory writes.
 template <class T, class Rank>
 LOMMEL_INLINE void scatter_rows(const T* profile, const Rank* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {
     const std::size_t width = columns.count, right = width - columns.high, left = columns.low + 1, both = std::min(left, right);
-    constexpr std::size_t ahead = 6;  // number of rows to prefetch ahead: those of large images are in memory, not in a cache
+    constexpr std::size_t ahead = 6;  // number of rows between prefetch and use; rows of large images are not in a cache
     for (std::size_t dy = first; dy < last; ++dy) {
         const Rank* from = index + dy * columns.distances();
         T* row = out + rows.first(dy) * width;

@@ -1,5 +1,5 @@
-// Samples around an arbitrary axis: polynomials of the distance from it, or of its square, on pieces that do not depend on the
-// axis (certificate, section 9, "Samples around one axis").
+// Samples of the intensity around an arbitrary axis: polynomials of the distance from the axis, or of its square, on intervals
+// of the distance (pieces) that do not depend on the axis (docs/certificate.md, section 9, "Samples around one axis").
 #pragma once
 
 #include <algorithm>
@@ -27,15 +27,15 @@
 
 namespace lommel {
 
-struct SamplePieces : Radii {  // radii at which I is needed, in v
-    static constexpr std::size_t points = Halves::points;  // Chebyshev points of a piece
-    static constexpr std::size_t terms = 8;  // terms of the polynomial of a part, in double precision
-    static constexpr std::size_t together = 2;  // ranges of pieces are rounded to multiples of this, to share tables
-    static constexpr double slack = 1e-4;  // margin for rounding of positions, in pieces
-    static constexpr double evenly = 32.0;  // pieces have equal width in r at least up to this v
+struct SamplePieces : Radii {  // radii at which the intensity is computed, in optical units
+    static constexpr std::size_t points = Halves::points;  // number of Chebyshev points in a piece
+    static constexpr std::size_t terms = 8;  // number of coefficients of each part of a piece, in double precision
+    static constexpr std::size_t together = 2;  // ranges of pieces end at multiples of this, so that windows share tables
+    static constexpr double slack = 1e-4;  // margin for rounding errors of positions, in units of a piece
+    static constexpr double evenly = 32.0;  // up to this distance, in optical units, all pieces have the same width
 
-    int level;  // the error is about 10^-level, its bound `error`
-    std::size_t first, last;  // range of pieces
+    int level;  // requested accuracy in decimal digits; the error bound is `error`
+    std::size_t first, last;  // range [first, last) of the pieces in the table
     double width, error, of_nodes = lebesgue(points), of_grid = 1.0, rounding = 0.0;
     std::shared_ptr<const Parts<terms>> parts;
 
@@ -46,7 +46,8 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
     bool is(int digits, std::size_t from, std::size_t to) const { return level == digits && first == from && last == to; }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-    // Width of pieces: 1 / 1.1 of the error is for their interpolation, times the factor of the parts, which adds a tenth.
+    // Width of a piece, in optical units, for an accuracy of `digits` decimal digits. Of the error, 10/11 is for interpolation
+    // on pieces, times the Lebesgue constant of their parts, and 1/11 for interpolation on parts.
     static double width_for(int digits) {
         const double error = PixelTable::Budget::window * std::pow(10.0, -digits) / 1.1;
         const double of_slopes = interpolation_by_slope(1.0, points) * of_squares(evenly, points) * lebesgue(terms);
@@ -58,11 +59,11 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
         return 2 * static_cast<std::size_t>(
                        std::ceil(0.25 * width_for(digits) / std::pow(error / of_slopes, 1.0 / static_cast<double>(terms))));
     }
-    // R, the number of pieces from the axis that are equal in r, is even. Beyond, pieces between R and 2 R, 2 R and 4 R, .. are
-    // equal in r^2, so no roots are computed.
+    // Number R of innermost pieces, which have equal width in the distance r; R is even. Farther out, with r in units of this
+    // width, the pieces from R to 2 R, 2 R to 4 R, ... have equal width in r^2, so no square roots are computed.
     static double equal_pieces(double width) { return 2.0 * std::ceil(0.5 * evenly / width); }
 
-    // Pieces of a window: the first, and the one after the last.
+    // Return the first piece that a window needs, and the piece after the last one.
     static std::array<std::size_t, 2> of(const PixelWindow& window, int digits) {
         double ends[2];
         window.reach(ends);
@@ -73,7 +74,7 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
         };
         return {table(ends[0], -slack) * together, (table(ends[1], slack) + 1) * together};
     }
-    // Return whether there are about as many radii as pixels, or fewer.
+    // Return whether pieces are efficient: they need fewer radii than the window has pixels, or about as many.
     static bool pays(const PixelWindow& window, int digits) {
         const auto ends = of(window, digits);
         return (ends[1] - ends[0]) * points <= window.height * window.width + 1024;
@@ -83,25 +84,27 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
         return cache<SamplePieces>.get(digits, ends[0], ends[1]);
     }
 
-    // Compute the pixels of a window times `by`, clamped to `least`, from I at the radii; returns the maximum, without `by`.
+    // Write `by` times the intensity at the window's pixels, at least `least`, from the intensity at the radii; returns the
+    // largest intensity (without the factor `by`).
     template <class T>
     double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const;
 
-    // Like paint(), clamped to 0, in single precision: by cubics on parts of the pieces and, far enough from the axis, by
-    // lines, each with an error of about `room`, at positions with an error of about `places` in v. `off`: their error of I,
-    // including rounding. Limited by loads.
+    // Like paint() with `least` 0, in single precision: cubics on parts of the pieces and, far from the axis, straight lines,
+    // each with an error of about `room`. Positions have an error of about `places` optical units. `off` becomes the error
+    // bound of the intensity due to all this and to rounding. Limited by loads.
     double paint_single(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
                         float* image, double& off) const;
 
    private:
-    // Call made() with the pixels of rows [begin, end) times `by`, clamped to `least`; returns the maximum before `by`.
-    // Its speed is limited by loads of doubles.
+    // Call made(row, start, count, values) for `count` adjacent pixels at a time of rows [begin, end): values are `by` times
+    // the intensity, at least `least`. all: coefficients of all parts. Returns the largest intensity. Limited by loads of
+    // doubles.
     using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
     double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
                     const Made& made) const;
 
-    // Call paint(begin, end, to) for blocks of rows that are large enough for a task, and tall enough that most rows use the
-    // pieces of the previous row; returns the maximum.
+    // Call paint(begin, end, to), which returns its largest pixel, for blocks of rows in parallel; returns the maximum of all.
+    // Blocks are so tall that most rows find their coefficients in the cache, loaded by the row before.
     template <class T, class Paint>
     static double largest_of(const FoldedWindow& window, int threads, T* image, const Paint& paint) {
         const std::size_t height = window.part.height, width = window.part.width;
@@ -123,8 +126,8 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
         return *std::max_element(tops.begin(), tops.end());
     }
 
-    // Position of a distance, in pieces: r up to R = `equal`, (r^2 / R + 2 R - equal) / 2 for R <= r < 2 R, and so on for 2 R,
-    // 4 R, ..
+    // piece_of(): position, counted in pieces, of a distance r in units of the innermost width: r up to `equal`, (r^2 / R + 2
+    // R - equal) / 2 for R <= r < 2 R, with R = equal, 2 equal, 4 equal, ... distance_of(): its inverse.
     static double piece_of(double distance, double equal) {
         if (distance < equal) {
             return distance;
@@ -139,14 +142,16 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
         return piece < equal ? piece : std::sqrt(from * (2.0 * (piece - from) + equal));
     }
 
-    // Number of parts for which cubics through four points of each have an error of at most `room`, at most Parts<4>::most.
+    // Number of parts per piece, at most Parts<4>::most, for which cubics through four points of each part have an error of at
+    // most `room`. bent: bound on the fourth derivative.
     static std::size_t parts_for_cubics(double bent, double room) {
         const double wanted = std::ceil(0.5 * std::sqrt(std::sqrt(bent / (192.0 * room))));
         return 2 *
-               static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
+               static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // largest if NaN
     }
 
-    // Write a bound on the second derivative of each piece; returns the largest bound on the fourth.
+    // Write to `curves` a bound on the second derivative of each piece's polynomial; returns the largest bound on a fourth
+    // derivative.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -159,7 +164,8 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
         return largest;
     }
 
-    // Compute the coefficients of the parts of some pieces, times `by`; largest[power] becomes their largest modulus.
+    // Compute to[piece][part][power], `by` times the coefficients of pieces [begin, end); largest[power] is raised to their
+    // largest modulus.
     template <class I, std::size_t Terms, class To>
     static LOMMEL_INLINE void cut(I isa, const Parts<Terms>& parts, const double* intensity, double by, std::size_t begin,
                                   std::size_t end, To* to, double* largest) {
@@ -167,15 +173,17 @@ struct SamplePieces : Radii {  // radii at which I is needed, in v
             parts.cut(isa, Halves::Values(intensity, by), to, largest);
         }
     }
-    // Error of cubics or lines from rounding, and from position errors of `astray` parts (certificate, section 9).
+    // Error of cubics or lines from rounding to single precision, and from errors of positions by up to `astray` parts, where
+    // largest[k] bounds the coefficients of power k (docs/certificate.md, section 9).
     static double rough(const double (&largest)[4], double astray) {
         const double rounded = largest[0] + 3.0 * largest[1] + 2.25 * largest[2] + 1.5 * largest[3];
         return 1.01 * (single_roundoff * rounded + astray * (largest[1] + largest[2] + 0.75 * largest[3]));
     }
 
     SampleRows::Zones zones(double parts) const;
-    // Evaluate cubics or lines, one vector of pixels at a time; coefficients are loaded pixel by pixel and transposed. Padding
-    // repeats the last pixel. `tops` becomes the maximum of each lane.
+    // Evaluate polynomials of `Terms` coefficients, those of pixel i from c[at[i]] on, at x[i], one vector of pixels at a
+    // time; negative values become 0. Coefficients are loaded pixel by pixel and transposed. `tops` becomes the maximum of
+    // each vector lane.
     template <std::size_t Terms, class I>
     static LOMMEL_INLINE void values_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
                                         float* tops) {
@@ -221,7 +229,8 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
     const double equal = equal_pieces(width), half = 0.5 * width;
     error = lebesgue(terms) * interpolation_by_slope(half, points) * of_squares(equal * width, points) +
             interpolation_by_slope(half / static_cast<double>(parts->parts), terms) * of_squares(equal * width, terms);
-    // Rounding of factors, of sums and differences of eight products, and of evaluation (24 S of the certificate).
+    // Roundings of the parts' matrices, of sums and differences of eight products, and of evaluation (24 S in
+    // docs/certificate.md, section 9).
     rounding = 24.0 * parts->sizes;
     of_grid = std::min(lebesgue(terms), 1.0 + parts->bent());
     count = (last - first) * points;
@@ -271,7 +280,7 @@ double SamplePieces::paint(const PixelWindow& window, const double* intensity, d
                            T* image) const {
     thread_local Doubles scratch;
     scratch.resize((last - first) * parts->parts * terms);
-    double* const all = scratch.data();  // scratch of this thread, filled by all threads
+    double* const all = scratch.data();  // of the calling thread; other threads read it by this pointer
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         double sizes[terms] = {};
         cut(isa, *parts, intensity, 1.0, first, last, all, sizes);
@@ -345,7 +354,7 @@ LOMMEL_ONCE double SamplePieces::paint_single(const PixelWindow& window, const d
         });
         return static_cast<double>(*std::max_element(tops, tops + SampleRows::most_lanes)) / by;
     });
-    off += single_roundoff * top;  // rounding of the maximum, by which errors are divided
+    off += single_roundoff * top;  // rounding error of the maximum, by which errors are divided
     return top;
 }
 #endif

@@ -1,5 +1,5 @@
-// Rows of pixels around an arbitrary axis: for each pixel, the part of a piece that contains its distance, and its position in
-// that part.
+// For each pixel of a row: the interval (part of a piece, see sample_pieces.hpp) that contains its distance from an arbitrary
+// axis, and its position in that interval.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace lommel {
 
-// A window or, if its axis is at a pixel centre or midway between two, the quarter with one row and one column for each
-// distance from the axis.
+// The pixels of a window to compute: all or, if the axis is at a pixel centre or midway between two pixels, one quadrant, with
+// a row and a column for each distinct distance from the axis.
 class FoldedWindow {
    public:
     explicit FoldedWindow(const PixelWindow& w) : part(w), folds_(w.folds()) {
@@ -36,7 +36,7 @@ class FoldedWindow {
 
     bool folds() const { return folds_; }
 
-    // Copy a row of the quarter to all its mirror images.
+    // Copy a row of the quadrant to all its mirror images in the image.
     template <class T>
     LOMMEL_NOINLINE void unfold(std::size_t row, const T* values, T* image) const {
         T* const line = image + rows_.first(row) * columns_.count;
@@ -54,21 +54,22 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// Positions are in parts of pieces, from the middle of the first part on. They are linear in the distance near the axis, and in
-// the squared distance on each zone beyond, which ends at twice the distance of the previous one.
+// Positions of the pixels of a window's rows, counted in parts of pieces from the middle of the first part on. A position is
+// linear in the distance from the axis in zone 0, and linear in the squared distance in each zone farther out, which ends at
+// twice the distance where it begins.
 class SampleRows {
    public:
-    struct Zone {  // squared distance of its start, in squared pieces; linear function that gives positions
+    struct Zone {  // squared distance where it begins, in pieces^2; position = slope * squared distance + shift
         double begin, slope, shift;
     };
-    using Zones = std::array<Zone, 40>;  // reach up to max_reach; the last zone begins at infinity
+    using Zones = std::array<Zone, 40>;  // enough zones for the largest distance allowed; unused ones begin at infinity
 
     static constexpr std::size_t longest = 128;  // largest number of pixels in a run
     static constexpr std::size_t most_lanes = 16;
 
-    // Run: adjacent pixels of a row. For each, the index of its part minus `base`, both times the stride of parts in the
-    // coefficients, and its position in the part, from -1/2 to 1/2. Arrays are padded to whole vectors, with existing parts.
-    // `straight`: the polynomials are lines, with stride 2.
+    // Run: `count` adjacent pixels of a row, from column `start` on. at[i]: index of pixel i's part, less `base`, both times
+    // the number of coefficients per part; x[i]: position in the part, from -1/2 to 1/2. Both arrays are padded to whole
+    // vectors, with valid entries. straight: parts have two coefficients, of a line.
     template <class Real>
     struct Run {
         std::size_t row, start, count;
@@ -81,14 +82,14 @@ class SampleRows {
     SampleRows(const PixelWindow& window, double width, const Zones& zones)
         : window_(window), pieces_(window.step / width), zones_(zones) {}
 
-    // Compute positions in single precision as multiples of 2^-bits parts, if their error is then below about `room` in v;
-    // returns the largest error in parts (0: not used).
+    // Compute single-precision positions by integer arithmetic, if their error is then below about `room` optical units;
+    // returns the largest error, in parts (0: integers are not used).
     double by_integers(double room);
-    // Mark single-precision runs as straight if all their pixels are at least `pieces` pieces from the axis; returns the
-    // largest distance of the others, in pieces.
+    // Mark single-precision runs as straight if all their pixels are at least `pieces` from the axis, in widths of a piece;
+    // returns an upper bound on the distance of pixels in other runs, in the same unit.
     double straight_from(double pieces);
 
-    // Call take(run) for the pixels of rows [begin, end).
+    // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part, unless the run is straight.
     template <class Real, std::uint32_t Apart, class Take>
     LOMMEL_INLINE void each(std::size_t begin, std::size_t end, const Take& take) const {
         constexpr std::size_t block = most_lanes;
@@ -97,7 +98,7 @@ class SampleRows {
         alignas(64) Real x[longest];
         Lines lines;
         Glance glance;
-        // All rows of some columns, then the next columns, so that a row mostly uses the pieces of the previous row.
+        // Compute all rows of a block of columns before the next block: each row then finds most coefficients in the cache.
         for (std::size_t start = 0; start < window_.width; start += tile_) {
             const std::size_t here = std::min(tile_, window_.width - start), padded = (here + block - 1) / block * block;
             for (std::size_t i = 0; i < padded; ++i) {
@@ -108,14 +109,14 @@ class SampleRows {
             Row ahead = seen(begin, least, most, {});
             for (std::size_t row = begin; row < end; ++row) {
                 glance(4 * padded);
-                // Prepare the next row's scalars while the pixels of this row are computed.
+                // Compute the scalars of the next row here, so that they overlap with the pixels of this row.
                 const Row seen_here = ahead;
                 ahead = seen(std::min(row + 1, end - 1), least, most, ahead);
                 const auto [square, low, high, first, other, straight] = seen_here;
                 const Zone &zone = zones_[low], &next = zones_[low + 1];
                 const std::uint32_t stride = straight ? 2 : Apart;
                 const auto split = [&, stride = stride](std::size_t i, double where) LOMMEL_INLINE_LAMBDA {
-                    const double whole = (where + 0x1.8p52) - 0x1.8p52;  // nearest integer
+                    const double whole = (where + 0x1.8p52) - 0x1.8p52;  // rounds to the nearest integer
                     at[i] = static_cast<std::int32_t>(stride) * static_cast<std::int32_t>(whole);
                     x[i] = static_cast<Real>(where - whole);
                 };
@@ -163,9 +164,9 @@ class SampleRows {
     }
 
    private:
-    // Row: its squared distance; the zones of its nearest and farthest pixels; the positions of the nearest pixel by the linear
-    // functions of this zone and of the next. Zones are tangent to each other and their curve is concave, so the position is
-    // the minimum of the linear functions.
+    // square: squared distance of a row from the axis; low, high: zones of its nearest and farthest pixels; first, other:
+    // positions of the nearest pixel by the linear functions of zone `low` and of the next zone. These functions join to a
+    // concave curve, so a position is the smaller of the two.
     struct Row {
         double square = 0.0;
         std::size_t low = 0, high = 0;
@@ -184,12 +185,13 @@ class SampleRows {
         return r;
     }
 
-    // For some columns: contributions of their squared distances to the positions in two zones, as integers.
+    // Fixed-point contributions of a block of columns to positions: here[i] and next[i] are the squared distance of column i
+    // times the slopes of a row's zone and of the next zone.
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;
         float scale = 1.0f;
-        int bits = 0;  // number of fraction bits
+        int bits = 0;  // number of fraction bits of fixed-point positions
 
         LOMMEL_INLINE void prepare(const double* squares, std::size_t padded, double least, double most, double slope,
                                    double other_slope) {
@@ -203,8 +205,9 @@ class SampleRows {
             }
         }
 
-        // Split positions into parts and remainders, from the positions of the nearest pixel in one or both zones. Returns the
-        // part from which indices are counted, one or two before that of the nearest pixel, times the stride of parts, 2 or 4.
+        // Split each position into the index of its part, times `stride`, and the position in the part. first, other: position
+        // of the nearest pixel by the row's zone and, if `Both`, by the next zone. Returns Run::base, one or two parts before
+        // the nearest pixel.
         template <bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t stride,
                                            std::int32_t* at, float* x) const {
@@ -222,7 +225,7 @@ class SampleRows {
         }
         static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
     };
-    // Number of fraction bits: positions up to 1.5 span + 3 fit into 32 bits, and fractions into single precision.
+    // Number of fraction bits for which positions up to 1.5 span + 3 fit into 32 bits, and fractions into single precision.
     static int fraction_bits(double span) { return 31 - std::max(7, std::ilogb(1.5 * span + 4.0)); }
 
     LOMMEL_INLINE double squared(double pixels) const { return pieces_ * pixels * (pieces_ * pixels); }
@@ -237,11 +240,11 @@ class SampleRows {
     double place_error() const;
 
     PixelWindow window_;
-    double pieces_;  // number of pieces per pixel
+    double pieces_;  // pixel pitch in widths of a piece
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;
-    double straight_ = HUGE_VAL;  // smallest squared distance of straight runs
+    double straight_ = HUGE_VAL;  // smallest squared distance of straight runs from the axis, in pieces^2
 };
 
 #if defined(LOMMEL_DEFINES)

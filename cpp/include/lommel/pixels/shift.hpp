@@ -1,4 +1,4 @@
-// Derivatives of pixel averages with respect to the position of the axis: differences of averages along opposite sides of a
+// Derivatives of pixel averages with respect to the position of the axis: differences of averages along opposite edges of a
 // pixel (docs/certificate.md, section 15).
 #pragma once
 
@@ -15,11 +15,12 @@
 
 namespace lommel {
 
-// The difference along x is odd in x and even in y: sum_j A_j(r) cos((2j+1) angle), each A_j odd in r.
+// Table for the derivative along x, which is odd in x and even in y: a sum over j < harmonics of cos((2j+1) theta) times odd
+// polynomials of the distance from the axis. The derivative along y is the same with x and y exchanged.
 struct ShiftTable {
-    std::shared_ptr<const AnywhereTable> pixels;  // keeps the key alive
+    std::shared_ptr<const AnywhereTable> pixels;  // table of the averages; it is the key in the cache, kept alive here
     std::size_t harmonics, degree;
-    Doubles weights, penalty;  // see AnywhereTable
+    Doubles weights, penalty;  // weights[block of outputs][node][output]; rounding error of each coefficient
     double error, of_grid, rounding;
 
     explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of);
@@ -33,8 +34,9 @@ struct ShiftTable {
         return cache<ShiftTable>.get(of);
     }
 
-    // Derivative of each pixel with respect to the axis position along columns (down) and rows (across), per pixel, in whole
-    // vectors, from I at the radii; returns the rounding of the polynomials in units of roundoff.
+    // Compute the derivatives of each pixel with respect to the axis position in y (down) and x (across), per pixel pitch,
+    // from the intensity at the radii. Both arrays are written in whole vectors. Returns the rounding error of the
+    // polynomials, in units of roundoff.
     double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const;
 
    private:
@@ -96,8 +98,8 @@ struct ShiftTable {
                           pixels->of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0));
         for (std::size_t o = 0; o < weights.size() / pixels->count; ++o) {
             const double j = static_cast<double>(o / degree), k = static_cast<double>(o % degree);
-            // Rounding in step m of a recurrence counts 2m + 1 times, as a factor r or cos(angle) multiplies afterwards; the
-            // error of positions is that of AnywhereTable.
+            // A rounding error in step m of the recurrence in r or in cos(theta) is amplified up to 2m + 1 times; a factor r
+            // or cos(theta) multiplies the result. Squared distances are rounded as in AnywhereTable.
             const double each = 0.5 * (k + 1.0) * (k + 2.0) * (2.0 * k + 3.0) + 5.0 * k * (k + 1.0) * (2.0 * k + 1.0) +
                                 (2.0 * j + 1.0) * (10.0 * (j + 1.0) * (j + 1.0) + 4.0 * orders);
             penalty.push_back(o < degree * harmonics ? each : 0.0);
@@ -115,7 +117,7 @@ LOMMEL_ONCE ShiftTable::ShiftTable(const std::shared_ptr<const AnywhereTable>& o
     of_grid = by_angle * lebesgue(2 * degree);
     const RingNodes nodes = RingNodes(0.0, reach, side * 0.70710678118654752, 1.0).of(of->count);
     weigh(reach, nodes, Points::sides(side, of->gauss));
-    // Error of the difference of two averages, each with the error of a pixel average.
+    // Error bound of the difference of two averages, each with the error of a pixel average.
     error = 2.0 * (of_grid * (interpolation_error(nodes.high, 2 * nodes.count) + gauss_error(side, of->gauss)) +
                    by_angle * interpolation_error(reach, 2 * degree)) +
             shift_harmonics_error(side, harmonics);

@@ -1,5 +1,5 @@
-// Pixel averages of a window, or samples with an axis off the pixel centres: each value is a weighted sum of I at few radii.
-// The weights depend only on the window, so one table serves all pupils (certificate, section 9).
+// Pixel averages of a window, or samples with the axis off the pixel centres: each value is a weighted sum of intensities at
+// few radii. The weights depend only on the window, so one table serves all pupils (docs/certificate.md, section 9).
 #pragma once
 
 #include <algorithm>
@@ -29,48 +29,51 @@
 
 namespace lommel {
 
-// Rings of pixels, whose values are expanded in distance and angle, or have weights for each pixel.
-struct PixelRings : Radii {  // radii at which I is needed, in v
+// Pixels of a window, sorted into rings by their distance from the axis. The values of a ring are expanded in distance and
+// angle or, if there are few, have weights of their own.
+struct PixelRings : Radii {  // radii at which the intensity is computed, in optical units
     // Error budget of a table: shares of the requested error.
     struct Budget {
-        static constexpr double gauss = 0.1;      // quadrature over a pixel
-        static constexpr double harmonics = 0.2;  // interpolation in the angle
-        static constexpr double rings = 0.3;      // interpolation across a ring
-        static constexpr double nodes = 0.2;  // interpolation of I between the radii of a ring, times the factors of both
-        static constexpr double window = 0.5;  // interpolation of I between the radii if the window is one ring
+        static constexpr double gauss = 0.1;      // share for quadrature over a pixel
+        static constexpr double harmonics = 0.2;  // share for interpolation in the angle
+        static constexpr double rings = 0.3;      // share for interpolation in the distance, on a ring
+        static constexpr double nodes = 0.2;  // share for interpolation between radii, as amplified by the two above
+        static constexpr double window = 0.5;  // share for interpolation between radii if the window is one ring
         static_assert(gauss + harmonics + rings + nodes <= 1.0 && gauss + window <= 1.0);
     };
-    static constexpr std::size_t most_nodes = 900;  // per ring: products of Lagrange polynomials stay in range
+    static constexpr std::size_t most_nodes = 900;  // largest number of radii per ring: their Lagrange products do not overflow
     static constexpr std::size_t most_weights = std::size_t{1} << 27;
-    static constexpr double near_weights = 32768.0;  // number of weights that fit into a near cache
+    static constexpr double near_weights = 32768.0;  // number of weights that fit into a cache of 256 KiB
 
     struct Ring {
         RingNodes nodes;
-        double middle, half;  // middle and half width of the range of pixel centres, in v
-        std::size_t first_node;  // index in `places`
-        std::size_t first_value, values, padding;  // first value; values, padded to blocks; padding
+        double middle, half;  // middle and half width of the ring, as range of pixel centres, in optical units
+        std::size_t first_node;  // index in `places` of the ring's first radius
+        std::size_t first_value, values, padding;  // index of the first value; padded number of values; padding in it
         std::size_t first_weight, outputs;
-        bool direct;  // outputs are the pixel values; otherwise coefficients [harmonic][radial_degree]
+        bool direct;  // true: outputs are pixel values; false: coefficients [harmonic][radial_degree]
     };
 
-    std::vector<Ring> rings;  // empty if I is needed at the pixels themselves
-    std::vector<std::int32_t> places;  // index of each ring's nodes among the radii
-    Doubles weights;  // for each ring: [block of outputs][node][output]
-    Doubles x, cosine;  // x: from -1 to 1 across the ring; cosine of four times the angle
-    Doubles penalty;  // rounding of each coefficient
+    std::vector<Ring> rings;  // empty if the intensity is computed at the radius of every pixel
+    std::vector<std::int32_t> places;  // for each radius of each ring: its index in the ascending `radii`
+    Doubles weights;  // for each ring: [block of outputs][radius][output]
+    Doubles x, cosine;  // for each value: radial position in the ring, -1 to 1; cosine of four times the angle
+    Doubles penalty;  // for each coefficient: factor to the rounding error it causes, in units of roundoff
     std::size_t harmonics = 1, gauss = 1;
-    double error = 0.0;  // error of values over half the range of I, if I is exact at the radii
-    double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants Lambda_n and Lambda_g
-    double rounding = 0.0;  // rounding of computing and applying the weights, in units of roundoff times the largest I
+    double error = 0.0;  // error bound of a value, over half the largest intensity, from exact intensities at the radii
+    double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants: between radii; in distance and angle
+    double rounding = 0.0;  // rounding of weights and sums, in units of roundoff times the largest intensity
 
-    // Factor from an error of I at the radii to an error of a value.
+    // Largest factor from an error of the intensity at the radii to an error of a pixel value.
     double magnification() const { return of_grid * of_nodes; }
 
    protected:
-    // Compute `values` values of a ring, in whole steps of four vectors, from its coefficients.
+    // Evaluate the expansion of a ring at `values` pixels, a multiple of 16. at: radial position in the ring, -1 to 1; angle:
+    // cosine of four times the polar angle.
     void sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values, double* out) const;
 
-    // Compute the weights of all rings, and their errors.
+    // Compute the weights of all rings, and the error bounds, for pixels of width `side` and expanded rings of half width
+    // `half`.
     void weigh(double side, double half, int threads) {
         weights.resize(rings.back().first_weight + rings.back().nodes.count * rings.back().outputs);
         const Points square = Points::square(side, gauss);
@@ -81,7 +84,8 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         judge(side, half);
     }
 
-    // Choose the numbers of Gauss nodes and harmonics for pixels of a side; returns the largest half width of rings.
+    // Choose the numbers of Gauss nodes and harmonics for pixels of width `side` and a requested error `allowed`; returns the
+    // largest half width of a ring, in optical units.
     double plan(double side, double allowed) {
         gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
         harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
@@ -91,12 +95,12 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         }
         return half;
     }
-    // Allowed interpolation error of I between the nodes of an expanded ring.
+    // Allowed error of interpolating the intensity between the radii of a ring that is expanded in distance and angle.
     double of_nodes_within(double allowed) const {
         return Budget::nodes * allowed / (lebesgue(harmonics) * lebesgue(radial_degree));
     }
 
-    // Sort `v` into radii; returns the index of each among them.
+    // Append the values of `v` to `radii` in ascending order; returns the index of each among them.
     std::vector<std::int32_t> sort_radii(const std::vector<double>& v) {
         std::vector<std::size_t> order(v.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -116,7 +120,8 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         Doubles rows(ring.outputs * ring.nodes.count);
         average_rows(
             isa, ring.nodes, square, ring.outputs,
-            // Direct: the pixels; otherwise Chebyshev points of the radius and, for each harmonic, of the cosine.
+            // An output is a pixel if the ring is direct, otherwise a pair of Chebyshev points, of the distance and of the
+            // cosine.
             [&](std::size_t o) {
                 const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
                 return ring.middle + ring.half * at;
@@ -133,7 +138,8 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
         block_rows(rows.data(), ring.outputs, ring.nodes.count, weights.data() + ring.first_weight);
     }
 
-    // Error and rounding bounds: certificate, section 9, "Together" and "Rounding".
+    // Compute the error and rounding bounds (docs/certificate.md, section 9, "Together" and "Rounding"), for pixels of width
+    // `side` and expanded rings of half width `half`.
     void judge(double side, double half) {
         double worst = 0.0;
         std::size_t most = 0;
@@ -166,8 +172,8 @@ struct PixelRings : Radii {  // radii at which I is needed, in v
 
 struct PixelTable : PixelRings {
     PixelWindow window;
-    int level;  // the error is about 10^-level, its bound `error`
-    bool shared;  // for many images at a time, which load weights once; weights exist only if one ring suffices
+    int level;  // requested accuracy in decimal digits; the error bound is `error`
+    bool shared;  // for many images at a time, which load weights once; has weights only if one ring suffices
     PixelGroups groups;
     std::size_t value_count = 0;
 
@@ -175,7 +181,8 @@ struct PixelTable : PixelRings {
 
     bool serves_together() const { return rings.size() <= 1 && count > 0; }
 
-    // See AnywhereTable.
+    // outermost(): largest distance from the axis that the table covers, in optical units; growth(): factor from an error of
+    // the intensity I(v) to an error of v dI/dv (docs/certificate.md, section 15).
     double outermost() const { return rings.empty() ? reach() : rings.back().nodes.high; }
     double growth() const {
         std::size_t most = std::max({radial_degree, gauss, 4 * harmonics});
@@ -196,8 +203,8 @@ struct PixelTable : PixelRings {
         return cache<PixelTable>.get(window, level, threads, many);
     }
 
-    // Compute the values of `Together` windows from I at the radii, for rings [first, last); `penalties` become the rounding of
-    // the harmonics in units of roundoff.
+    // Compute the values of rings [first, last) for `Together` pupils from their intensities at the radii; penalties[p] is
+    // raised to the rounding error of the harmonics, in units of roundoff.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity, double* const* out,
                              double* penalties, Doubles& scratch) const {
@@ -231,7 +238,8 @@ struct PixelTable : PixelRings {
         harmonics = 0;
     }
 
-    // Divide the pixels from `least` on into rings of half width `half`, each with contiguous values, and choose their nodes.
+    // Sort the pixels, which are at distances of at least `least`, into rings of half width `half` (a single ring if `one`).
+    // Their radii cover `slack` more on both sides, for an interpolation error of at most `allowed`.
     void make_rings(double least, double half, double slack, bool one, double allowed) {
         std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
         Glance glance;
@@ -272,14 +280,14 @@ struct PixelTable : PixelRings {
             x[at] = half > 0.0 ? (groups.v[i] - middle[ring_of[i]]) / half : 0.0;
             cosine[at] = groups.cosine[i];
         }
-        // Padding repeats a pixel of the ring, so that the largest value is that of the window.
+        // Fill the padding with copies of the ring's first pixel, which leave the maximum unchanged.
         for (const Ring& ring : rings) {
             const std::size_t end = ring.first_value + ring.values, used = end - ring.padding;
             std::fill(x.begin() + used, x.begin() + end, x[ring.first_value]);
             std::fill(cosine.begin() + used, cosine.begin() + end, cosine[ring.first_value]);
         }
         groups.renumber(place);
-        // Distances and cosines of groups are no longer needed.
+        // Free the distances and cosines of the pixel groups, which are no longer needed.
         groups.v = groups.cosine = {};
     }
 };
@@ -299,8 +307,8 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
     const double half = plan(w.side(), allowed);
 
-    // Number of multiply-adds of one image, plus a share of those of the table, for the three alternatives: rings so narrow
-    // that `radial_degree` coefficients suffice, the window as one ring, or I at the pixels.
+    // Estimated multiply-adds per image, including a share of those that compute the table, for three alternatives: rings so
+    // narrow that `radial_degree` coefficients suffice, the window as one ring, or the intensity at every pixel.
     const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
     const RingNodes whole(least, most, slack, Budget::window * allowed);
@@ -309,7 +317,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // A weight that is loaded from beyond the near cache for each image takes as long as four others.
+    // A weight that does not fit into the near cache takes as long to load as four that do.
     const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
     const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {

@@ -1,4 +1,4 @@
-// Design of the filters for pixel averages, for a given pitch; filter.hpp applies them.
+// Design of the filters for pixel averages, for a given pixel pitch; filter.hpp applies them.
 #pragma once
 
 #include <algorithm>
@@ -11,24 +11,24 @@
 
 namespace lommel {
 
-// Taps c_k on samples h apart whose response C(w) = sum_k c_k cos(k h w) approximates that of a pixel, sinc(a w / 2), in the
-// band |w| <= 2 of an intensity.
+// Symmetric filter with taps c_k on samples at spacing h, whose frequency response C(w) = sum_k c_k cos(k h w) approximates
+// that of a pixel of width a, sinc(a w / 2), in the band |w| <= 2 of an intensity. All lengths are in optical units.
 //
-// Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type k h; all but
-// 1e-17 of it is a polynomial in w of degree M = 2.36 k h + 48 (its Chebyshev series falls below e^-48 there). As a
-// trigonometric polynomial of the angle, the error falls from its maximum no faster than cos(M s) (Duffin and Schaeffer, Bull.
-// Amer. Math. Soc. 44, 236, 1938), and one of 2 M Chebyshev points is within pi / (4 M) of the maximum, which is hence at most
-// sqrt(2) times the largest value at these points.
+// The taps are a least-squares fit at Chebyshev points of the band. The error of the response is even and entire, of
+// exponential type k h for the largest k; up to 1e-17 it is a polynomial in w of degree M = 2.36 k h + 48, as its Chebyshev
+// series falls below e^-48 there. As a trigonometric polynomial of an angle it falls, at an angle s from its maximum, no
+// faster than cos(M s) (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938). One of 2 M Chebyshev points is within pi
+// / (4 M) of the maximum, which is hence at most sqrt(2) times the largest value at these points.
 struct PixelTaps {
-    std::size_t stride;           // samples per pixel
-    std::vector<double> weights;  // an odd number, centred on the pixel
-    double error;                 // bound on |C(w) - sinc(a w / 2)| for |w| <= 2
-    double gain;                  // sum of the moduli of the weights: largest factor on errors of samples
+    std::size_t stride;           // number of samples per pixel pitch
+    std::vector<double> weights;  // taps, an odd number, centred on the pixel
+    double error;                 // bound on the error of the frequency response in the band of an intensity
+    double gain;                  // sum of the moduli of the weights: largest amplification of errors of samples
 
     std::size_t margin() const { return weights.size() / 2; }
 
-    // Shortest taps for pixels of pitch `step` in v, with samples at most `widest` apart, whose response has an error of at
-    // most `allowed`.
+    // Shortest filter for pixels of pitch `step` and samples at most `widest` apart, both in optical units, whose frequency
+    // response has an error of at most `allowed`.
     PixelTaps(double step, double allowed, double widest) : stride(across(step, widest)), error(0.0), gain(0.0) {
         const double h = step / static_cast<double>(stride);
         const std::size_t most = stride + 62;
@@ -49,7 +49,8 @@ struct PixelTaps {
             fit.add(factors);
             if (half >= stride / 2 + 2) {
                 judge(fit.solution(), basis, wanted);
-                // With few samples beyond the edge of a large pixel, weights are large and would amplify errors.
+                // A filter that ends close to the edge of a large pixel has large weights, which would amplify errors of the
+                // samples.
                 if (error <= allowed && gain <= 1.5) {
                     break;
                 }
@@ -85,11 +86,13 @@ struct PixelTaps {
     }
 };
 
-// Lower bound on the largest pixel average over the peak of I, for pixels of pitch `step` in v at arbitrary positions.
+// Lower bound on the largest average over a pixel at any position, divided by the peak of the intensity; the pixel pitch
+// `step` is in optical units.
 //
-// f = 2 I - M, M the peak, is of exponential type 2 along a line through it and at most M in modulus, so f'^2 + 4 f^2 <= 4 M^2
-// (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2 from the peak, I >= M cos(s)^2. The
-// pixel around the peak contains a disk with half the pitch as radius.
+// Let M be the peak of the intensity I. Along a line through the peak, f = 2 I - M is of exponential type 2 and at most M in
+// modulus, so that f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2
+// from the peak, I >= M cos(s)^2. A pixel centred on the peak contains a disk with half the pitch as radius, over which this
+// is integrated.
 inline double least_average(double step) {
     constexpr double half_pi = 1.5707963267948966;
     const double r = std::min(0.5 * step, half_pi), sine = std::sin(r);

@@ -14,17 +14,17 @@
 
 namespace lommel {
 
-// The pixel (right, down) from the axis has a >= b >= 0, which are |right| and |down| in either order. Pixels with the same
-// (a, b) are evaluated together, in eight directions. With psi = atan(b / a), the directions are psi + k pi/2, k = 0..3, then
-// (k+1) pi/2 - psi.
+// A pixel `right` columns and `down` rows from the axis has the coordinates a = max(|right|, |down|) and b = min(|right|,
+// |down|). The up to eight pixels with the same (a, b) are evaluated together. With psi = atan(b / a), their polar angles are
+// psi + k pi/2 for direction k = 0..3, and (k + 1) pi/2 - psi for direction k + 4.
 class Tiles {
    public:
     static constexpr std::int64_t side = 16;
     static constexpr std::size_t directions = 8;
     struct Tile {
-        std::int64_t a, b;  // smallest coordinates of its pixels
+        std::int64_t a, b;  // smallest coordinates a and b of the tile's pixels
     };
-    // Pixels of the same a, and `count` values of b from `b` on.
+    // Line of pixels: coordinate a, and the `count` coordinates b, b + 1, ...
     struct Line {
         std::int64_t a, b, count;
     };
@@ -36,13 +36,13 @@ class Tiles {
         near_x_ = c < 0 ? -c : std::max<std::int64_t>(0, c - w + 1);
     }
 
-    const std::int64_t height, width, row, column;  // of the image; pixel of the axis, possibly outside
+    const std::int64_t height, width, row, column;  // image size; pixel whose centre is on the axis, possibly outside the image
 
-    // Squared distances of the nearest and the farthest pixel.
+    // Squared distances of the nearest and the farthest pixel from the axis, in pixels^2.
     std::int64_t nearest() const { return near_x_ * near_x_ + near_y_ * near_y_; }
     std::int64_t farthest() const { return far_x_ * far_x_ + far_y_ * far_y_; }
 
-    // All tiles with pixels in the image.
+    // Return all tiles that have pixels in the image.
     std::vector<Tile> all() const {
         std::vector<Tile> made;
         const std::int64_t low = std::min(near_x_, near_y_) / side * side, high = std::max(far_x_, far_y_);
@@ -58,7 +58,8 @@ class Tiles {
         return made;
     }
 
-    // Return whether a tile is in the image in all directions, or whether a pixel is in the image in one direction.
+    // whole(): true if a tile is in the image in all eight directions; visible(): true if pixel (a, b) is in the image in one
+    // direction.
     bool whole(const Tile& tile) const {
         const std::int64_t most = tile.a + side - 1;
         return most <= std::min(std::min(row, column), std::min(height - 1 - row, width - 1 - column));
@@ -69,7 +70,8 @@ class Tiles {
         return x >= 0 && x < width && y >= 0 && y < height;
     }
 
-    // Call f(line) for the lines of a tile whose squared distances are in [low, high).
+    // Call f(line) for the pixels of a tile that are in the image, in some direction, at squared distances in [low, high) from
+    // the axis.
     template <class F>
     void lines(const Tile& tile, std::int64_t low, std::int64_t high, const F& f) const {
         const std::int64_t end_a = tile.a + side - 1, end_b = tile.b + side - 1;
@@ -81,7 +83,7 @@ class Tiles {
             if (square >= high) {
                 return;
             }
-            // (|x|, |y|) = (a, b) or (b, a): two ranges of b, possibly overlapping.
+            // Two ranges of b, possibly overlapping: |y| of pixels with |x| = a, and |x| of pixels with |y| = a.
             std::int64_t first[2] = {near_y_, near_x_}, last[2] = {far_y_, far_x_};
             const bool here[2] = {a >= near_x_ && a <= far_x_, a >= near_y_ && a <= far_y_};
             const std::int64_t least = std::max(tile.b, root(low - square - 1) + 1);
@@ -91,7 +93,7 @@ class Tiles {
                 last[i] = here[i] ? std::min(last[i], most) : -1;
             }
             if (first[1] <= last[1] && first[0] <= last[0]) {
-                // The gap between the two ranges is computed too, but not used.
+                // Merge the two ranges of b; pixels in a gap between them are computed too, but not used.
                 first[0] = std::min(first[0], first[1]);
                 last[0] = std::max(last[0], last[1]);
                 last[1] = -1;
@@ -104,12 +106,12 @@ class Tiles {
         }
     }
 
-    // Values of one tile, [direction][a - tile.a][b - tile.b].
+    // Values of one tile: squares[direction][a - tile.a][b - tile.b], the last two indices as one.
     template <class T>
     struct Buffer {
         alignas(64) T squares[directions][side * side];
 
-        // Store values[pixel][direction] of a line of a tile.
+        // Store values[pixel][direction] of a line of pixels.
         template <class Real>
         void put(const Tile& tile, const Line& line, const Real (*values)[directions]) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { put(isa, tile, line, values); });
@@ -156,11 +158,11 @@ class Tiles {
         }
     }
 
-    // Copy a tile to its eight mirror images.
+    // Copy the values of a tile to its place in the image, in all eight directions.
     template <class T>
     void copy(const Tile& tile, Buffer<T>& buffer, T* image) const {
-        // Orientation of each direction's square in the image: transposed (a ascends along its rows), rows descending, columns
-        // descending.
+        // Orientation of the tile in the image, for each direction. turned: transposed, so that a varies along image rows; up:
+        // order of rows reversed; left: order of columns reversed.
         constexpr bool turned[directions] = {true, false, true, false, false, true, false, true},
                        up[directions] = {false, false, true, true, false, false, true, true},
                        left[directions] = {false, true, true, false, false, true, true, false};
@@ -195,11 +197,11 @@ class Tiles {
     }
 
    private:
-    // Number of squares of a tile in the image: on the diagonal, two directions share one.
+    // Number of squares in the image that a tile fills: on the diagonal a = b, two directions share one.
     static std::size_t squares(const Tile& tile) { return tile.a == tile.b ? directions / 2 : directions; }
 
-    // Call f(line, at, first, end) for each line of a square that has columns [first, end) in the image; `at`: image index of
-    // the line's first column, which may be outside.
+    // Call f(line, at, first, end) for each row `line` of a tile's square in direction d, of which columns [first, end) are in
+    // the image. at: image index of the row's column 0, which may be outside.
     template <class F>
     LOMMEL_INLINE void on_lines(const Tile& tile, std::size_t d, const F& f) const {
         const std::int64_t a = tile.a, b = tile.b, far_a = 1 - side - a, far_b = 1 - side - b;
@@ -221,7 +223,7 @@ class Tiles {
         });
     }
 
-    // Transpose a square and, if `left`, reverse its rows.
+    // Transpose a square of values and, if `left`, reverse each row of the result.
     template <class T>
     static void turn(const T* from, bool left, T* to) {
         constexpr std::size_t n = side;
@@ -239,7 +241,7 @@ class Tiles {
             }
         }
     }
-    // Reverse the rows of a square.
+    // Reverse each row of a square of values.
     template <class T>
     static void mirror(const T* from, T* to) {
         constexpr std::size_t n = side;

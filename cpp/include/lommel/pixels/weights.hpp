@@ -1,4 +1,4 @@
-// Weights for pixel averages from I at the radii of a ring.
+// Weights that give pixel averages from intensities at the radii of a ring.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace lommel {
 
-// Compute rows[output][node]: weights of the average over the points `around` the position at radius(output), angle(output).
+// Compute rows[output][node], the weight of the intensity at each radius of a ring in an average over the quadrature points
+// `around` the position with polar coordinates radius(output) and angle(output).
 template <class I, class Radius, class Angle>
 LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& around, std::size_t outputs, const Radius& radius,
                                 const Angle& angle, double* rows) {
@@ -41,10 +42,10 @@ LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& aro
     }
 }
 
-// Angle in [0, pi/4] from the cosine of four times it.
+// Angle theta in [0, pi/4] with cos(4 theta) = cosine.
 inline double quarter_angle(double cosine) { return 0.25 * std::acos(std::max(-1.0, std::min(1.0, cosine))); }
 
-// Matrix [degree][point] from values at Chebyshev points to Chebyshev coefficients.
+// Matrix [degree][point] that maps values at descending Chebyshev points to Chebyshev coefficients.
 inline Doubles cosine_transform(std::size_t points) {
     Doubles matrix(points * points);
     for (std::size_t k = 0; k < points; ++k) {
@@ -57,8 +58,8 @@ inline Doubles cosine_transform(std::size_t points) {
     return matrix;
 }
 
-// Matrix from the values of an odd function at the positive ones of 2 `points` Chebyshev points to its coefficients of T_1,
-// T_3, ...
+// Matrix [k][point] that maps values of an odd function at the positive half of 2 `points` Chebyshev points, in descending
+// order, to its coefficients of the Chebyshev polynomials of degree 2k + 1.
 inline Doubles odd_transform(std::size_t points) {
     Doubles matrix(points * points);
     for (std::size_t k = 0; k < points; ++k) {
@@ -70,8 +71,8 @@ inline Doubles odd_transform(std::size_t points) {
     return matrix;
 }
 
-// Multiply each of `sets` sets of rows by a square matrix; sets begin `set_stride` rows from each other, their rows are `stride`
-// rows apart.
+// Multiply each of `sets` sets of rows by a square matrix, in place. Sets begin `set_stride` rows apart; the rows of a set are
+// `stride` rows apart and have `length` values.
 LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t set_stride, std::size_t stride,
                              std::size_t length, Doubles& rows) {
     const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
@@ -94,7 +95,7 @@ LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_
     }
 }
 
-// Reorder rows for weighted_sums(): [block of outputs][node][output].
+// Reorder rows[output][node] to out[block of outputs][node][output], the order in which weighted_sums() reads them.
 inline void block_rows(const double* rows, std::size_t outputs, std::size_t length, double* out) {
     for (std::size_t o = 0; o < outputs; ++o) {
         double* block = out + o / block_outputs * block_outputs * length + o % block_outputs;

@@ -1,4 +1,4 @@
-// Positions of a window's pixels around an arbitrary axis, and groups of pixels with the same value.
+// Positions of a window's pixels relative to an arbitrary axis, and groups of pixels with the same value.
 #pragma once
 
 #include <algorithm>
@@ -16,15 +16,15 @@ namespace lommel {
 
 struct PixelWindow {
     std::size_t height, width;
-    double center_y, center_x, step;  // axis in pixels, 0 at the centre of the first pixel; pitch in v
-    bool integrate;                   // average over the pixels, otherwise sample their centres
+    double center_y, center_x, step;  // axis in pixels from the centre of pixel (0, 0); pixel pitch in optical units
+    bool integrate;                   // true: averages over pixels; false: samples at pixel centres
 
     bool operator==(const PixelWindow& o) const {
         return height == o.height && width == o.width && center_y == o.center_y && center_x == o.center_x && step == o.step &&
                integrate == o.integrate;
     }
     double side() const { return integrate ? step : 0.0; }
-    // Bounds on the smallest and largest distance of the pixel centres from the axis, in pixels.
+    // Compute bounds on the smallest (ends[0]) and the largest (ends[1]) distance of pixel centres from the axis, in pixels.
     void reach(double (&ends)[2]) const {
         const auto near = [](double center, std::size_t side) {
             return std::max(0.0, std::max(-center, center - static_cast<double>(side - 1)));
@@ -43,13 +43,14 @@ struct PixelWindow {
         };
         return along(center_y, height) * along(center_x, width);
     }
-    // Sides folded about the axis (render.hpp), defined if folds().
+    // Distances of rows and of columns from the axis, defined only if folds(): the axis is at pixel centres or midway between
+    // pixels.
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }
     bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
 
-    // Call f(i, dx, dy, dx^2 + dy^2) for each pixel i in row order, in pixels from the axis.
+    // Call f(i, dx, dy, dx^2 + dy^2) for each pixel i in row order, at (dx, dy) from the axis, in pixels.
     template <class F>
     LOMMEL_INLINE void each(const F& f) const {
         for (std::size_t row = 0, i = 0; row < height; ++row) {
@@ -62,7 +63,7 @@ struct PixelWindow {
     }
 };
 
-// cos(4 theta) for the angle theta of (x, y); square = x^2 + y^2.
+// cos(4 theta) for the polar angle theta of (x, y); square = x^2 + y^2.
 LOMMEL_INLINE double cosine_of_four(double x, double y, double square) {
     const double product = x * y / std::max(square, 1e-300);
     return 1.0 - 8.0 * product * product;
@@ -71,8 +72,8 @@ LOMMEL_INLINE double cosine_of_four(double x, double y, double square) {
 // Windows of a stack of pupils, with a common axis or one axis each.
 struct PixelWindows {
     PixelWindow first;
-    const double* centers = nullptr;  // [pupil](row, column); null: the axis of `first`
-    double farthest = 0.0;            // largest distance of a pixel from its axis, rounded up to whole pixels
+    const double* centers = nullptr;  // axes [pupil][row, column], in pixels; null: all have the axis of `first`
+    double farthest = 0.0;            // largest distance of a pixel centre from its axis, rounded up to whole pixels
 
     PixelWindows(const PixelWindow& shared) : PixelWindows(shared, nullptr, 1) {}
     PixelWindows(const PixelWindow& like, const double* each, std::size_t pupils) : first(like), centers(each), farthest(1.0) {
@@ -93,7 +94,7 @@ struct PixelWindows {
     }
 };
 
-// Distinct distances from the axis along one side of a window, ascending, and the rank of each pixel's distance.
+// Distinct distances of rows (or of columns) from the axis, ascending, in pixels, and the rank of each row's distance.
 struct Fold {
     std::vector<double> distances;
     std::vector<std::int32_t> rank;
@@ -112,11 +113,12 @@ struct Fold {
     }
 };
 
-// Groups of pixels with the same value: those at (a, b) and (b, a) from the axis, if the window contains both.
+// Groups of pixels with the same value: those at row and column distances (a, b) or, if rows and columns have the same
+// distances, (b, a) from the axis.
 struct PixelGroups {
     Fold rows, columns;
-    std::vector<std::int32_t> index;  // [distance along y][distance along x]
-    std::vector<double> v, cosine;    // [group]: distance in v; cosine of four times the angle
+    std::vector<std::int32_t> index;  // group of the pixels at [row distance][column distance] from the axis
+    std::vector<double> v, cosine;    // [group]: distance from the axis in optical units; cosine of four times the polar angle
     PixelWindow window;
 
     explicit PixelGroups(const PixelWindow& w) : rows(w.height, w.center_y), columns(w.width, w.center_x), window(w) {
@@ -139,7 +141,7 @@ struct PixelGroups {
         }
     }
 
-    // Replace each group's number i by place[i].
+    // Replace the number i of each group by place[i].
     void renumber(const std::vector<std::int32_t>& place) {
         Glance glance;
         for (std::int32_t& group : index) {
@@ -148,7 +150,7 @@ struct PixelGroups {
         }
     }
 
-    // Write the image rows whose distances along y have ranks in [first, last).
+    // Write the image rows whose distances from the axis have ranks in [first, last), from values[group].
     template <class T>
     void paint(const T* values, std::size_t first, std::size_t last, T* out) const;
 };

@@ -22,8 +22,8 @@
 
 namespace lommel {
 
-// Bounds of an aperture. area: sup|U| without aberrations, at most its error above; light: transmitted light over pi,
-// approximately.
+// Bounds of an aperture. area: on the field's modulus |U|, reached without aberrations; light: transmitted light over pi,
+// approximately; obscuration: relative radius.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -31,14 +31,14 @@ struct Aperture {
     Aperture(double eps, const Amplitude& amplitude)
         : area(bright(eps, amplitude)), light(amplitude.raised(2.0).integral(eps)), obscuration(eps) {}
 
-    // Bound on |int t^power exp(i Phi) J0 dt|.
+    // Bound on the field |U| of the pupil function times t^power, t the squared pupil radius, for any phase.
     double moment(std::size_t power) const {
         const double k = static_cast<double>(power);
         return std::min(area, (1.0 - std::pow(obscuration, 2.0 * (k + 1.0))) / (k + 1.0));
     }
 
    private:
-    // Closed form if there is one, otherwise the computed U on the axis plus its error.
+    // Integral of the amplitude over t: in closed form or, if there is none, computed, plus its error.
     static double bright(double eps, const Amplitude& amplitude);
 };
 
@@ -59,15 +59,16 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // Error bounds are relative to a lower bound on the maximum over the plane or, if values are divided by their maximum, over
-    // the window.
+    // Error bounds are relative to a lower bound on the largest pixel: over the plane or, if values are divided by their
+    // maximum, over the window.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
     // Return whether averages by filters of finer samples are faster than by all methods of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Return whether filters are faster for derivatives, which take weights if averages come from the flux through pixel edges.
+    // Return whether filters of finer samples are faster for derivatives, where averages come from the flux through pixel
+    // edges, which gives no derivatives.
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {
@@ -76,19 +77,19 @@ class PixelRenderer {
             box.hold(stack_);
             light_ = coarse(box.worst(stack_.amplitude));
         }
-        // Estimated time of the stack in microseconds. Measured on the processor of radial/images.hpp: 1.2 for each of 300
-        // images of 33^2, 40 for one of 128^2; on an older processor 400 for averages of 128^2 by rings.
+        // Estimated time of the stack in microseconds. Measured on a Zen 5 with AVX-512: 1.2 for each of 300 images of 33^2
+        // samples, 40 for one of 128^2; on an older processor 400 for 128^2 averages by rings.
         const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
         const bool batch =
             answer_.derivatives == 0 && Batch::fits(stack_) && !light_ && (window_.integrate || pixels() <= most_sampled);
-        // A table of one window is not valid for pupils with other axes.
+        // PixelTable holds the weights of one axis, so it does not serve pupils with other axes.
         const bool one_axis = windows_.centers == nullptr;
         if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : one_axis && render_batch<PixelTable>()))) {
             if (window_.integrate && !light_) {
                 for (std::size_t pupil = 0; pupil < stack_.count; ++pupil) {
-                    level_ = first_attempt(stack_[pupil]).level;  // raises it to the highest level of all pupils
+                    level_ = first_attempt(stack_[pupil]).level;  // becomes the highest of all pupils: it never falls
                 }
             }
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
@@ -96,58 +97,58 @@ class PixelRenderer {
     }
 
    private:
-    // Accuracy of tables in decimal digits: highest level to try; level from which on tables cannot be more accurate.
+    // Accuracy of tables in decimal digits. last_level: highest to try; exact_level: from here on rounding limits it.
     static constexpr int last_level = 15, exact_level = 14;
-    // Filters apply to pixels of up to `widest_filtered` in v. The flux through pixel edges is faster for tolerances below
-    // `least_filtered`, which need long filters, and if at most beside_filters * pitch^4 pixels need interference rings: the
-    // number of samples of a pixel, and the length of filters, grow with its area.
+    // Filters of finer samples are for pixel pitches up to `widest_filtered`, in optical units. The flux through pixel edges
+    // is faster than filters for tolerances below `least_filtered`, which need long filters, and if at most beside_filters *
+    // pitch^4 pixels need interference rings.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
-    // Weights are faster than filters up to about `light_work` products per pupil, and for derivatives up to `most_weighed`
-    // pixels.
+    // Tables of weights are faster than filters if they take at most about `light_work` products per pupil; for derivatives,
+    // up to `most_weighed` pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
-    static constexpr std::size_t most_tabled = 40000;  // number of pixels whose weights take reasonable memory and time
-    static constexpr std::size_t most_sampled = 8192;  // pixels of a batch: beyond, its table costs more than it saves
+    static constexpr std::size_t most_tabled = 40000;  // largest number of pixels whose weights take reasonable memory and time
+    static constexpr std::size_t most_sampled = 8192;  // largest number of pixels in a batch, whose table costs more beyond
 
     // Error budget: shares of the tolerance times the estimated maximum.
     struct Budget {
-        // First attempt: error of the table; of U, which counts twice in I, times the factor of the table; of cubics, half of
-        // it if values are divided by their maximum; of positions.
+        // First attempt. table: error of the table; field: of the field U, which counts twice in the intensity; cubics: of
+        // single-precision cubics, half as much if values are divided by their maximum; places: of positions.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
-        // Later attempts: table and U each, half of it if values are divided by their maximum.
+        // Later attempts: error of the table and of the field U each, half as much if values are divided by their maximum.
         static constexpr double each = 0.2;
-        // Coarse pixels: omitted interference rings, and each quadrature.
+        // Averages from the flux through pixel edges. rings: omitted interference rings; sums: each quadrature.
         static constexpr double rings = 0.6, sums = 0.05;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
 
     struct Attempt {
-        double error;  // requested error of U
-        int level;     // requested accuracy of the table, in digits
+        double error;  // requested error of the field U
+        int level;     // requested accuracy of the table, in decimal digits
     };
-    // Error bounds of the values of a window.
+    // Pixel values of a window: their table, largest value and error bounds.
     template <class Table>
     struct Found {
         std::shared_ptr<const Table> table;
-        double bound, size;                    // error bound of U; largest I at the radii
-        double top, off, by_field, by_table;   // maximum of the values, bound on its error, and the parts of that bound
+        double bound, size;                    // error bound of the field U; largest intensity at the radii
+        double top, off, by_field, by_table;   // largest value; its error bound; parts of this bound
     };
 
-    // Destination of pixels that SamplePieces write directly.
+    // Destination of an image that SamplePieces writes directly.
     struct Painted {
         double scale = 1.0;
         T* image = nullptr;
         bool single_precision = false;
-        double cubics = 0.0;  // allowed error of cubics over the largest I
+        double cubics = 0.0;  // allowed error of cubics, over the largest intensity
     };
-    // Tolerance from which on samples are summed in single precision.
+    // Smallest allowed error for which samples are computed in single precision.
     static constexpr double single_enough = 5e-7;
 
     std::size_t pixels() const { return window_.height * window_.width; }
     static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
 
-    // Return whether tables for any axis are used: for stacks with one axis per pupil, or for so few pupils, with the axis
-    // within the window, that a table for this axis would cost more than it saves.
+    // Return whether to use tables that serve any axis up to `farthest` optical units away: if each pupil has an axis of its
+    // own, or if so few pupils share an axis within the window that a table for it would cost more than it saves.
     bool any_axis(double farthest) const {
         double ends[2];
         window_.reach(ends);
@@ -178,7 +179,8 @@ class PixelRenderer {
         }
     }
 
-    // Estimate of the maximum over a window: the peak of I or, for pixels that contain all light, their average.
+    // Estimate of the largest pixel: the peak of the intensity or, for pixels that contain all light, its average over a
+    // pixel.
     double likely_value(const Phase& phase) const {
         const double root = likely_peak(phase, stack_.obscuration);
         return 1.0 / (1.0 / (root * root) + window_.side() * window_.side() / (12.566370614359172 * aperture_.light));
@@ -195,12 +197,12 @@ class PixelRenderer {
     template <class Table>
     double window_bound(const Table& table, double penalty, double size, double bound) const {
         const double root = std::sqrt(size);
-        // |I'| = 2 |U| |U'|, and |U'| < 1/2.
+        // The slope of the intensity I = |U|^2 is at most 2 |U| |U'|, with |U'| < 1/2.
         return window_error(table, penalty, size, intensity_error(root, bound), root * std::sqrt(table.of_nodes),
                             0.5 * aperture_.area * aperture_.area);
     }
 
-    // Compute the values of a window, to `made` or to painted.image; returns their error bounds.
+    // Compute the pixels of a window, in `made` or, by SamplePieces, in painted.image; returns their error bounds.
     template <class Table>
     Found<Table> measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
                          Doubles& at_radii, WindowValues& made, const Painted& painted = {}) const {
@@ -247,30 +249,32 @@ class PixelRenderer {
         return f.top - f.off;
     }
 
-    // Error of stored values over the peak, which is at least `elsewhere` if it is outside the window.
+    // Error bound of stored values over the peak. top: largest value, with the error bound `off`; elsewhere: lower bound on
+    // the peak if it may be outside the window.
     double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
     }
 
-    // Return whether weights would be shared by few pupils only and by no two pixels.
+    // Return whether few pupils, and no two pixels of a window, would share the weights of a table.
     bool few_share() const { return !window_.folds() && stack_.count <= CoarseAverages::few; }
     // Return whether filters of finer samples can average these pixels.
     bool filters_serve() const {
         return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }
 
-    // Return whether weights for this axis need few products per pupil.
+    // Return whether a table of weights for this axis takes few products per pupil.
     bool weights_are_few() const {
         const double places = 0.8 * window_.step + 8.0;
         return static_cast<double>(pixels()) * places * places <= light_work * static_cast<double>(stack_.count);
     }
-    // Return whether averages can come from the flux through pixel edges: coarse pixels, or tables at their limit of accuracy.
+    // Return whether averages may come from the flux through pixel edges: if pixels are coarse, or tables at their limit of
+    // accuracy.
     bool crossings_serve(const Phase& phase) const {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        // For few pupils with a common axis also from a smaller pitch on, if rings would need too many weights.
+        // For few pupils with a common axis, a smaller pitch suffices if AverageRings would need too many weights.
         const bool wide = window_.step >= CoarseAverages::least ||
                           (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
                            any_axis(AverageRings::most_reach) && !of_rings());
@@ -281,8 +285,8 @@ class PixelRenderer {
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
         return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
     }
-    // Return whether the flux through pixel edges is faster than weights, which a stack shares: the weights of a pixel take as
-    // long as the flux of 20 + step^2 / 4 pixels, by measurement.
+    // Return whether the flux through pixel edges is faster than weights, which a stack shares. By measurement, computing the
+    // weights of a pixel takes as long as the flux of 20 + step^2 / 4 pixels, with `step` the pitch in optical units.
     bool coarse(const Phase& phase) const {
         const bool serve = crossings_serve(phase);
         if (!serve || stack_.count == 1 || pixels() > most_tabled) {
@@ -291,7 +295,7 @@ class PixelRenderer {
         const double weights = static_cast<double>(pixels()) * (20.0 + 0.25 * window_.step * window_.step);
         return static_cast<double>(stack_.count) * window_.within(ringed(phase)) < CoarseAverages::of_weights * weights;
     }
-    // Return whether the flux through pixel edges is faster than filters, for all pupils.
+    // Return whether the flux through pixel edges is faster than filters of finer samples, for all pupils.
     bool light_pays() const {
         const double most = beside_filters * std::pow(window_.step, 4.0);
         const bool many = tol_ >= least_filtered && static_cast<double>(pixels()) > most;
@@ -309,7 +313,7 @@ class PixelRenderer {
         return {Budget::rings * room, std::max(RadialBudget::least, first_attempt(phase).error), Budget::sums * room};
     }
 
-    // Lower bound on the largest average over the plane, like peak_at_least().
+    // Lower bound on the largest pixel average over the plane, as in peak_at_least(), from the flux through pixel edges.
     double coarse_peak_at_least(const Phase& phase, const CoarseAverages::Attempt& request) const {
         const std::size_t pixels =
             static_cast<std::size_t>(std::min(512.0, std::ceil((4.0 + phase.blur()) / window_.step)) + 1.0);
@@ -365,7 +369,7 @@ class PixelRenderer {
             try {
                 return render_by<SamplePieces>(pupil, threads);
             } catch (const ToleranceNotMet&) {
-                // Not met because powers of the distance round; the methods below round less.
+                // Rounding of the polynomials exceeds the tolerance; the methods below round less.
             }
         }
         if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {
@@ -377,7 +381,7 @@ class PixelRenderer {
                 return render_by<AverageRings>(pupil, threads);
             }
         } catch (const ToleranceNotMet&) {
-            // Weights for each pixel round less than long polynomials.
+            // Rounding of the polynomials exceeds the tolerance; weights for each pixel round less.
         }
         const bool many = rings || (window_.integrate && few_share() && !weights_are_few());
         if (!light_ && many && stack_.amplitude.closed() && rendered_coarse(pupil, threads)) {
@@ -385,7 +389,7 @@ class PixelRenderer {
         }
         render_by<PixelTable>(pupil, threads);
     }
-    // Returns false if the tolerance is not met: differences of encircled energies round more than weights do.
+    // Return false if the flux through pixel edges does not meet the tolerance: its differences round more than weights do.
     bool rendered_coarse(std::size_t pupil, int threads) {
         try {
             render_coarse(pupil, threads);
@@ -430,7 +434,8 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // Allowed contributions to the error; an estimate as long as all values are below their error.
+            // seen: estimate of the largest value, even if all are below their error; room: allowed error of the field and of
+            // the table each.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = request;
@@ -477,12 +482,12 @@ class PixelRenderer {
         thread_local std::vector<T> kept;
         kept.resize(count);
         store_least(values, scale, count, least, kept.data());
-        const T* from = kept.data();  // scratch of this thread, read by all threads
+        const T* from = kept.data();  // buffer of the calling thread; others read it by this pointer
         for_rows(groups.rows.distances.size(), width, threads,
                  [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
     }
 
-    // Compute derivatives by weights, for an image computed without them.
+    // Compute derivatives by weights, for an image that was computed without weights.
     void differentiate(std::size_t pupil, int threads) {
         if (answer_.derivatives > 0) {
             Field field;
@@ -497,7 +502,8 @@ class PixelRenderer {
         }
     }
 
-    // Compute dI/dc_k, averaged like I; it is of exponential type 2 too.
+    // Compute the pixels of dI/dc_k, c_k the phase coefficient of t^k (t: squared pupil radius). Like the intensity I, this
+    // derivative is of exponential type 2, so the same tables serve.
     template <class Table>
     void differentiate(std::size_t pupil, std::size_t which, const PixelWindow& window, Field& field, const Found<Table>& f,
                        double error, int threads) {
@@ -523,7 +529,7 @@ class PixelRenderer {
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
     }
 
-    // Compute many pupils on one small window, or on windows around separate axes, with one table of radii. Returns false if
+    // Compute many pupils with one table of radii, on one small window or on windows around separate axes. Return false if
     // that is not faster.
     template <class Table>
     bool render_batch() {
@@ -532,7 +538,7 @@ class PixelRenderer {
         const Attempt attempt = first_attempt(worst);
         const auto shared = table_of<Table>(window_, attempt.level);
         const Table& table = *shared;
-        bool plain = false;  // pixels are I at the radii
+        bool plain = false;  // the table's radii are those of the pixels, without weights
         std::size_t values = pixels();
         if constexpr (std::is_same_v<Table, PixelTable>) {
             if (!table.serves_together()) {
@@ -569,16 +575,16 @@ class PixelRenderer {
     Stack stack_;
     Aperture aperture_;
     PixelWindows windows_;
-    PixelWindow window_;  // of the first pupil
-    double tol_, allowed_;  // allowed_: before storing
-    int level_ = 0;         // minimum accuracy of tables, common to the stack
-    bool light_ = false;    // averages from the flux through pixel edges, pupil by pupil
+    PixelWindow window_;  // window of the first pupil
+    double tol_, allowed_;  // tolerance; part of it for errors before storing
+    int level_ = 0;         // minimum accuracy of tables, in decimal digits, common to the stack
+    bool light_ = false;    // whether averages come from the flux through pixel edges
     int threads_;
     Answer<T> answer_;
 };
 
-// Compute a stack. If the axis folds the window, I is computed at its distinct distances, unless their number makes look-ups
-// slower than interpolation.
+// Compute the images of a stack. With the axis at a pixel centre or midway between pixels, samples come from the intensity at
+// their distinct distances, unless there are so many that interpolation is faster than look-ups.
 template <class T>
 void render_radial(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer) {
     constexpr std::size_t most_looked_up = std::size_t{1} << 21;

@@ -1,4 +1,4 @@
-// Values of a window from I at the radii of its table, with an error bound.
+// Pixel values of a window from the intensity at the radii of its table, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 
 namespace lommel {
 
-// Values of a window from I, or a derivative of it, at the radii of its table.
+// Pixel values of a window: the intensity, or a derivative of it.
 struct WindowValues {
     Doubles values;
     std::size_t count = 0;
-    double penalty = 0.0;  // rounding of the harmonics in units of roundoff
+    double penalty = 0.0;  // rounding error of the harmonics, in units of roundoff
 
-    // From a table for any axis.
+    // Compute the values by a table that serves any axis.
     template <class Table>
     void make(const Table& table, const PixelWindow& window, const double* at_radii, int threads) {
         thread_local Doubles scratch;
@@ -42,7 +42,7 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
         std::copy_n(at_radii, table.value_count, values.data());
         return;
     }
-    constexpr std::size_t block = 16;  // rings per task
+    constexpr std::size_t block = 16;  // number of rings per parallel task
     const std::size_t tasks = (table.rings.size() + block - 1) / block;
     const auto work = [&](std::size_t task) {
         thread_local Doubles scratch;
@@ -66,8 +66,8 @@ LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&,
 }
 #endif
 
-// Compute the windows of some pupils from I at the radii, at_radii[pupil * stride + radius], to made[pupil * apart + value];
-// returns the largest penalty.
+// Compute made[pupil * value_stride + value], the windows of some pupils, from the intensities at_radii[pupil * stride +
+// radius]; returns the largest rounding error of the harmonics, in units of roundoff.
 double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
                      std::size_t stride, double* made, std::size_t value_stride);
 #if defined(LOMMEL_DEFINES)
@@ -78,7 +78,7 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
     double penalties[at_once] = {};
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         for (std::size_t p = 0; p < pupils; p += at_once) {
-            // Buffers include missing pupils, which are computed too.
+            // The buffers have room for a multiple of `at_once` pupils; those that do not exist are computed too.
             const double* from[at_once];
             double* to[at_once];
             for (std::size_t k = 0; k < at_once; ++k) {
@@ -102,11 +102,12 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     return penalty;
 }
 
-// Error bound of a table's values (certificate, section 9, "Together"). At the radii I is at most `size` and has the error
-// `given`; its derivative along a line is at most `slope`, and I differs from a constant by at most `swing`.
+// Error bound of a table's values (docs/certificate.md, section 9, "Together"). At the radii, the intensity is at most `size`
+// and has the error `given`. Its derivative along a line is at most `slope`, and it differs from a constant by at most
+// `swing`.
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
-    // Roundings: 3 of radii, 6 of positions in a pixel, 4 of pixel positions.
+    // Numbers of roundings of a distance: 3 of radii, 6 of positions in a pixel, 4 of pixel positions.
     const double places = table.reach() * slope * (3.0 * table.magnification() + 6.0 * table.of_grid + 4.0);
     return table.magnification() * given + table.error * swing + unit_roundoff * (table.rounding * size + penalty + places);
 }

@@ -1,4 +1,5 @@
-// Many pupils on one small window: transforms of Legendre polynomials at its radii, and one matrix product for all fields.
+// Many pupils on one small window: Hankel transforms of Legendre polynomials at its radii, and one matrix product for all
+// fields.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +19,10 @@
 namespace lommel {
 
 struct RadiusTable {
-    std::shared_ptr<const Radii> layout;  // keeps the key alive
+    std::shared_ptr<const Radii> layout;  // radii in units of `step`; as key in the cache, kept alive here
     double step;
     std::size_t terms, stride;
-    Doubles rows;  // [n][radius], rows padded to two of the widest vectors
+    Doubles rows;  // [n][radius]: transform of the Legendre polynomial P_n; padded to two of the widest vectors
 
     RadiusTable(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n)
         : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16), rows(terms * stride) {
@@ -36,21 +37,21 @@ struct RadiusTable {
     }
 
     bool is(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n) const {
-        return layout == l && step == pixel_step && terms == n;  // exactly, so that rounding does not depend on other stacks
+        return layout == l && step == pixel_step && terms == n;  // same length, as a longer table rounds differently
     }
     std::size_t bytes() const { return sizeof(double) * rows.size(); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    // From the cache, with terms rounded up so that slightly more defocus needs no new table.
+    // Get a table from the cache, with the number of terms rounded up so that slightly more defocus needs no new table.
     static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step, std::size_t terms) {
         return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }
 };
 
-constexpr std::size_t block_pupils = 3;  // twelve chains of multiply-adds, as many as fit in sixteen registers
+constexpr std::size_t block_pupils = 3;  // number of pupils at once: twelve chains of multiply-adds fit into sixteen registers
 
-// Intensities of `block_pupils` pupils at all radii, out[p * stride + i], from coefficients beta_re and
-// beta_im[p * beta_stride + n]. Limited by multiply-adds as long as the table stays in the second-level cache.
+// Compute out[p * stride + i], the intensity of pupil p at radius i, for `block_pupils` pupils with the Legendre coefficients
+// beta[p * beta_stride + n]. Limited by multiply-adds as long as the table stays in the second-level cache.
 template <class I>
 LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t terms, const double* beta_re,
                                      const double* beta_im, std::size_t beta_stride, double* out) {
@@ -76,21 +77,22 @@ LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t te
     }
 }
 
-// Stack without obscuration whose pupils share one table of radii.
+// Stack of unobscured pupils that share one RadiusTable.
 class Batch {
    public:
-    static constexpr std::size_t group = 32;  // pupils per task
+    static constexpr std::size_t group = 32;  // number of pupils per parallel task
 
     static bool fits(const Stack& stack) { return stack.count >= 4 && stack.terms <= 4 && stack.obscuration == 0.0; }
 
-    // Return whether the table needs fewer multiply-adds than pieces for each pupil, by the lengths of the loops; the stack
-    // shares the computation of the table.
+    // Return whether the table, computed once for the stack, needs fewer multiply-adds than tabulated pieces for each pupil
+    // (class Field).
     static bool pays(const Stack& stack, const Phase& worst, const Radii& at, double step) {
         const double reach = at.reach() * step, radii = static_cast<double>(at.count);
         const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
         const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
         const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack.count);
-        // The corner of the stack's box may be refused even if no pupil is near it, so large phases are excluded.
+        // Large phases are excluded: `worst`, with the largest coefficients of all pupils, may exceed a limit that no pupil
+        // exceeds.
         return table < pieces && terms * radii < 4e6 && worst.size() < 1e3;
     }
 
@@ -99,10 +101,10 @@ class Batch {
           table_(RadiusTable::get(radii, step, plan_.terms)),
           rounding_(series_rounding(plan_.terms) + radius_rounding(radii->reach() * step)) {}
 
-    // Bound on the error of U of one pupil.
+    // Error bound of the field U of one pupil.
     double error(std::size_t pupil) const { return plan_.error(stack_[pupil]) + rounding_; }
 
-    // Call take(first, count, values, stride) with I at the radii for each group of pupils.
+    // Call take(first, count, values, stride) for each group of pupils, with the intensities values[pupil * stride + radius].
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, std::size_t stride)>;
     void run(int threads, const Take& take) const;
 
@@ -119,7 +121,8 @@ LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
     parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
         thread_local SeriesScratch scratch;
         thread_local Doubles re, im, values;
-        // Each stage handles a whole group, so that the first-level cache holds one table at a time.
+        // Each stage (coefficients, then fields) handles a whole group, so that the first-level cache holds one table at a
+        // time.
         const std::size_t first = task * group, here = std::min(group, stack_.count - first);
         constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
         re.resize(rounded * room);

@@ -1,5 +1,6 @@
-// Averages of a radially symmetric PSF over pixels wider than its interference rings, from the flux through their edges: E(r)
-// r / r^2 has the divergence I, E the encircled energy (certificate, section 9, "Coarse pixels").
+// Averages of a radially symmetric PSF over pixels wider than its interference rings, from the flux through pixel edges: the
+// vector field E(r) r / r^2, with position r and E the encircled energy over 2 pi, has the intensity as divergence
+// (docs/certificate.md, section 9, "Coarse pixels").
 #pragma once
 
 #include <algorithm>
@@ -23,13 +24,13 @@
 
 namespace lommel {
 
-// Tables of a window: its distinct pixels, and the average of r^-3 over each.
+// Tables of a window: its distinct pixels, and the average of r^-3 over each, r the distance from the axis.
 struct CoarseWindow {
     PixelWindow window;
     PixelGroups groups;
-    std::vector<double> edges;  // distances of pixel sides from the axis, in pixels, ascending
-    std::vector<std::int32_t> left, right, top, bottom;  // [column] or [row]: index into edges
-    Doubles means;  // [group]: average of r^-3, in pixels^-3
+    std::vector<double> edges;  // distances of pixel edges from the axis, in pixels, ascending
+    std::vector<std::int32_t> left, right, top, bottom;  // for each column or row: index into `edges` of its two edges
+    Doubles means;  // for each group of pixels: average of r^-3 over a pixel, in pixels^-3
 
     explicit CoarseWindow(const PixelWindow& w);
 
@@ -38,14 +39,14 @@ struct CoarseWindow {
     static constexpr std::size_t most_bytes = std::size_t{48} << 20;
     static std::shared_ptr<const CoarseWindow> get(const PixelWindow& w) { return cache<CoarseWindow>.get(w); }
 
-    // Call f(group, column, row) once for each distinct pixel whose nearer sides are less than `limit` pixels from the axis.
+    // Call f(group, column, row) once for each distinct pixel whose nearer edges are less than `limit` pixels from the axis.
     template <class F>
     void each(double limit, const F& f) const {
         const std::size_t columns = left.size(), rows = top.size();
         for (std::size_t i = 0; i < rows && edges[top[i]] < limit; ++i) {
             for (std::size_t k = 0; k < columns && edges[left[k]] < limit; ++k) {
                 const std::int32_t group = groups.index[i * columns + k];
-                // The mirror image (k, i) in the window has been visited.
+                // Skip a pixel (i, k) whose mirror image (k, i) in the window has been visited.
                 if (!(k < i && i < columns && k < rows && group == groups.index[k * columns + i])) {
                     f(static_cast<std::size_t>(group), k, i);
                 }
@@ -69,7 +70,8 @@ struct CoarseWindow {
     }
 
    private:
-    // Integral of x / r^3 along an edge at x, from `start` to start + 1, in pixels.
+    // Integral of x / r^3 along a pixel edge at distance x from the axis, from `start` to start + 1, all in pixels; r:
+    // distance from the axis.
     static double crossing(double x, double start) {
         const double end = start + 1.0, before = std::sqrt(x * x + start * start), after = std::sqrt(x * x + end * end);
         if (start < 0.0) {
@@ -109,28 +111,28 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 }
 #endif
 
-// Encircled energy E(r) = int_0^r I s ds as polynomials on panels, with an error bound.
+// Encircled energy over 2 pi, E(r) = int_0^r I(s) s ds: a polynomial on each interval (panel) of r, with an error bound.
 class EnergyWithin {
    public:
-    static constexpr double width = 2.0;  // width of a panel in v
-    double rounding = 0.0;                // bound on the rounding of E
+    static constexpr double width = 2.0;  // width of a panel in optical units
+    double rounding = 0.0;                // bound on the rounding error of computed energies E
 
-    // Compute E up to `reach` from I at `points` Chebyshev points per panel, with a requested error `request` of U. `swing`: half
-    // of the largest possible I.
+    // Compute the energy E up to the distance `reach`, from the intensity at `points` Chebyshev points per panel. request:
+    // requested error of the field U; swing: half of the largest possible intensity.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double request, std::size_t points,
               double swing, int threads);
 
     struct Crossed {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
-    // Integrals along an edge at x from `start` to start + 1, in pixels of `step`, by Gauss quadrature. light: of E x / r^2;
-    // turn: of x / r^2, about the angle of the edge seen from the axis; off: bound on the contribution of errors of E. The
-    // number of nodes is a multiple of `together`. Limited by loads.
+    // crossing(): integrals along a pixel edge at distance x from the axis, from `start` to start + 1, in pixels of width
+    // `step`, by Gauss quadrature. light: of E x / r^2; turn: of x / r^2, about the angle that the edge subtends at the axis;
+    // off: error bound of `light` from errors of E. The number of nodes is a multiple of `together`. Limited by loads.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
 
-    // Bound on the error of E(r).
+    // Bound on the error of the energy E(r).
     double off(double r) const {
         const std::size_t s = panel(r);
         const double inside = width * static_cast<double>(s);
@@ -143,14 +145,15 @@ class EnergyWithin {
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
-    std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values at Chebyshev points
-    std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // scratch
-    // energies_: E, [panel][power of the position in it]; offs_: [panel][error of E at its start, error of I within it].
+    std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values to Chebyshev series
+    std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // buffers of make()
+    // energies_[panel][power]: coefficients of E in the position on a panel, -1 to 1. offs_[panel]: error of E at the panel's
+    // start, error of the intensity on the panel.
     std::vector<double> energies_, offs_;
 };
 
 #if defined(LOMMEL_DEFINES)
-// sums[column]: sum over the rows of a matrix, each times its factor.
+// Compute sums[column], the sum over rows of factors[row] * matrix[row][column].
 LOMMEL_ONCE void EnergyWithin::rows_summed(const double* matrix, const double* factors, std::size_t rows, std::size_t columns,
                                            double* sums) {
     dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -190,7 +193,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     transforms_.resize(std::max(transforms_.size(), points + 1));
     Doubles& transform = transforms_[points];
     if (transform.size() == 0) {
-        const Doubles by_coefficient = cosine_transform(points);  // for points in descending order
+        const Doubles by_coefficient = cosine_transform(points);  // matrix for values at descending points
         transform.resize(points * points);
         for (std::size_t k = 0; k < points; ++k) {
             for (std::size_t j = 0; j < points; ++j) {
@@ -207,8 +210,8 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     mean_.resize(points);
     moment_.resize(points + 3);
     series_.resize(count_);
-    monomials_.assign(count_ * count_, 0.0);  // coefficients of T_k: [k][power]
-    sizes_.assign(count_, 0.0);  // [k]: roundings of T_k evaluated by powers
+    monomials_.assign(count_ * count_, 0.0);  // [k][power]: monomial coefficients of the Chebyshev polynomial T_k
+    sizes_.assign(count_, 0.0);  // [k]: roundings of the Chebyshev polynomial T_k, evaluated by powers
     for (std::size_t k = 0; k < count_; ++k) {
         for (std::size_t power = k % 2; power <= k; power += 2) {
             const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
@@ -224,7 +227,8 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // Rounding of E: of its coefficients, and of positions; I is at most `tall` on the panel.
+        // evaluating: rounding error of E from its coefficients and from positions, in roundoffs; tall: bound on the intensity
+        // on the panel.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -276,37 +280,38 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 }
 #endif
 
-// Averages of one pupil over the pixels of a window: near the axis from the flux through a pixel's four edges, by Gauss
-// quadrature along each; farther out from the smooth tail, with a bound on the omitted interference rings.
+// Averages of one pupil's intensity over the pixels of a window: near the axis from the flux through each pixel's four edges,
+// by Gauss quadrature; farther out from the smooth part of the intensity, with a bound on the omitted interference rings.
 class CoarseAverages {
    public:
-    // Errors of averages without and with interference rings; the largest average.
+    // Error bounds of averages that omit interference rings (by_rings) and of the others (error); largest average (top).
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
 
-    static constexpr double least_exact = 2.0;  // minimum pitch in v for high accuracy
+    static constexpr double least_exact = 2.0;  // minimum pixel pitch, in optical units, for high accuracy
     static constexpr std::size_t few = 8;  // largest number of pupils for which filters may be faster
 #if defined(__wasm__)
-    // The live page has one image per window, whose weights no other image would share.
+    // The live web page renders one image per window: no other image would share its weights.
     static constexpr double least = 3.0, least_alone = least, of_weights = 1e9;
 #else
-    static constexpr double least = 7.4;         // minimum pitch in v
-    static constexpr double least_alone = 4.0;   // minimum pitch in v for few pupils, whose weights no others share
-    static constexpr double of_weights = 0.125;  // largest ratio of its time to that of weights, which stacks share
+    static constexpr double least = 7.4;         // minimum pixel pitch, in optical units
+    static constexpr double least_alone = 4.0;   // minimum pixel pitch, in optical units, for few pupils
+    static constexpr double of_weights = 0.125;  // largest ratio of this class's time to that of weights, which stacks share
 #endif
 
     struct Attempt {
-        double rings, field, sums;  // requested errors: omitted rings in averages; U; quadrature in averages
+        double rings, field, sums;  // requested errors: averages, by omitted rings; field U; averages, by quadrature
     };
 
-    // Error bound of averages without interference rings, over pixels at a distance of at least r. The two edges that face the
-    // axis subtend an angle of at most step sqrt(2) / r, and the others as much in the opposite sense. A pixel that contains
-    // the axis is at least 2 r wide; both parts are then at most pi / 2 times those of an angle of step / r.
+    // Error bound of averages without interference rings, over pixels of width `step` at a distance of at least r. The two
+    // edges that face the axis subtend an angle of at most step sqrt(2) / r, the other two as much in the opposite sense. A
+    // pixel that contains the axis is at least 2 r wide; both terms are then at most pi / 2 times those for an angle of step /
+    // r.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
-    // Smallest distance, by bisection, from which on averages without rings have an error of at most `request`.
+    // Smallest distance, by bisection, from which on averages without interference rings have an error of at most `request`.
     static double without_rings(const EnergyTail& tail, double step, double request) {
         double low = 1.0, high = 1e8;
         while (high > 1.01 * low) {
@@ -316,7 +321,8 @@ class CoarseAverages {
         return high;
     }
 
-    // light: int E_0^2 dt; area: largest possible |U|.
+    // Compute the averages. light: transmitted light over pi; area: largest possible |U| of the field; request: requested
+    // errors.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
               const Attempt& request, int threads);
 
@@ -368,7 +374,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
             fewest(4, [&](std::size_t n) { return swing * interpolation_error(0.5 * EnergyWithin::width, n) <= request.sums; });
         energy_.make(field_, phase, obscuration, reach, request.field, points, swing, threads);
         constexpr std::size_t together = EnergyWithin::together;
-        nodes_.assign(q + together, 0.0);  // extra nodes have weight 0
+        nodes_.assign(q + together, 0.0);  // the added nodes have weight 0
         weights_.assign(q + together, 0.0);
         gauss_legendre<double, double>(q, nodes_.data(), weights_.data());
         for (std::size_t j = 0; j < q; ++j) {
@@ -401,7 +407,8 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of E is multiplied by the sum of the signed angles of the edges, which nearly cancel.
+            // A constant error of the energy E is multiplied by the sum of the signed angles of the edges, which nearly
+            // cancel.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

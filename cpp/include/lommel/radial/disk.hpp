@@ -1,4 +1,4 @@
-// Legendre series of one disk: numbers of terms and nodes, coefficients, and error bound.
+// Legendre series of the pupil function on a disk: numbers of terms and nodes, coefficients, and error bound.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace lommel {
 
-// Numbers of terms and quadrature nodes for a given error of U at every v up to `reach`.
+// Numbers of terms and quadrature nodes of a Legendre series, for a given error of the field U up to the distance `reach`.
 struct Expansion {
     std::size_t terms = 0;
     std::shared_ptr<const LegendreRule> rule;
@@ -26,8 +26,8 @@ struct Expansion {
 
     std::size_t room() const { return rule->blocks * 2 * row_lanes; }
 
-    // Rounding of exp(i Phi) at the nodes is not amplified in U (Parseval, twice). Rounding of the sums over half the nodes, in
-    // two chains, is multiplied by sqrt(terms) (certificate, section 4).
+    // Error bound of the field U. Rounding of the pupil function at the nodes is not amplified (Parseval, twice). Rounding of
+    // sums over half the nodes, in two chains, is multiplied by sqrt(terms) (docs/certificate.md, section 4).
     double error(const Phase& phase) const {
         const double rounding = phase.sensitivity() + 8.0 +
                                 std::sqrt(static_cast<double>(terms)) *
@@ -41,7 +41,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
     check_reach(reach);
     const double left = RadialBudget::truncation * error;
     std::tie(terms, truncation) = ellipses.terms(left);
-    // Used only if the window needs fewer terms than the phase.
+    // Choose the number of terms by the window instead, if this needs fewer than the phase.
     if (terms > 1 && window_tail(terms - 1, reach) <= left) {
         terms = window_terms(reach, left);
         truncation = window_tail(terms, reach);
@@ -57,22 +57,23 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
 }
 #endif
 
-// Error of U from the rounding of radii up to v: three roundings in units of a piece and three of the step. |U'| <= int sqrt(t)
-// |J_1(v sqrt t)| dt is at most 1/2 and, as |J_1(x)| <= 0.826 / sqrt(x), at most 0.661 / sqrt(v).
+// Error of the field U(v) from the rounding of v, three times in units of a piece and three in units of the step. |U'| is at
+// most 1/2 and, as |J_1(x)| <= 0.826 / sqrt(x), at most 0.661 / sqrt(v).
 inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
 
-// Rounding of the series at one radius: by Cauchy and Parseval, the moduli of its terms sum to at most 1.
+// Rounding error of a Legendre series at one radius: the moduli of its terms sum to at most 1 (Cauchy and Parseval).
 inline double series_rounding(std::size_t terms) { return unit_roundoff * (static_cast<double>(terms) + 16.0); }
 
-// Legendre series of t^power exp(i Phi) on a full disk.
+// Legendre coefficients (re, im) of t^power times the pupil function on a full disk, t the squared radius.
 struct Disk {
     Doubles re, im;
     std::size_t terms = 0;
 
-    // Expand with an error `error` of U at every v up to `reach`; returns the resulting bound, including rounding.
+    // Compute the coefficients for an error of about `error` of the field U up to the distance `reach`; returns the error
+    // bound, rounding included.
     double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch);
 
-    // Add a constant to the phase.
+    // Add the constant `angle` to the phase.
     void turn(double angle) {
         const double c = std::cos(angle), s = std::sin(angle);
         for (std::size_t n = 0; n < terms; ++n) {

@@ -1,5 +1,5 @@
-// Encircled energy of a radially symmetric pupil far from the axis, where the mean intensity falls as r^-3; its interference
-// rings are bounded.
+// Encircled energy of a radially symmetric pupil far from the axis, where the intensity is a smooth mean, falling as r^-3,
+// plus interference rings, which are bounded.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 
 namespace lommel {
 
-// Beyond the rays, only the edges of the aperture contribute. By partial integration U is a sum of Bessel functions times
-// derivatives of the pupil function at the edges, hence of exp(+- i v) and exp(+- i eps v) times powers of 1 / v. I is a mean
-// with the leading part mean() / v^3, plus rings whose integral is bounded by its value at the lower end (certificate, section
-// 9, "Farther out").
+// Beyond the geometric rays, only the edges of the aperture contribute to the field U(v): by partial integration U is a sum of
+// exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a mean
+// with the leading term mean() / v^3, plus rings, whose integral from v on is bounded by its value at v (docs/certificate.md,
+// section 9, "Farther out").
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
         add_waves(phase, 1.0);
-        if (obscuration >= 1e-9) {  // Field ignores smaller ones
+        if (obscuration >= 1e-9) {  // class Field ignores smaller obscurations
             add_waves(phase, obscuration);
         }
         for (std::size_t i = 0; i < wave_count_; ++i) {
@@ -46,7 +46,8 @@ class EnergyTail {
     }
 
     double mean() const { return means_[0]; }
-    // B(r): error bound of int_r^inf I s ds without its interference rings.
+    // Bound on the contribution of interference rings to the energy beyond r, int_r^inf I(s) s ds (B(r) in
+    // docs/certificate.md, section 9).
     double rings(double r) const {
         double sum = 0.0, size = 0.0, power = 1.0;
         for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
@@ -58,7 +59,7 @@ class EnergyTail {
         const double rest = remainder(r), order = static_cast<double>(terms);
         return sum + r * r * rest * (2.0 * size / (r * std::sqrt(r)) / (order + 1.0) + rest / (2.0 * order + 1.0));
     }
-    // Bound on the smooth part of I beyond its leading term, mean() / r^3.
+    // Bound on the smooth part of the intensity at r, without its leading term mean() / r^3.
     double curved(double r) const {
         double sum = 0.0, power = 1.0 / (r * r * r);
         for (std::size_t n = 1; n < 2 * powers; ++n) {
@@ -69,15 +70,15 @@ class EnergyTail {
     }
 
    private:
-    // Number of derivatives expanded in waves; number of powers of 1 / v in a wave; number of derivatives bounded for the
-    // remainder.
+    // terms: number of derivatives of the pupil function expanded in waves; powers: number of powers of 1 / v in a wave;
+    // orders: number of derivatives bounded for the remainder.
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
     struct Wave {
         double frequency = 0.0;
         std::array<std::complex<double>, powers> parts{};  // [n]: coefficient of v^(-3/2 - n)
     };
-    // Remainder of a Hankel expansion, at most factor * v^-power.
+    // Bound factor * v^-power on the remainder of a Hankel expansion at v.
     struct Left {
         double factor = 0.0, power = 0.0;
     };
@@ -88,9 +89,9 @@ class EnergyTail {
         return 0.674886 * std::sqrt(third + 1.855757 / third + 1.0331501 / static_cast<double>(n));
     }
 
-    // Derivatives E^(k) of the pupil function with respect to t at rho = edge.
+    // Derivatives [k] of the pupil function with respect to t = rho^2, at the pupil radius rho = edge.
     static std::array<std::complex<double>, terms> derivatives(const Phase& phase, double edge) {
-        // [k]: k-th derivatives of the two preceding Legendre polynomials with respect to x = 2t - 1.
+        // below, before: k-th derivatives [k], with respect to x = 2t - 1, of the two preceding Legendre polynomials.
         std::array<double, terms> below{}, before{};
         std::array<std::complex<double>, terms> exponent{}, made{};
         const double x = 2.0 * edge * edge - 1.0;
@@ -125,8 +126,9 @@ class EnergyTail {
         return made;
     }
 
-    // Add the waves of sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v). U subtracts those of the inner edge; the sign is
-    // omitted, as neither means nor bounds depend on it.
+    // Add the waves that one edge contributes to the field U(v): sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v), E_k the
+    // k-th derivative of the pupil function at the edge. The sign of the inner edge is omitted, as neither means nor bounds
+    // depend on it.
     void add_waves(const Phase& phase, double edge) {
         const auto slopes = derivatives(phase, edge);
         Wave forth{edge, {}}, back{-edge, {}};
@@ -134,7 +136,7 @@ class EnergyTail {
             const double order = static_cast<double>(k + 1);
             const std::complex<double> factor =
                 (k % 2 == 0 ? 1.0 : -1.0) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
-            // Hankel's expansion: from `count` terms on, an even number, its remainder is below the next two terms (DLMF
+            // Hankel's expansion, cut off after `count` terms, an even number, has a remainder below the next two terms (DLMF
             // 10.17(iii)).
             const std::size_t least = std::max(k + 1, terms - k + 1), count = least + least % 2;
             double hankel = 1.0;
@@ -163,7 +165,7 @@ class EnergyTail {
     void bound_derivatives(const Phase& phase, double obscuration) {
         std::array<double, orders> slopes{}, series{};
         for (std::size_t j = 1; j <= phase.terms; ++j) {
-            double binomials = std::abs(phase.coefficients[j - 1]);  // times binomial(j + k, k) binomial(j, k)
+            double binomials = std::abs(phase.coefficients[j - 1]);  // later times binomial(j + k, k) binomial(j, k)
             for (std::size_t k = 1; k <= std::min(j, orders - 1); ++k) {
                 binomials *= static_cast<double>((j + k) * (j - k + 1)) / static_cast<double>(k * k);
                 slopes[k] += binomials;
@@ -184,8 +186,8 @@ class EnergyTail {
         }
     }
 
-    // Bound on the part of U without these waves. It falls as v^(-terms - 3/2) or faster, as rings() requires: the remainder of
-    // the partial integration does so for N >= terms + 1.
+    // Bound on the part of the field U at v = r that the waves omit. It falls as r^(-terms - 3/2) or faster, as rings()
+    // requires: partial integration takes at least terms + 1 steps.
     double remainder(double r) const {
         double sum = 0.0, least = 1e150;
         for (std::size_t i = 0; i < left_count_; ++i) {
@@ -201,12 +203,13 @@ class EnergyTail {
         return least;
     }
 
-    // Two waves for each edge, of the aperture and of its obscuration.
+    // Two waves, of opposite frequencies, for each edge: that of the aperture and that of its obscuration.
     std::array<Wave, 4> waves_{};
     std::array<Left, 4 * terms> left_{};
     std::size_t wave_count_ = 0, left_count_ = 0;
     std::array<double, 2 * powers> means_{}, rings_{};
-    // [k]: bounds on the edge term of derivative k times v^(k + 3/2), and on the remaining integral times v^(k + 1/2).
+    // [k]: bounds on two parts of the field after k steps of partial integration: the next edge term, times v^(k + 3/2), and
+    // the integral left over, times v^(k + 1/2).
     std::array<double, orders> at_edges_{}, inside_{};
 };
 

@@ -1,4 +1,4 @@
-// Field of one pupil at given radii, by tabulated pieces or by the series, with an error bound.
+// Complex field of one pupil at given radii, from tabulated pieces or by its Legendre series, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@
 
 namespace lommel {
 
-// Radii at which a field is needed: radii[0 .. count), ascending, in units of `step` in v; or any v up to `reach`.
+// Radii at which a field is needed: radii[0 .. count) times `step`, in optical units, ascending; or all up to the argument of
+// Places(reach).
 struct Places {
     const double* radii;
     std::size_t count;
@@ -27,14 +28,15 @@ struct Places {
     double reach() const { return count > 0 ? radii[count - 1] * step : radii == nullptr ? step : 0.0; }
 };
 
-// U of a pupil, obscured or not, as a function of v. Contains the scratch of one thread, which grows and is reused.
+// Complex field U(v) of a pupil, with or without obscuration. Contains the buffers of one thread, which grow and are reused.
 class Field {
    public:
-    // Prepare the field of t^power A exp(i Phi) for `places` with an error of about `error`; returns the error bound of U.
+    // Prepare the field of t^power A exp(i Phi), t the squared pupil radius, at `places` with an error of about `error`;
+    // returns its error bound.
     double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
-    // Call sink(i - first, re, im) with vectors of U at radii[first .. last), ascending, in units of `step` in v. The sink and
-    // the radii need room for widest_step values past the last.
+    // Call sink(i - first, re, im) with vectors of the field at radii[first .. last) times `step`, ascending. The sink and the
+    // radii need room for widest_step values past the last.
     template <class I, class Sink>
     LOMMEL_INLINE void evaluate(I isa, const double* radii, std::size_t first, std::size_t last, double step,
                                 const Sink& sink) {
@@ -53,20 +55,20 @@ class Field {
                       [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA { sink(i, a - load<V>(re + i), b - load<V>(im + i)); });
     }
 
-    // Write U at these radii to re[i - first], im[i - first].
+    // Write the field at radii[first .. last) times `step` to re[i - first] and im[i - first].
     void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im);
 
    private:
-    // Up to v = near, each piece that contains a radius has a table, shared by all calls. Farther out only pieces with at least
-    // `crowd` radii have one, the number of points of a table; at other radii the series is summed directly.
+    // Up to a distance of `near`, in optical units, each piece that contains a radius has a table, shared by all calls.
+    // Farther out, only pieces with at least `crowd` radii have a table; at other radii the series is summed directly.
     static constexpr double near = 4096.0;
     static constexpr std::size_t crowd = degree_count;
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit of the pieces of one call
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // memory limit of the pieces of one call
 
     std::size_t piece_at(double radius, double per_pixel) const {
         return std::min(static_cast<std::size_t>(radius * per_pixel), all_ - 1);
     }
-    // Index of the first radius from `first` on that is beyond piece s.
+    // Index of the first radius, from `first` on, that is beyond piece s.
     std::size_t end_of(std::size_t s, const double* radii, std::size_t first, std::size_t last, double per_pixel) const {
         if (s + 1 == all_) {
             return last;
@@ -138,7 +140,8 @@ class Field {
             combine(isa, *table_->pieces[s], disk.terms, disk.re.data(), disk.im.data(), re, im);
             const V slope = splat<V>(2.0 * per_pixel), offset = splat<V>(-(2.0 * static_cast<double>(s) + 1.0));
             for (; i < stop; i += unroll * I::lanes) {
-                // Two chains of multiply-adds per vector: enough vectors at once hide their latency.
+                // Real and imaginary parts are chains of multiply-adds; the chains of enough vectors at once hide their
+                // latency.
                 V x[unroll], a[unroll], b[unroll];
                 for (std::size_t j = 0; j < unroll; ++j) {
                     x[j] = load<V>(radii + i + j * I::lanes) * slope + offset;
@@ -152,7 +155,7 @@ class Field {
                         b[j] = b[j] * x[j] + m;
                     }
                 }
-                // Values past the end of a piece are overwritten by those of the next.
+                // Values past the end of a piece are overwritten by those of the next piece.
                 for (std::size_t j = 0; j < unroll; ++j) {
                     sink(i - first + j * I::lanes, a[j], b[j]);
                 }
@@ -161,7 +164,8 @@ class Field {
         }
     }
 
-    // Sum the series at v with Bessel functions, without pieces: slower, for tolerances that no piece meets.
+    // Sum the Legendre series at one radius v by Bessel functions: slower than pieces, for few radii or tolerances that no
+    // piece meets.
     void sum(const Disk& disk, double v, double& re, double& im) {
         transforms_.resize(disk.terms);
         legendre_transforms(v, disk.terms, transforms_.data(), bessel_);
@@ -175,10 +179,10 @@ class Field {
     Disk outer_, inner_;
     double obscuration_ = 0.0, weight_ = 0.0;
     std::shared_ptr<const PieceTable> table_;
-    std::size_t all_ = 1;      // number of pieces up to the reach
-    std::size_t leading_ = 0;  // number of first pieces, which have tables even for a single radius
-    std::size_t end_ = 0;      // end of the pieces that may have a table
-    bool few_ = false;  // the series is summed at some radii
+    std::size_t all_ = 1;      // number of pieces up to the largest radius
+    std::size_t leading_ = 0;  // number of innermost pieces, which have tables even for a single radius
+    std::size_t end_ = 0;      // end of the range of pieces that may have a table
+    bool few_ = false;  // the series is summed directly at some radii
     SeriesScratch scratch_;
     SmallerDisk smaller_;
     std::vector<double> inner_phase_, transforms_, bessel_;
@@ -190,13 +194,13 @@ class Field {
 LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places,
                                   double error) {
     const double reach = places.reach();
-    // An obscuration whose light is below rounding is neglected.
+    // Neglect an obscuration that blocks less light than rounding errors.
     obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
     const double area = obscuration_ * obscuration_;
     double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);
     weight_ = 0.0;
     if (area > 0.0) {
-        // Phase at rho < eps, expanded on the inner disk.
+        // Expand the phase within the obscuration in Zernike polynomials of this smaller disk.
         weight_ = std::pow(area, static_cast<double>(power + 1));
         inner_phase_.assign(phase.terms + 1, 0.0);
         double lost = 0.0;

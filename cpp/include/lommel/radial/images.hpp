@@ -25,14 +25,14 @@ class Renderer {
              const Answer<T>& answer)
         : Renderer(stack, {height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step, false}, tol,
                    threads, answer) {}
-    // For a window that folds about its axis.
+    // For a window whose axis is at a pixel centre or midway between pixels.
     Renderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), layout_(Layout::get(window.rows(), window.columns())), step_(window.step), tol_(tol),
           threads_(threads), answer_(answer) {}
 
     void run() {
         // Estimated time of the stack in microseconds. Measured in November 2026 on one thread of a Zen 5 with AVX-512: 0.65
-        // for each of a thousand images of 33^2, 96 for one of 512^2.
+        // for each of a thousand images of 33^2 pixels, 96 for one of 512^2.
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 0.35e-3 * static_cast<double>(pixels())));
         if (answer_.derivatives == 0 && Batch::fits(stack_)) {
@@ -45,7 +45,7 @@ class Renderer {
         for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
     }
 
-    // Compute one pupil, by pieces.
+    // Compute the images of one pupil, whose field is evaluated by tabulated pieces.
     void render(std::size_t pupil, int threads) {
         thread_local std::vector<T> profile;
         thread_local Field field;
@@ -54,7 +54,7 @@ class Renderer {
         const bool divide = answer_.scales[pupil] == 0.0;
         const double scale = divide ? 1.0 : answer_.scales[pupil];
         profile.resize(layout_->count);
-        T* const values = profile.data();  // scratch of this thread, filled by all threads
+        T* const values = profile.data();  // buffer of the calling thread, filled by all threads
         const auto take = [&](std::size_t first, std::size_t count, const double* intensity) {
             store_scaled(intensity, scale, count, values + first);
         };
@@ -70,7 +70,8 @@ class Renderer {
             store_scaled(slopes.values.data(), answer_.scales[pupil], layout_->count, values);
             const std::size_t at = d * stack_.count + pupil;
             paint(values, answer_.derivative_images + at * pixels(), 1);
-            // |dI/dc_k| <= 2 |U| |T|, over the exact peak.
+            // Error bound of the derivative, which is 2 Re(conj(U) i T) with the fields U and T of class Slopes, over the
+            // exact peak.
             const double u = std::sqrt(settled.peak), t = std::sqrt(slopes.size);
             const double slope_error =
                 u * slopes.error + t * settled.bound + slopes.error * settled.bound + u * t * storing<T>(false);
@@ -81,7 +82,7 @@ class Renderer {
    private:
     std::size_t pixels() const { return layout_->height() * layout_->width(); }
 
-    // Images whose bound in the batch exceeds the tolerance are computed again one by one.
+    // Compute the images of a batch; those whose error bound exceeds the tolerance are computed again one by one.
     void render_batch(const Batch& batch) {
         batch.run(threads_, [&](std::size_t first, std::size_t here, const double* intensity, std::size_t stride) {
             for (std::size_t p = 0; p < here; ++p, intensity += stride) {
@@ -105,7 +106,7 @@ class Renderer {
         if (pixels() * sizeof(T) > (std::size_t{1} << 14)) {
             return paint(profile.data(), image, 1);
         }
-        // A small image is assembled in the first-level cache and written in one stream, instead of by rows and mirrored rows.
+        // Assemble a small image in the first-level cache and write it in one stream, instead of by rows and mirrored rows.
         assembled.resize(pixels());
         paint(profile.data(), assembled.data(), 1);
         std::memcpy(image, assembled.data(), pixels() * sizeof(T));

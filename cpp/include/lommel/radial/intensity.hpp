@@ -15,16 +15,17 @@
 
 namespace lommel {
 
-constexpr std::size_t chunk_radii = 4096;  // radii per chunk, whose values fit in the first-level cache
+constexpr std::size_t chunk_radii = 4096;  // number of radii per chunk, whose values fit into the first-level cache
 
-// Call take(first, count, values) with I at the radii that `field` is prepared for, chunk by chunk; returns the maximum.
+// Call take(first, count, values) with the intensities at `places`, for which `field` must be prepared, chunk by chunk;
+// returns the maximum.
 using TakeIntensities = Reference<void(std::size_t first, std::size_t count, const double* values)>;
 double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     const auto work = [&](Field& own, std::size_t task) {
-        // Buffer, as vectors are stored beyond the end of a chunk, where another chunk begins.
+        // Buffer, as whole vectors are stored: they reach past the end of a chunk, where another chunk begins.
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
         double top = 0.0;
@@ -44,7 +45,7 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
         }
         return top;
     }
-    // Each thread has a field with its own scratch, and a maximum.
+    // Each thread has a copy of the field, with its own buffers, and its own maximum.
     std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
     std::vector<double> tops(fields.size(), 0.0);
     parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) {
@@ -54,12 +55,13 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
 }
 #endif
 
-// dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: sums over the Bessel table of U, with other coefficients.
+// Derivative of the intensity by the phase coefficient c_k of t^k, t the squared pupil radius: dI/dc_k = 2 Re(conj(U) i T),
+// with U the field of the pupil function and T that of t^k times the pupil function.
 struct Slopes {
     Doubles values;
-    double error = 0.0, size = 0.0, steepest = 0.0;  // error bound of T, largest |T|^2, largest |dI/dc_k|
+    double error = 0.0, size = 0.0, steepest = 0.0;  // error bound and largest |T|^2 of the field T; largest |values|
 
-    // `field` must be prepared for `places`; `requested`: requested error of T.
+    // Compute `values`, dI/dc_k at `places`, for which `field` must be prepared. power: the exponent k; requested: error of T.
     Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double requested);
 };
 
@@ -69,7 +71,7 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
     : values(places.count) {
     Field derivative;
     error = derivative.prepare(phase, power, obscuration, places, requested);
-    // Vectors overlap where pieces meet, so results must not overwrite their input.
+    // Vectors overlap where pieces meet, so results must not overwrite the input.
     Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
     for (std::size_t first = 0; first < places.count; first += chunk_radii) {
         look();
@@ -93,8 +95,8 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
 }
 #endif
 
-// Largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not be on the
-// axis.
+// Largest intensity on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not be
+// on the axis.
 double scanned_peak(const Phase& phase, double obscuration, double error);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double error) {
@@ -112,14 +114,14 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
 #endif
 
 struct Settled {
-    double error, bound;  // error of U: requested, and its bound
-    double relative;      // error bound of the finished values
-    double top, peak;     // largest I in the window; peak, if it was searched elsewhere
+    double error, bound;  // error of the field U: requested; its bound
+    double relative;      // error bound of the stored values, over the peak
+    double top, peak;     // largest intensity in the window; largest known, in or outside the window
 };
 
-// Prepare `field` for `places` with smaller and smaller errors until values of type T are within `tol` of the peak of the PSF.
-// `evaluate` computes the intensities of the window and returns their maximum; if `normalize`, they are divided by it after
-// storing.
+// Prepare `field` for `places` with smaller and smaller errors, until stored values of type T have an error of at most `tol`
+// over the peak of the PSF. `evaluate` computes the intensities of the window and returns their maximum; if `normalize`, they
+// are divided by it after storing.
 template <class T, class Evaluate>
 Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
                      const Evaluate& evaluate) {

@@ -13,15 +13,15 @@
 
 namespace lommel {
 
-// Ascending v, padded to whole vectors.
+// Copy of the ascending radii v, padded for loads of whole vectors.
 inline Doubles padded(const double* v, std::size_t count) {
     Doubles radii(v, v + count);
     radii.resize(count + widest_step, count > 0 ? v[count - 1] : 0.0);
     return radii;
 }
 
-// Compute U at ascending v, out[pupil * count + i], with a phase that is 0 at the centre of the pupil and an error that keeps
-// the intensity within `tol` of the estimated peak.
+// Compute the complex fields out[pupil * count + i] at the ascending radii v[i], in optical units, and their error bounds. The
+// phase is 0 at the centre of the pupil; the error keeps the intensity within `tol` of the estimated peak.
 inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
                    double* bounds) {
     const Doubles radii = padded(v, count);
@@ -35,7 +35,7 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
             look();
             field.values(radii.data(), first, std::min(count, first + chunk_radii), 1.0, re.data() + first, im.data() + first);
         }
-        // R_2j^0(0) = (-1)^j.
+        // Phase at the centre of the pupil, where the Zernike polynomial R_2j^0 is (-1)^j.
         double middle = 0.0;
         for (std::size_t k = 0; k < phase.terms; ++k) {
             middle += k % 2 == 0 ? -phase.coefficients[k] : phase.coefficients[k];
@@ -48,8 +48,8 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
     }
 }
 
-// Compute I at ascending v, out[pupil * count + i], error bounds relative to the peak (negative if `tol` is not met), and these
-// peaks.
+// Compute the intensities out[pupil * count + i] at the ascending radii v[i], in optical units, the peaks, and error bounds
+// relative to the peaks (negative if `tol` is not met).
 inline void profiles(const Stack& stack, const double* v, std::size_t count, double tol, double* out, double* bounds,
                      double* peaks, int threads = 1) {
     const Doubles radii = padded(v, count);

@@ -1,4 +1,5 @@
-// Legendre coefficients of the pupil function: beta_n = (2n+1) int_0^1 exp(i Phi(t)) P_n(2t - 1) dt.
+// Legendre coefficients of a pupil function with phase Phi: beta_n = (2n+1) int_0^1 exp(i Phi(t)) P_n(2t - 1) dt, t the
+// squared pupil radius.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +17,15 @@
 
 namespace lommel {
 
-// Gauss nodes of [0, 1] and the weighted Legendre polynomials there. P_n is even or odd about the middle, so half the nodes
-// suffice: even orders multiply the sum of exp(i Phi) at mirrored nodes, odd orders the difference.
+// Gauss quadrature of Legendre coefficients: nodes t in [0, 1] and weighted Legendre polynomials P_n(2t - 1). These are even
+// or odd about t = 1/2, so half the nodes suffice: P_n of even n multiplies the sum of the pupil function at mirrored nodes,
+// P_n of odd n the difference.
 struct LegendreRule {
-    std::size_t half;    // number of nodes in the upper half, a multiple of 8
-    std::size_t blocks;  // number of groups of 16 orders, 8 even and 8 odd ones
-    Doubles upper, lower;  // t of the upper nodes and of their mirror images
-    Doubles even, odd;     // [block][node][lane]: (2n+1) w P_n
-    Doubles polynomials;   // [n - 1][node]: P_1, P_2, ... at the upper nodes, for the phase
+    std::size_t half;    // number of nodes above 1/2, a multiple of 8
+    std::size_t blocks;  // number of groups of 16 Legendre polynomials, 8 even and 8 odd ones
+    Doubles upper, lower;  // nodes above 1/2, and their mirror images below
+    Doubles even, odd;     // [block][node][lane]: (2n+1) P_n times the quadrature weight
+    Doubles polynomials;   // [n - 1][node]: Legendre polynomials P_n at the upper nodes, for the phase
     static constexpr std::size_t most_terms = EllipsePolynomials::most;
 
     LegendreRule(std::size_t nodes, std::size_t terms)
@@ -53,7 +55,7 @@ struct LegendreRule {
     std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + polynomials.size() + 2 * half); }
 
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
-    // From the cache, with sizes rounded up so that few tables are computed.
+    // Get a rule from the cache, with its numbers of nodes and terms rounded up so that few rules are computed.
     static std::shared_ptr<const LegendreRule> get(std::size_t nodes, std::size_t terms) {
         const std::size_t n = round_up(nodes, nodes < 256 ? 16 : 64), k = round_up(terms, n <= 256 ? 16 : 64);
         return cache<LegendreRule>.get(n, k);
@@ -63,13 +65,13 @@ struct LegendreRule {
     static std::size_t round_up(std::size_t n, std::size_t step) { return (n + step - 1) / step * step; }
 };
 
-// Scratch of one thread; grows and is reused.
+// Buffers of one thread, which grow and are reused.
 struct SeriesScratch {
     Doubles sum_re, sum_im, difference_re, difference_im;
 };
 
-// Compute beta_re, beta_im: the first `terms` Legendre coefficients of t^power A exp(i Phi), up to whole blocks of 16, with the
-// phase Phi = sum_n phase[n - 1] P_n(2t - 1) and the amplitude A.
+// Compute beta_re and beta_im, the first `terms` Legendre coefficients of t^power A exp(i Phi), up to whole blocks of 16. t:
+// squared pupil radius; A: amplitude; Phi: phase, the sum over n of phase[n - 1] P_n(2t - 1).
 template <class I>
 LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const double* phase, std::size_t phase_terms,
                                          const Amplitude& amplitude, std::size_t power, std::size_t terms, double* beta_re,
@@ -80,7 +82,7 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
         v->resize(std::max(v->size(), half));
     }
     for (std::size_t q = 0; q < half; q += I::lanes) {
-        // Odd polynomials change sign at the mirrored nodes.
+        // parts: phase from Legendre polynomials of odd and of even order; the odd ones change sign at the mirrored nodes.
         V parts[2] = {splat<V>(0.0), splat<V>(0.0)};
         for (std::size_t k = 0; k < phase_terms; ++k) {
             parts[k % 2] = parts[k % 2] + splat<V>(phase[k]) * load<V>(&rule.polynomials[k * half + q]);
@@ -115,7 +117,7 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
         for (std::size_t lane = 0; lane < row_lanes; lane += I::lanes) {
             const double* even = &rule.even[b * half * row_lanes + lane];
             const double* odd = &rule.odd[b * half * row_lanes + lane];
-            // Two nodes at a time: eight chains of multiply-adds hide their latency.
+            // Two nodes at a time, so that eight independent sums hide the latency of multiply-adds.
             V sums[2][4] = {};
             for (std::size_t q = 0; q < half; q += 2) {
                 for (std::size_t j = 0; j < 2; ++j) {

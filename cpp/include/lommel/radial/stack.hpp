@@ -11,23 +11,24 @@
 
 namespace lommel {
 
-// Pupil function A exp(i Phi): phase coefficients (rad) of R_2^0 = P_1(2t - 1), R_4^0, ..., and the amplitude A, which is not
-// copied.
+// Pupil function A exp(i Phi): phase coefficients (rad) of the Zernike polynomials R_2^0, R_4^0, ..., and the amplitude A,
+// which is not copied.
 struct Phase {
     const double* coefficients;
     std::size_t terms;
     const Amplitude* amplitude = &even_light;
 
     double size() const { return weighted(0.0, 0.0, 1.0); }
-    // Rounding of the phase in units of roundoff, mean over t (certificate, section 4): two of each coefficient, one of P_j(x),
-    // K + 1 of products and sum for K nonzero coefficients, and that of the node x, half a unit times the mean of |P_j'|, at
-    // most sqrt(j (j + 1) / 2) by Cauchy.
+    // Rounding error of the phase in units of roundoff, averaged over the pupil (docs/certificate.md, section 4): for each
+    // coefficient two roundings of its own, one of the Legendre polynomial P_j, K + 1 of products and sum, with K nonzero
+    // coefficients, and half a rounding of the node times the mean of |P_j'|, at most sqrt(j (j + 1) / 2) by Cauchy.
     double sensitivity() const {
         const double used =
             static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
         return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
     }
-    // Largest distance of rays from the axis, in v: |dR_2j/drho| <= 2 j (j + 1).
+    // Bound on the distance of geometric rays from the axis, in optical units: |dPhi/drho|, with |dR_2j^0/drho| <= 2 j (j +
+    // 1).
     double blur() const { return weighted(2.0, 2.0, 0.0); }
 
    private:
@@ -42,7 +43,7 @@ struct Phase {
 };
 
 struct Stack {
-    const double* coefficients;  // [pupil][term] of R_2^0, R_4^0, ...
+    const double* coefficients;  // [pupil][term]: in rad, of the Zernike polynomials R_2^0, R_4^0, ...
     std::size_t count, terms;
     double obscuration;
     Amplitude amplitude{};
@@ -56,7 +57,7 @@ struct Box {
     Box() = default;
     explicit Box(const Stack& stack) { hold(stack); }
 
-    // Allocates nothing if the number of terms has not grown.
+    // Set the ranges to those of a stack; allocates nothing if the number of terms has not grown.
     void hold(const Stack& stack) {
         least.assign(stack.coefficients, stack.coefficients + stack.terms);
         most = least;
@@ -74,18 +75,18 @@ struct Box {
     Phase worst(const Amplitude& amplitude) const { return {farthest.data(), farthest.size(), &amplitude}; }
 };
 
-// Output arrays. For each pupil: image, factor of the intensity (0 on entry: divide by the maximum), error bound relative to
-// the peak, this peak, and dI/dc_k for each of `derivatives`.
+// Output arrays. scales: factor of each image (0 on entry: divide by the maximum); bounds: error bounds relative to the peaks;
+// peaks: of the intensity.
 template <class T>
 struct Answer {
     T* images;
     double *scales, *bounds, *peaks;
-    const std::size_t* powers;  // [derivative]: k of dI/dc_k
+    const std::size_t* powers;  // [derivative]: exponent k of t^k, t the squared pupil radius, whose coefficient varies
     std::size_t derivatives;
     T* derivative_images;  // [derivative][pupil][height][width]
-    double* derivative_bounds;  // [derivative][pupil], relative to the peak of the intensity
+    double* derivative_bounds;  // [derivative][pupil]: error bound over the peak of the intensity
 
-    // Store the numbers of a pupil, `top` the maximum of its image; returns the scale.
+    // Store peak and error bound of a pupil, and return the scale of its image, whose largest intensity is `top`.
     double finish(std::size_t pupil, double top, double peak, double bound) const {
         bounds[pupil] = bound;
         peaks[pupil] = peak;
@@ -95,19 +96,20 @@ struct Answer {
 
 // Error budget of an image (certificate, section 6).
 struct RadialBudget {
-    // Error of U over (tolerance x peak of |U|). It counts twice in I; the rest is a margin, as the peak is an estimate.
+    // Error of the field U over tolerance times peak of |U|. It counts twice in the intensity; the rest is a margin, as the
+    // peak is an estimate.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the error of U: full disk, obscuration, and interpolation between the radii of pieces.
+    // Shares of the field's error: full disk (outer), obscuration (inner), and interpolation on pieces.
     static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
-    // Shares of the error of a disk: omitted terms (by the phase or by the window), and quadrature.
+    // Shares of a disk's error: omitted terms of the Legendre series, and quadrature of its coefficients.
     static constexpr double truncation = 0.5, quadrature = 0.1;
     static_assert((outer + inner) * (truncation + quadrature) + pieces <= 1.0);
-    // Factor on the error of U for the next attempt, and the smallest error to try.
+    // Factor on the requested error of the field U for the next attempt, and the smallest error to try.
     static constexpr double retry = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Estimate of sup|U|. Most PSFs exceed it; for others the error is reduced once the peak is known.
+// Estimate of the largest |U|. Most fields exceed it; for others the requested error is reduced once the peak is known.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

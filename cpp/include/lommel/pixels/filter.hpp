@@ -25,8 +25,7 @@ struct PixelFilter {
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
     // Average `count` images of samples(height) x samples(width) samples to images of height x width pixels, which begin
-    // `pitch` values apart in `to`. Averages are clamped to the member `lowest`: 0 for an intensity, whose error this does not
-    // increase; a negative number for derivatives.
+    // `pitch` values apart. Averages are clamped to the member `lowest`: 0 for intensities, whose error this does not increase.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const;
@@ -44,8 +43,7 @@ struct PixelFilter {
     void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
         const std::size_t tall = samples(height), wide = samples(width), groups = (height + Rows - 1) / Rows;
-        // `Rows` adjacent pixel rows are computed from the same samples. Zeros pad the weights of a row where only other rows
-        // use a sample.
+        // `Rows` adjacent pixel rows are computed from the same samples; zeros stand for taps on samples of other rows only.
         const std::size_t padding = (Rows - 1) * stride, length = taps + 2 * padding;
         std::vector<double> padded(pixels * length);
         for (std::size_t k = 0; k < pixels; ++k) {
@@ -95,8 +93,7 @@ struct PixelFilter {
         });
     }
 
-    // Average along x: write `width` pixels to `to` from a line of `wide` samples, with the weights of[pixel][tap], in
-    // precision `Sum`.
+    // Average along x: write `width` pixels to `to` from a line of `wide` samples, with weights of[pixel][tap].
     template <class I, class Sum>
     LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, const Sum* of, double* to) const {
         // A strand is every stride-th sample, stored contiguously, so that a vector load serves adjacent pixels.

@@ -114,8 +114,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// Rounding error of a series: sum of the moduli of its coefficients, each times its own rounding error in units of roundoff
-// (penalty).
+// Rounding error of a series: sum of the moduli of its coefficients, each times its rounding error in roundoffs (penalty).
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;
@@ -166,8 +165,7 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
     }
 }
 
-// Sum a Chebyshev series at `count` pixels: out[i] = sum over k of coefficients[k] T_k(x[i]). Writes whole groups of four
-// vectors. Limited by arithmetic.
+// Sum a Chebyshev series at `count` pixels, in whole groups of four vectors: out[i] = sum over k of coefficients[k] T_k(x[i]).
 template <class I>
 LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients, const double* x, std::size_t count,
                                double* out) {
@@ -198,8 +196,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         j += orders;
     };
     // `add_orders` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
-    // Harmonics are evaluated two to four at a time: one alone is a chain of dependent operations, and four need over 16
-    // registers.
+    // Two to four harmonics at a time: one alone is a chain of dependent operations; four need more than 16 registers.
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
             add_orders(std::integral_constant<std::size_t, 4>{});

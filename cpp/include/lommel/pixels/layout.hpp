@@ -1,5 +1,4 @@
-// Distinct distances of a window's pixels from an axis at a pixel centre, an edge's midpoint or a corner, and the index of
-// each pixel's distance.
+// Distinct distances of a window's pixels from an axis at a pixel's centre, edge or corner, and the index of each pixel's.
 #pragma once
 
 #include <algorithm>
@@ -37,8 +36,7 @@ struct Layout : Radii {  // the radii are in units of the pixel pitch
         const std::size_t at = dy * columns.distances() + dx;
         return of_many_.empty() ? of_few_[at] : of_many_[at];
     }
-    // Write the image rows whose distances from the axis have indices [first, last), on both sides of the axis, from a radial
-    // profile with one value per radius.
+    // Write the image rows with row distances [first, last) from the axis, on both sides, from a profile with a value per radius.
     template <class T>
     void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 
@@ -54,8 +52,7 @@ struct Layout : Radii {  // the radii are in units of the pixel pitch
     }
 
    private:
-    // Index of each pixel's radius, [row distance][column distance]: in of_few_ if 16 bits suffice, which halves the time of
-    // memory reads, otherwise in of_many_.
+    // Index of each pixel's radius, [row distance][column distance]: in of_few_ if 16 bits suffice, as reading these is faster.
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };

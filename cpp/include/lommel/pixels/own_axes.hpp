@@ -1,6 +1,5 @@
-// Pixel values in windows whose axis differs from pupil to pupil: samples or averages are polynomials of the distance from the
-// axis, times angular harmonics, with weights that depend only on pixel pitch and largest distance (docs/certificate.md,
-// section 9, "An axis for each pupil").
+// Pixel values in windows whose axis differs from pupil to pupil: polynomials of the distance from the axis, times angular
+// harmonics, with weights for any axis (docs/certificate.md, section 9, "An axis for each pupil").
 #pragma once
 
 #include <algorithm>
@@ -21,8 +20,7 @@
 namespace lommel {
 
 struct AnywhereTable : Radii {  // radii at which the intensity is computed, in optical units
-    // Largest distance of a pixel from the axis, in optical units; beyond it, a table for each window is faster than such long
-    // polynomials.
+    // Largest distance of a pixel from the axis, in optical units; beyond it, a table for each window is faster.
     static constexpr double most_reach = 110.0;
 
     double step;     // pixel pitch in optical units
@@ -50,9 +48,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
         return cache<AnywhereTable>.get(pitch, averages, pixels, digits);
     }
 
-    // Compute out[pixel], the samples or averages of `window`, from the intensity at each radius; returns the rounding error
-    // of the polynomials, in units of roundoff. `out` is written in whole vectors. Limited by the latency of multiply-adds, of
-    // which four chains overlap.
+    // Compute out[pixel], samples or averages, in whole vectors, from the intensity at each radius; returns the rounding error
+    // of the polynomials in units of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
@@ -114,8 +111,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // Squared distances, scaled to [-1, 1], have a rounding error of up to 15 roundoffs; the Chebyshev polynomial of
-            // degree k amplifies it by up to k^2.
+            // Squared distances, scaled to [-1, 1], have errors of 15 roundoffs; the Chebyshev polynomial T_k amplifies them
+            // by k^2.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);

@@ -18,9 +18,8 @@
 
 namespace lommel {
 
-// Two matrices that map a polynomial's values at 16 Chebyshev points of [-1, 1] to `count` outputs at points x > 0: `even`
-// acts on sums, `odd` on differences of the values at mirrored points. The sum of both results is the output at x; their
-// difference, up to sign, that at -x.
+// Matrices that map a polynomial's values at 16 Chebyshev points of [-1, 1] to outputs at points x > 0: `even` maps sums, `odd`
+// differences of values at mirrored points. The sum of both results is the output at x; their difference, up to sign, at -x.
 struct Halves {
     static constexpr std::size_t points = 16, half = points / 2, together = 8;
     std::size_t count, pitch;
@@ -64,8 +63,7 @@ struct Halves {
         }
     }
 
-    // Compute evens[i] and odds[i], the m-th derivatives at x of the even and the odd part of the Lagrange polynomial of the
-    // i-th Chebyshev point above 0.
+    // Compute evens[i], odds[i]: m-th derivatives at x of the even and odd parts of the Lagrange polynomial of point half + i.
     void derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const;
 };
 
@@ -206,8 +204,7 @@ Parts<Terms>::Parts(std::size_t count) : parts(count), halves(count / 2 * Terms)
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[half], double (&odds)[half]) const {
-    // chebyshev[k][j]: j-th derivative at x of the Chebyshev polynomial T_k, from the recurrence T_(k+1) = 2 x T_k - T_(k-1)
-    // differentiated j times.
+    // chebyshev[k][j]: j-th derivative of the Chebyshev polynomial T_k, from T_(k+1) = 2 x T_k - T_(k-1) differentiated j times.
     wide chebyshev[points][5] = {};
     chebyshev[0][0] = 1;
     chebyshev[1][0] = static_cast<wide>(x);
@@ -231,8 +228,8 @@ LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[hal
 
 LOMMEL_ONCE Bends::Bends() {
     const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
-        // The maximum of a polynomial of degree d is at most 1 / cos(pi d / 2 n) times its largest value at n > d Chebyshev
-        // points (Ehlich and Zeller).
+        // A polynomial of degree d is at most 1 / cos(pi d / 2 n) times its largest value at n > d Chebyshev points (Ehlich,
+        // Zeller).
         const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
         const double by = 1.0 / std::cos(0.5 * pi * share);
         for (std::size_t at = 0; at < count / 2; ++at) {

@@ -38,10 +38,9 @@ struct FoldedSide {
     }
 };
 
-// Distinct squared radii dy^2 + dx^2 of the pixels of a quadrant. An integer number represents each: dy^2 + dx^2 if the axis
-// is at a pixel centre, dy^2 + dx^2 - 1/4 if it is between two rows or two columns, (dy^2 + dx^2 - 1/2) / 2 if between both.
-// One bit per number, with the count of bits before each word, gives ranks in linear time, without sorting, from a table that
-// fits into the first-level cache.
+// Distinct squared radii dy^2 + dx^2 of the pixels of a quadrant, each with an integer number: dy^2 + dx^2 if the axis is at a
+// pixel centre, dy^2 + dx^2 - 1/4 if it is between two rows or two columns, (dy^2 + dx^2 - 1/2) / 2 if between both. One bit per
+// number, and the count of bits before each word, give ranks in linear time from a table that fits into the first-level cache.
 class SquaredRadii {
    public:
     SquaredRadii(const FoldedSide& rows, const FoldedSide& columns)
@@ -49,8 +48,8 @@ class SquaredRadii {
           words_(number(rows_ - 1, cols_ - 1) / 64 + 1) {
         for (std::size_t y = 0; y < rows_; ++y) {
             look();
-            // If the axis is at the same offset from rows and columns, pixel (y, x) has the radius of (x, y): mark only one of
-            // them.
+            // If the axis is at the same offset from rows and columns, pixels (y, x) and (x, y) have the same radius: mark
+            // only one.
             for (std::size_t x = odd_y_ == odd_x_ && y < std::min(rows_, cols_) ? y : 0; x < cols_; ++x) {
                 const std::size_t s = number(y, x);
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;

@@ -84,8 +84,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return cache<SamplePieces>.get(digits, ends[0], ends[1]);
     }
 
-    // Write `by` times the intensity at the window's pixels, at least `least`, from the intensity at the radii; returns the
-    // largest intensity (without the factor `by`).
+    // Write `by` times the intensity at the window's pixels, at least `least`, from the intensity at the radii; returns its
+    // maximum.
     template <class T>
     double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const;
 
@@ -96,9 +96,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
                         float* image, double& off) const;
 
    private:
-    // Call made(row, start, count, values) for `count` adjacent pixels at a time of rows [begin, end): values are `by` times
-    // the intensity, at least `least`. all: coefficients of all parts. Returns the largest intensity. Limited by loads of
-    // doubles.
+    // Call made(row, start, count, values) for runs of pixels in rows [begin, end): values are `by` times the intensity, at
+    // least `least`. all: coefficients of all parts. Returns the largest intensity. Limited by loads of doubles.
     using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
     double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
                     const Made& made) const;
@@ -147,11 +146,10 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     static std::size_t parts_for_cubics(double bent, double room) {
         const double wanted = std::ceil(0.5 * std::sqrt(std::sqrt(bent / (192.0 * room))));
         return 2 *
-               static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // largest if NaN
+               static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // Write to `curves` a bound on the second derivative of each piece's polynomial; returns the largest bound on a fourth
-    // derivative.
+    // Write to `curves` a bound on the second derivative of the intensity on each piece; returns the largest for the fourth.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -164,8 +162,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return largest;
     }
 
-    // Compute to[piece][part][power], `by` times the coefficients of pieces [begin, end); largest[power] is raised to their
-    // largest modulus.
+    // Compute to[piece][part][power], `by` times the coefficients of some pieces; largest[power] is raised to their largest
+    // modulus.
     template <class I, std::size_t Terms, class To>
     static LOMMEL_INLINE void cut(I isa, const Parts<Terms>& parts, const double* intensity, double by, std::size_t begin,
                                   std::size_t end, To* to, double* largest) {
@@ -181,9 +179,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     }
 
     SampleRows::Zones zones(double parts) const;
-    // Evaluate polynomials of `Terms` coefficients, those of pixel i from c[at[i]] on, at x[i], one vector of pixels at a
-    // time; negative values become 0. Coefficients are loaded pixel by pixel and transposed. `tops` becomes the maximum of
-    // each vector lane.
+    // Evaluate polynomials of `Terms` coefficients, from c[at[i]] on for pixel i, at x[i], by vectors of pixels, clamped to 0.
+    // Coefficients are loaded pixel by pixel and transposed. `tops` becomes the maximum of each vector lane.
     template <std::size_t Terms, class I>
     static LOMMEL_INLINE void values_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
                                         float* tops) {
@@ -229,8 +226,7 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
     const double equal = equal_pieces(width), half = 0.5 * width;
     error = lebesgue(terms) * interpolation_by_slope(half, points) * of_squares(equal * width, points) +
             interpolation_by_slope(half / static_cast<double>(parts->parts), terms) * of_squares(equal * width, terms);
-    // Roundings of the parts' matrices, of sums and differences of eight products, and of evaluation (24 S in
-    // docs/certificate.md, section 9).
+    // Roundings of the parts' matrices, of their products and sums, and of evaluation (24 S in docs/certificate.md, section 9).
     rounding = 24.0 * parts->sizes;
     of_grid = std::min(lebesgue(terms), 1.0 + parts->bent());
     count = (last - first) * points;

@@ -1,5 +1,5 @@
-// For each pixel of a row: the interval (part of a piece, see sample_pieces.hpp) that contains its distance from an arbitrary
-// axis, and its position in that interval.
+// For each pixel of a row: the part of a piece (sample_pieces.hpp) that contains its distance from an arbitrary axis, and its
+// position in this part.
 #pragma once
 
 #include <algorithm>
@@ -54,9 +54,8 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// Positions of the pixels of a window's rows, counted in parts of pieces from the middle of the first part on. A position is
-// linear in the distance from the axis in zone 0, and linear in the squared distance in each zone farther out, which ends at
-// twice the distance where it begins.
+// Positions of a window's pixels, counted in parts of pieces from the middle of the first part on. They are linear in the distance
+// from the axis in zone 0, and in the squared distance in each zone farther out, which ends at twice the distance where it begins.
 class SampleRows {
    public:
     struct Zone {  // squared distance where it begins, in pieces^2; position = slope * squared distance + shift
@@ -205,9 +204,8 @@ class SampleRows {
             }
         }
 
-        // Split each position into the index of its part, times `stride`, and the position in the part. first, other: position
-        // of the nearest pixel by the row's zone and, if `Both`, by the next zone. Returns Run::base, one or two parts before
-        // the nearest pixel.
+        // Split each position into the index of its part, times `stride`, and the position in this part. first, other:
+        // position of the nearest pixel by the row's zone and, if `Both`, by the next zone. Returns Run::base.
         template <bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t stride,
                                            std::int32_t* at, float* x) const {

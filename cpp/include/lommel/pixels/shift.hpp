@@ -1,5 +1,5 @@
-// Derivatives of pixel averages with respect to the position of the axis: differences of averages along opposite edges of a
-// pixel (docs/certificate.md, section 15).
+// Derivatives of pixel averages by the position of the axis: differences of averages along opposite pixel edges
+// (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -34,9 +34,8 @@ struct ShiftTable {
         return cache<ShiftTable>.get(of);
     }
 
-    // Compute the derivatives of each pixel with respect to the axis position in y (down) and x (across), per pixel pitch,
-    // from the intensity at the radii. Both arrays are written in whole vectors. Returns the rounding error of the
-    // polynomials, in units of roundoff.
+    // Compute the derivatives of each pixel by the axis position in y (down) and x (across), per pixel pitch, in whole
+    // vectors, from the intensity at the radii. Returns the rounding error of the polynomials in units of roundoff.
     double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const;
 
    private:

@@ -68,12 +68,10 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
     double magnification() const { return of_grid * of_nodes; }
 
    protected:
-    // Evaluate the expansion of a ring at `values` pixels, a multiple of 16. at: radial position in the ring, -1 to 1; angle:
-    // cosine of four times the polar angle.
+    // Evaluate a ring's expansion at `values` pixels. at: radial position in the ring, -1 to 1; angle: cos of four times the angle.
     void sum_ring(const double* coefficients, const double* at, const double* angle, std::size_t values, double* out) const;
 
-    // Compute the weights of all rings, and the error bounds, for pixels of width `side` and expanded rings of half width
-    // `half`.
+    // Compute the weights of all rings, and the error bounds, for pixels of width `side` and rings of half width `half`.
     void weigh(double side, double half, int threads) {
         weights.resize(rings.back().first_weight + rings.back().nodes.count * rings.back().outputs);
         const Points square = Points::square(side, gauss);
@@ -84,8 +82,8 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         judge(side, half);
     }
 
-    // Choose the numbers of Gauss nodes and harmonics for pixels of width `side` and a requested error `allowed`; returns the
-    // largest half width of a ring, in optical units.
+    // Choose numbers of Gauss nodes and harmonics for pixels of width `side` and an error `allowed`; returns the half width of
+    // rings.
     double plan(double side, double allowed) {
         gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
         harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
@@ -120,8 +118,8 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         Doubles rows(ring.outputs * ring.nodes.count);
         average_rows(
             isa, ring.nodes, square, ring.outputs,
-            // An output is a pixel if the ring is direct, otherwise a pair of Chebyshev points, of the distance and of the
-            // cosine.
+            // An output is a pixel if the ring is direct, otherwise a pair of Chebyshev points: of the distance and of cos(4
+            // theta).
             [&](std::size_t o) {
                 const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
                 return ring.middle + ring.half * at;
@@ -138,8 +136,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         block_rows(rows.data(), ring.outputs, ring.nodes.count, weights.data() + ring.first_weight);
     }
 
-    // Compute the error and rounding bounds (docs/certificate.md, section 9, "Together" and "Rounding"), for pixels of width
-    // `side` and expanded rings of half width `half`.
+    // Compute error and rounding bounds (docs/certificate.md, section 9, "Together", "Rounding") for rings of half width `half`.
     void judge(double side, double half) {
         double worst = 0.0;
         std::size_t most = 0;

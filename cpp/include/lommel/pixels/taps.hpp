@@ -27,8 +27,8 @@ struct PixelTaps {
 
     std::size_t margin() const { return weights.size() / 2; }
 
-    // Shortest filter for pixels of pitch `step` and samples at most `widest` apart, both in optical units, whose frequency
-    // response has an error of at most `allowed`.
+    // Shortest filter for pixels of pitch `step` and samples at most `widest` apart (optical units) with a response error <=
+    // `allowed`.
     PixelTaps(double step, double allowed, double widest) : stride(across(step, widest)), error(0.0), gain(0.0) {
         const double h = step / static_cast<double>(stride);
         const std::size_t most = stride + 62;
@@ -49,8 +49,7 @@ struct PixelTaps {
             fit.add(factors);
             if (half >= stride / 2 + 2) {
                 judge(fit.solution(), basis, wanted);
-                // A filter that ends close to the edge of a large pixel has large weights, which would amplify errors of the
-                // samples.
+                // A filter that ends close to the edge of a large pixel has large weights, which would amplify errors of samples.
                 if (error <= allowed && gain <= 1.5) {
                     break;
                 }
@@ -86,13 +85,11 @@ struct PixelTaps {
     }
 };
 
-// Lower bound on the largest average over a pixel at any position, divided by the peak of the intensity; the pixel pitch
-// `step` is in optical units.
+// Lower bound on the largest average over a pixel of pitch `step` (optical units) at any position, divided by the peak intensity.
 //
 // Let M be the peak of the intensity I. Along a line through the peak, f = 2 I - M is of exponential type 2 and at most M in
-// modulus, so that f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2
-// from the peak, I >= M cos(s)^2. A pixel centred on the peak contains a disk with half the pitch as radius, over which this
-// is integrated.
+// modulus, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938): at a distance s <= pi/2 from
+// the peak, I >= M cos(s)^2. This is averaged over the disk, with half the pitch as radius, in a pixel centred on the peak.
 inline double least_average(double step) {
     constexpr double half_pi = 1.5707963267948966;
     const double r = std::min(0.5 * step, half_pi), sine = std::sin(r);

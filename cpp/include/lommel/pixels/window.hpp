@@ -43,8 +43,7 @@ struct PixelWindow {
         };
         return along(center_y, height) * along(center_x, width);
     }
-    // Distances of rows and of columns from the axis, defined only if folds(): the axis is at pixel centres or midway between
-    // pixels.
+    // Distances of rows and columns from the axis, valid if folds(): it is at pixel centres or midway between pixels.
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }
@@ -113,12 +112,11 @@ struct Fold {
     }
 };
 
-// Groups of pixels with the same value: those at row and column distances (a, b) or, if rows and columns have the same
-// distances, (b, a) from the axis.
+// Groups of pixels with the same value: those at row and column distances (a, b) and, where these occur too, (b, a) from the axis.
 struct PixelGroups {
     Fold rows, columns;
     std::vector<std::int32_t> index;  // group of the pixels at [row distance][column distance] from the axis
-    std::vector<double> v, cosine;    // [group]: distance from the axis in optical units; cosine of four times the polar angle
+    std::vector<double> v, cosine;  // [group]: distance from the axis in optical units; cosine of four times the polar angle
     PixelWindow window;
 
     explicit PixelGroups(const PixelWindow& w) : rows(w.height, w.center_y), columns(w.width, w.center_x), window(w) {

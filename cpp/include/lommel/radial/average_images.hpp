@@ -22,8 +22,8 @@
 
 namespace lommel {
 
-// Bounds of an aperture. area: on the field's modulus |U|, reached without aberrations; light: transmitted light over pi,
-// approximately; obscuration: relative radius.
+// Aperture. area: bound on |U|, modulus of the field; light: transmitted light over pi, approximately; obscuration: relative
+// radius.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -59,16 +59,14 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // Error bounds are relative to a lower bound on the largest pixel: over the plane or, if values are divided by their
-    // maximum, over the window.
+    // Error bounds are relative to a lower bound on the largest pixel: over the plane or, if values are divided by it, the window.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
     // Return whether averages by filters of finer samples are faster than by all methods of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Return whether filters of finer samples are faster for derivatives, where averages come from the flux through pixel
-    // edges, which gives no derivatives.
+    // Return whether filters of finer samples are faster for derivatives, which the flux through pixel edges does not give.
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {
@@ -77,8 +75,8 @@ class PixelRenderer {
             box.hold(stack_);
             light_ = coarse(box.worst(stack_.amplitude));
         }
-        // Estimated time of the stack in microseconds. Measured on a Zen 5 with AVX-512: 1.2 for each of 300 images of 33^2
-        // samples, 40 for one of 128^2; on an older processor 400 for 128^2 averages by rings.
+        // Estimated time in microseconds. Measured on a Zen 5 with AVX-512: 1.2 for each of 300 images of 33^2 samples, 40 for
+        // one of 128^2; on an older processor 400 for 128^2 averages by rings.
         const double pixel = of_rings() ? 2e-2 : 2e-3;
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + pixel * static_cast<double>(pixels())));
@@ -103,8 +101,7 @@ class PixelRenderer {
     // is faster than filters for tolerances below `least_filtered`, which need long filters, and if at most beside_filters *
     // pitch^4 pixels need interference rings.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
-    // Tables of weights are faster than filters if they take at most about `light_work` products per pupil; for derivatives,
-    // up to `most_weighed` pixels.
+    // Tables of weights are faster than filters up to about `light_work` products or, for derivatives, `most_weighed` pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
     static constexpr std::size_t most_tabled = 40000;  // largest number of pixels whose weights take reasonable memory and time
@@ -124,14 +121,14 @@ class PixelRenderer {
 
     struct Attempt {
         double error;  // requested error of the field U
-        int level;     // requested accuracy of the table, in decimal digits
+        int level;  // requested accuracy of the table, in decimal digits
     };
     // Pixel values of a window: their table, largest value and error bounds.
     template <class Table>
     struct Found {
         std::shared_ptr<const Table> table;
-        double bound, size;                    // error bound of the field U; largest intensity at the radii
-        double top, off, by_field, by_table;   // largest value; its error bound; parts of this bound
+        double bound, size;  // error bound of the field U; largest intensity at the radii
+        double top, off, by_field, by_table;  // largest value; its error bound; parts of this bound
     };
 
     // Destination of an image that SamplePieces writes directly.
@@ -179,8 +176,7 @@ class PixelRenderer {
         }
     }
 
-    // Estimate of the largest pixel: the peak of the intensity or, for pixels that contain all light, its average over a
-    // pixel.
+    // Estimate of the largest pixel: the peak intensity for small pixels, all light over the pixel's area for large ones.
     double likely_value(const Phase& phase) const {
         const double root = likely_peak(phase, stack_.obscuration);
         return 1.0 / (1.0 / (root * root) + window_.side() * window_.side() / (12.566370614359172 * aperture_.light));
@@ -249,8 +245,7 @@ class PixelRenderer {
         return f.top - f.off;
     }
 
-    // Error bound of stored values over the peak. top: largest value, with the error bound `off`; elsewhere: lower bound on
-    // the peak if it may be outside the window.
+    // Error bound of stored values over the peak. top: largest value, up to the error `off`; elsewhere: lower bound on the peak.
     double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
@@ -268,8 +263,7 @@ class PixelRenderer {
         const double places = 0.8 * window_.step + 8.0;
         return static_cast<double>(pixels()) * places * places <= light_work * static_cast<double>(stack_.count);
     }
-    // Return whether averages may come from the flux through pixel edges: if pixels are coarse, or tables at their limit of
-    // accuracy.
+    // Return whether averages may come from the flux through pixel edges: for coarse pixels, or if tables are not accurate enough.
     bool crossings_serve(const Phase& phase) const {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
@@ -435,7 +429,7 @@ class PixelRenderer {
         };
         const double bound = settle(tol_, attempt, [&](double) {
             // seen: estimate of the largest value, even if all are below their error; room: allowed error of the field and of
-            // the table each.
+            // the table.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = request;
@@ -529,8 +523,7 @@ class PixelRenderer {
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
     }
 
-    // Compute many pupils with one table of radii, on one small window or on windows around separate axes. Return false if
-    // that is not faster.
+    // Compute a stack with one table of radii, on one small window or around separate axes; return false if that is not faster.
     template <class Table>
     bool render_batch() {
         const Box box(stack_);
@@ -577,8 +570,8 @@ class PixelRenderer {
     PixelWindows windows_;
     PixelWindow window_;  // window of the first pupil
     double tol_, allowed_;  // tolerance; part of it for errors before storing
-    int level_ = 0;         // minimum accuracy of tables, in decimal digits, common to the stack
-    bool light_ = false;    // whether averages come from the flux through pixel edges
+    int level_ = 0;  // minimum accuracy of tables, in decimal digits, common to the stack
+    bool light_ = false;  // whether averages come from the flux through pixel edges
     int threads_;
     Answer<T> answer_;
 };

@@ -1,5 +1,4 @@
-// Many pupils on one small window: Hankel transforms of Legendre polynomials at its radii, and one matrix product for all
-// fields.
+// Many pupils on one small window: Hankel transforms of Legendre polynomials at its radii, and a matrix product for all fields.
 #pragma once
 
 #include <algorithm>
@@ -84,15 +83,13 @@ class Batch {
 
     static bool fits(const Stack& stack) { return stack.count >= 4 && stack.terms <= 4 && stack.obscuration == 0.0; }
 
-    // Return whether the table, computed once for the stack, needs fewer multiply-adds than tabulated pieces for each pupil
-    // (class Field).
+    // Return whether the table, computed once, needs fewer multiply-adds than the pieces of class Field for each pupil.
     static bool pays(const Stack& stack, const Phase& worst, const Radii& at, double step) {
         const double reach = at.reach() * step, radii = static_cast<double>(at.count);
         const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
         const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
         const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack.count);
-        // Large phases are excluded: `worst`, with the largest coefficients of all pupils, may exceed a limit that no pupil
-        // exceeds.
+        // Exclude large phases: `worst` has the largest coefficients of all pupils and may exceed limits that no pupil exceeds.
         return table < pieces && terms * radii < 4e6 && worst.size() < 1e3;
     }
 
@@ -121,8 +118,7 @@ LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
     parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
         thread_local SeriesScratch scratch;
         thread_local Doubles re, im, values;
-        // Each stage (coefficients, then fields) handles a whole group, so that the first-level cache holds one table at a
-        // time.
+        // Each stage (coefficients, fields) handles a whole group, so that the first-level cache holds one table at a time.
         const std::size_t first = task * group, here = std::min(group, stack_.count - first);
         constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
         re.resize(rounded * room);

@@ -70,8 +70,7 @@ struct CoarseWindow {
     }
 
    private:
-    // Integral of x / r^3 along a pixel edge at distance x from the axis, from `start` to start + 1, all in pixels; r:
-    // distance from the axis.
+    // Integral of x / r^3 along a pixel edge at distance x from the axis, from `start` to start + 1, in pixels; r: distance.
     static double crossing(double x, double start) {
         const double end = start + 1.0, before = std::sqrt(x * x + start * start), after = std::sqrt(x * x + end * end);
         if (start < 0.0) {
@@ -227,8 +226,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // evaluating: rounding error of E from its coefficients and from positions, in roundoffs; tall: bound on the intensity
-        // on the panel.
+        // evaluating: rounding error of E, by its coefficients and by positions; tall: bound on the intensity on the panel.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -304,10 +302,9 @@ class CoarseAverages {
         double rings, field, sums;  // requested errors: averages, by omitted rings; field U; averages, by quadrature
     };
 
-    // Error bound of averages without interference rings, over pixels of width `step` at a distance of at least r. The two
-    // edges that face the axis subtend an angle of at most step sqrt(2) / r, the other two as much in the opposite sense. A
-    // pixel that contains the axis is at least 2 r wide; both terms are then at most pi / 2 times those for an angle of step /
-    // r.
+    // Error bound of averages without interference rings, over pixels of width `step` at distances >= r. The two edges that
+    // face the axis subtend an angle of at most step sqrt(2) / r, the other two as much in the opposite sense. A pixel that
+    // contains the axis is at least 2 r wide; both terms are then at most pi / 2 times those for the angle step / r.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
@@ -321,8 +318,7 @@ class CoarseAverages {
         return high;
     }
 
-    // Compute the averages. light: transmitted light over pi; area: largest possible |U| of the field; request: requested
-    // errors.
+    // Compute the averages. light: transmitted light over pi; area: largest possible |U| of the field.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
               const Attempt& request, int threads);
 
@@ -407,8 +403,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of the energy E is multiplied by the sum of the signed angles of the edges, which nearly
-            // cancel.
+            // A constant error of the energy E is multiplied by the sum of the edges' signed angles, which nearly cancel.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

@@ -69,8 +69,7 @@ struct Disk {
     Doubles re, im;
     std::size_t terms = 0;
 
-    // Compute the coefficients for an error of about `error` of the field U up to the distance `reach`; returns the error
-    // bound, rounding included.
+    // Compute the coefficients for a requested error of the field U up to the distance `reach`; returns the bound, with rounding.
     double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch);
 
     // Add the constant `angle` to the phase.

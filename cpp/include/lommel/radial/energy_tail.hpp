@@ -1,5 +1,5 @@
-// Encircled energy of a radially symmetric pupil far from the axis, where the intensity is a smooth mean, falling as r^-3,
-// plus interference rings, which are bounded.
+// Encircled energy of a radially symmetric pupil far from the axis, where the intensity is a mean, falling as r^-3, plus
+// bounded interference rings.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,8 @@
 namespace lommel {
 
 // Beyond the geometric rays, only the edges of the aperture contribute to the field U(v): by partial integration U is a sum of
-// exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a mean
-// with the leading term mean() / v^3, plus rings, whose integral from v on is bounded by its value at v (docs/certificate.md,
-// section 9, "Farther out").
+// exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a mean,
+// mean() / v^3 at first order, plus rings, whose integral from v on is bounded by its value at v (docs/certificate.md, section 9).
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
@@ -46,8 +45,7 @@ class EnergyTail {
     }
 
     double mean() const { return means_[0]; }
-    // Bound on the contribution of interference rings to the energy beyond r, int_r^inf I(s) s ds (B(r) in
-    // docs/certificate.md, section 9).
+    // Bound on the contribution of interference rings to the energy beyond r, int_r^inf I(s) s ds (docs/certificate.md, section 9).
     double rings(double r) const {
         double sum = 0.0, size = 0.0, power = 1.0;
         for (std::size_t n = 0; n < 2 * powers; ++n, power /= r) {
@@ -126,9 +124,8 @@ class EnergyTail {
         return made;
     }
 
-    // Add the waves that one edge contributes to the field U(v): sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v), E_k the
-    // k-th derivative of the pupil function at the edge. The sign of the inner edge is omitted, as neither means nor bounds
-    // depend on it.
+    // Add the waves of one edge to the field U(v): sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v), E_k the k-th derivative
+    // of the pupil function at the edge. The sign of the inner edge is omitted: neither means nor bounds depend on it.
     void add_waves(const Phase& phase, double edge) {
         const auto slopes = derivatives(phase, edge);
         Wave forth{edge, {}}, back{-edge, {}};
@@ -136,8 +133,7 @@ class EnergyTail {
             const double order = static_cast<double>(k + 1);
             const std::complex<double> factor =
                 (k % 2 == 0 ? 1.0 : -1.0) * std::pow(2.0 * edge, order) / std::sqrt(2.0 * pi * edge) * slopes[k];
-            // Hankel's expansion, cut off after `count` terms, an even number, has a remainder below the next two terms (DLMF
-            // 10.17(iii)).
+            // Hankel's expansion, cut off after `count` terms (even), has a remainder below the next two terms (DLMF 10.17(iii)).
             const std::size_t least = std::max(k + 1, terms - k + 1), count = least + least % 2;
             double hankel = 1.0;
             const auto advance = [&](std::size_t l) {
@@ -208,8 +204,7 @@ class EnergyTail {
     std::array<Left, 4 * terms> left_{};
     std::size_t wave_count_ = 0, left_count_ = 0;
     std::array<double, 2 * powers> means_{}, rings_{};
-    // [k]: bounds on two parts of the field after k steps of partial integration: the next edge term, times v^(k + 3/2), and
-    // the integral left over, times v^(k + 1/2).
+    // [k]: after k steps of partial integration, bounds on the edge term times v^(k + 3/2) and on the integral times v^(k + 1/2).
     std::array<double, orders> at_edges_{}, inside_{};
 };
 

@@ -16,8 +16,7 @@
 
 namespace lommel {
 
-// Radii at which a field is needed: radii[0 .. count) times `step`, in optical units, ascending; or all up to the argument of
-// Places(reach).
+// Radii at which a field is needed, in optical units: radii[0 .. count) times `step`, ascending; or all up to `reach`.
 struct Places {
     const double* radii;
     std::size_t count;
@@ -31,8 +30,7 @@ struct Places {
 // Complex field U(v) of a pupil, with or without obscuration. Contains the buffers of one thread, which grow and are reused.
 class Field {
    public:
-    // Prepare the field of t^power A exp(i Phi), t the squared pupil radius, at `places` with an error of about `error`;
-    // returns its error bound.
+    // Prepare the field of t^power A exp(i Phi), t the squared pupil radius, with an error of about `error`; returns its bound.
     double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
     // Call sink(i - first, re, im) with vectors of the field at radii[first .. last) times `step`, ascending. The sink and the
@@ -140,8 +138,7 @@ class Field {
             combine(isa, *table_->pieces[s], disk.terms, disk.re.data(), disk.im.data(), re, im);
             const V slope = splat<V>(2.0 * per_pixel), offset = splat<V>(-(2.0 * static_cast<double>(s) + 1.0));
             for (; i < stop; i += unroll * I::lanes) {
-                // Real and imaginary parts are chains of multiply-adds; the chains of enough vectors at once hide their
-                // latency.
+                // Each vector has two chains of multiply-adds; the chains of several vectors together hide their latency.
                 V x[unroll], a[unroll], b[unroll];
                 for (std::size_t j = 0; j < unroll; ++j) {
                     x[j] = load<V>(radii + i + j * I::lanes) * slope + offset;
@@ -164,8 +161,7 @@ class Field {
         }
     }
 
-    // Sum the Legendre series at one radius v by Bessel functions: slower than pieces, for few radii or tolerances that no
-    // piece meets.
+    // Sum the Legendre series at a radius v by Bessel functions: slower than pieces, for few radii or very small tolerances.
     void sum(const Disk& disk, double v, double& re, double& im) {
         transforms_.resize(disk.terms);
         legendre_transforms(v, disk.terms, transforms_.data(), bessel_);

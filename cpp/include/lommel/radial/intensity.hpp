@@ -17,8 +17,7 @@ namespace lommel {
 
 constexpr std::size_t chunk_radii = 4096;  // number of radii per chunk, whose values fit into the first-level cache
 
-// Call take(first, count, values) with the intensities at `places`, for which `field` must be prepared, chunk by chunk;
-// returns the maximum.
+// Call take(first, count, values) with the intensities at `places`, for which `field` is prepared; returns the maximum.
 using TakeIntensities = Reference<void(std::size_t first, std::size_t count, const double* values)>;
 double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take);
 #if defined(LOMMEL_DEFINES)
@@ -95,8 +94,7 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
 }
 #endif
 
-// Largest intensity on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not be
-// on the axis.
+// Largest intensity on a scan of the radii that rays reach: a window may miss the peak, which need not be on the axis.
 double scanned_peak(const Phase& phase, double obscuration, double error);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double error) {
@@ -115,13 +113,13 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
 
 struct Settled {
     double error, bound;  // error of the field U: requested; its bound
-    double relative;      // error bound of the stored values, over the peak
-    double top, peak;     // largest intensity in the window; largest known, in or outside the window
+    double relative;  // error bound of the stored values, over the peak
+    double top, peak;  // largest intensity in the window; largest known, in or outside the window
 };
 
-// Prepare `field` for `places` with smaller and smaller errors, until stored values of type T have an error of at most `tol`
-// over the peak of the PSF. `evaluate` computes the intensities of the window and returns their maximum; if `normalize`, they
-// are divided by it after storing.
+// Prepare `field` for `places` with smaller and smaller errors, until values of type T have an error of at most `tol` over the
+// PSF's peak. `evaluate` computes the intensities of the window and returns their maximum, by which they are divided if
+// `normalize`.
 template <class T, class Evaluate>
 Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
                      const Evaluate& evaluate) {

@@ -1,5 +1,4 @@
-// Legendre coefficients of a pupil function with phase Phi: beta_n = (2n+1) int_0^1 exp(i Phi(t)) P_n(2t - 1) dt, t the
-// squared pupil radius.
+// Legendre coefficients of a pupil function: beta_n = (2n+1) int_0^1 exp(i Phi(t)) P_n(2t - 1) dt, t the squared radius.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +16,8 @@
 
 namespace lommel {
 
-// Gauss quadrature of Legendre coefficients: nodes t in [0, 1] and weighted Legendre polynomials P_n(2t - 1). These are even
-// or odd about t = 1/2, so half the nodes suffice: P_n of even n multiplies the sum of the pupil function at mirrored nodes,
-// P_n of odd n the difference.
+// Gauss quadrature of Legendre coefficients: nodes t in [0, 1] and weighted Legendre polynomials P_n(2t - 1). By their
+// symmetry about t = 1/2 half the nodes suffice: even n use sums of the pupil function at mirrored nodes, odd n differences.
 struct LegendreRule {
     std::size_t half;    // number of nodes above 1/2, a multiple of 8
     std::size_t blocks;  // number of groups of 16 Legendre polynomials, 8 even and 8 odd ones

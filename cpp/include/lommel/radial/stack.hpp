@@ -11,8 +11,7 @@
 
 namespace lommel {
 
-// Pupil function A exp(i Phi): phase coefficients (rad) of the Zernike polynomials R_2^0, R_4^0, ..., and the amplitude A,
-// which is not copied.
+// Pupil function A exp(i Phi): coefficients (rad) of the Zernike polynomials R_2^0, R_4^0, ... in Phi; amplitude A (not copied).
 struct Phase {
     const double* coefficients;
     std::size_t terms;
@@ -27,8 +26,7 @@ struct Phase {
             static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
         return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
     }
-    // Bound on the distance of geometric rays from the axis, in optical units: |dPhi/drho|, with |dR_2j^0/drho| <= 2 j (j +
-    // 1).
+    // Bound on the distance of geometric rays from the axis, in optical units: |dPhi/drho|, as |dR_2j^0/drho| <= 2j (j + 1).
     double blur() const { return weighted(2.0, 2.0, 0.0); }
 
    private:
@@ -75,8 +73,7 @@ struct Box {
     Phase worst(const Amplitude& amplitude) const { return {farthest.data(), farthest.size(), &amplitude}; }
 };
 
-// Output arrays. scales: factor of each image (0 on entry: divide by the maximum); bounds: error bounds relative to the peaks;
-// peaks: of the intensity.
+// Output arrays, by pupil. scales: factor of the intensity (0 on entry: divide by the maximum); bounds: error relative to `peaks`.
 template <class T>
 struct Answer {
     T* images;
@@ -96,8 +93,8 @@ struct Answer {
 
 // Error budget of an image (certificate, section 6).
 struct RadialBudget {
-    // Error of the field U over tolerance times peak of |U|. It counts twice in the intensity; the rest is a margin, as the
-    // peak is an estimate.
+    // Error of the field U over tolerance times peak of |U|; it counts twice in the intensity. The rest allows for the peak's
+    // estimate.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the field's error: full disk (outer), obscuration (inner), and interpolation on pieces.

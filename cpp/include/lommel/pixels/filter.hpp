@@ -19,7 +19,7 @@ struct PixelFilter {
     double lowest = 0.0;             // lower limit to which averages are clamped
     const double* across = nullptr;  // weights along x, if they differ from those along y; otherwise null
     std::size_t pixels = 1;          // number of pixels that `stride` samples span, 1 or 2
-    double dark = 0.0;               // float samples that do not exceed this value are summed in single precision
+    double dark = 0.0;               // float samples of at most this value are summed in single precision
 
     // Number of samples, along one axis, that `count` adjacent pixels use.
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
@@ -43,7 +43,7 @@ struct PixelFilter {
     void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
         const std::size_t tall = samples(height), wide = samples(width), groups = (height + Rows - 1) / Rows;
-        // `Rows` adjacent pixel rows are computed from the same samples; zeros stand for taps on samples of other rows only.
+        // `Rows` adjacent pixel rows are computed from the same samples; a row's weight is 0 for samples that only other rows use.
         const std::size_t padding = (Rows - 1) * stride, length = taps + 2 * padding;
         std::vector<double> padded(pixels * length);
         for (std::size_t k = 0; k < pixels; ++k) {
@@ -127,9 +127,9 @@ struct PixelFilter {
         }
     }
 
-    // Compute out[r * count + x], the sum over k of of[r][k] * from[lines[k] + x], in the precision of `out`. In single
-    // precision, return the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed. Limited by
-    // loads of samples or, for four rows, by multiplications.
+    // Compute out[r * count + x] = sum_k of[r][k] * from[lines[k] + x], in the precision of `out`. In single precision, return
+    // the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed. Limited by loads of samples
+    // or, for four rows, by multiplications.
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {

@@ -31,7 +31,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     std::fill_n(sums, count * lanes, 0.0);
     const std::size_t half = count / 2;
     for (std::size_t i = 0; i < positions; i += 2 * lanes) {
-        V twice[2], below[2], above[2];  // 2 z; products of 2 (z - node) over the nodes before and after node n
+        V twice[2], below[2], above[2];  // 2 z; products of 2 (z - node) over the nodes before node n; over those after it
         for (std::size_t u = 0; u < 2; ++u) {
             twice[u] = load<V>(z + i + u * lanes) * splat<V>(2.0);
             below[u] = load<V>(share + i + u * lanes);
@@ -126,8 +126,8 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
     return lane_sum(sum);
 }
 
-// Evaluate the radial polynomials of `Orders` harmonics at `Vectors` vectors of pixels, by Clenshaw's recurrence. Each has
-// `degree` coefficients: of the Chebyshev polynomials T_k(x) or, if `Odd`, of T_(2k+1)(r) / r with x = 2 r^2 - 1.
+// Evaluate the radial polynomials of `Orders` harmonics at `Vectors` vectors of pixels, by Clenshaw's recurrence. A polynomial
+// has `degree` coefficients: of the Chebyshev polynomials T_k(x) or, if `Odd`, of T_(2k+1)(r) / r with x = 2 r^2 - 1.
 template <std::size_t Orders, std::size_t Vectors, bool Odd = false, class Degree, class V>
 LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const V (&x)[Vectors], V (&out)[Orders][Vectors]) {
     V now[Orders][Vectors], before[Orders][Vectors] = {}, twice[Vectors];

@@ -1,4 +1,4 @@
-// Distinct distances of a window's pixels from an axis at a pixel's centre, edge or corner, and the index of each pixel's.
+// Distinct distances of a window's pixels from an axis at a pixel's centre, edge or corner, and each pixel's index among them.
 #pragma once
 
 #include <algorithm>
@@ -31,12 +31,12 @@ struct Layout : Radii {  // the radii are in units of the pixel pitch
     std::size_t width() const { return columns.count; }
     std::size_t bytes() const { return sizeof(double) * radii.size() + 2 * of_few_.size() + 4 * of_many_.size(); }
 
-    // Index, in `radii`, of the pixel with the dy-th row distance and the dx-th column distance from the axis.
+    // Index in `radii` of the radius of the pixel with row distance number dy and column distance number dx from the axis.
     std::size_t rank(std::size_t dy, std::size_t dx) const {
         const std::size_t at = dy * columns.distances() + dx;
         return of_many_.empty() ? of_few_[at] : of_many_[at];
     }
-    // Write the image rows with row distances [first, last) from the axis, on both sides, from a profile with a value per radius.
+    // Write the image rows with row distance numbers [first, last), on both sides of the axis, from a profile: a value per radius.
     template <class T>
     void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 

@@ -73,7 +73,7 @@ template <std::size_t Terms>
 struct Parts {
     static constexpr std::size_t most = 64;  // largest number of parts; the number is even
     std::size_t parts;
-    double sizes = 0.0;  // for rounding: sum over powers of twice the largest 1-norm of a coefficient's factors
+    double sizes = 0.0;  // for rounding errors: sum over powers of twice the largest 1-norm of a coefficient's factors
     Halves halves;       // maps values to coefficients [part][power] of the parts above 0
 
     explicit Parts(std::size_t count);

@@ -28,14 +28,14 @@
 namespace lommel {
 
 struct SamplePieces : Radii {  // radii at which the intensity is computed, in optical units
-    static constexpr std::size_t points = Halves::points;  // number of Chebyshev points in a piece
-    static constexpr std::size_t terms = 8;  // number of coefficients of each part of a piece, in double precision
-    static constexpr std::size_t together = 2;  // ranges of pieces end at multiples of this, so that windows share tables
-    static constexpr double slack = 1e-4;  // margin for rounding errors of positions, in units of a piece
-    static constexpr double evenly = 32.0;  // up to this distance, in optical units, all pieces have the same width
+    static constexpr std::size_t points = Halves::points;  // number of Chebyshev points per piece (interval of the distance)
+    static constexpr std::size_t terms = 8;  // number of coefficients per part of a piece, in double precision
+    static constexpr std::size_t together = 2;  // ranges of intervals end at multiples of this, so that windows share tables
+    static constexpr double slack = 1e-4;  // margin for rounding errors of positions, over the width of an interval
+    static constexpr double evenly = 32.0;  // up to this distance, in optical units, all intervals have the same width
 
     int level;  // requested accuracy in decimal digits; the error bound is `error`
-    std::size_t first, last;  // range [first, last) of the pieces in the table
+    std::size_t first, last;  // range [first, last) of the intervals (pieces) in the table
     double width, error, of_nodes = lebesgue(points), of_grid = 1.0, rounding = 0.0;
     std::shared_ptr<const Parts<terms>> parts;
 
@@ -46,8 +46,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     bool is(int digits, std::size_t from, std::size_t to) const { return level == digits && first == from && last == to; }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-    // Width of a piece, in optical units, for an accuracy of `digits` decimal digits. Of the error, 10/11 is for interpolation
-    // on pieces, times the Lebesgue constant of their parts, and 1/11 for interpolation on parts.
+    // Width of a piece (interval of the distance), in optical units, for `digits` decimal digits. Of the error, 10/11 is for
+    // interpolation on pieces, times the Lebesgue constant of their parts, and 1/11 for interpolation on parts.
     static double width_for(int digits) {
         const double error = PixelTable::Budget::window * std::pow(10.0, -digits) / 1.1;
         const double of_slopes = interpolation_by_slope(1.0, points) * of_squares(evenly, points) * lebesgue(terms);
@@ -84,8 +84,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return cache<SamplePieces>.get(digits, ends[0], ends[1]);
     }
 
-    // Write `by` times the intensity at the window's pixels, at least `least`, from the intensity at the radii; returns its
-    // maximum.
+    // From the intensity at the radii, write max(by * intensity, least) at the window's pixels; returns the largest intensity.
     template <class T>
     double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const;
 
@@ -96,8 +95,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
                         float* image, double& off) const;
 
    private:
-    // Call made(row, start, count, values) for runs of pixels in rows [begin, end): values are `by` times the intensity, at
-    // least `least`. all: coefficients of all parts. Returns the largest intensity. Limited by loads of doubles.
+    // Call made(row, start, count, values) for runs of pixels in rows [begin, end), with values = max(by * intensity, least).
+    // all: coefficients of all parts. Returns the largest intensity. Limited by loads of doubles.
     using Made = Reference<void(std::size_t row, std::size_t start, std::size_t count, const double* values)>;
     double evaluate(const SampleRows& rows, const double* all, double by, double least, std::size_t begin, std::size_t end,
                     const Made& made) const;
@@ -142,14 +141,14 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     }
 
     // Number of parts per piece, at most Parts<4>::most, for which cubics through four points of each part have an error of at
-    // most `room`. bent: bound on the fourth derivative.
+    // most `room`. bent: bound on the fourth derivative of the intensity, with the piece as [-1, 1].
     static std::size_t parts_for_cubics(double bent, double room) {
         const double wanted = std::ceil(0.5 * std::sqrt(std::sqrt(bent / (192.0 * room))));
         return 2 *
                static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // Write to `curves` a bound on the second derivative of the intensity on each piece; returns the largest for the fourth.
+    // Write to `curves` a bound on the intensity's second derivative on each piece; returns the largest bound on a fourth one.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -276,7 +275,7 @@ double SamplePieces::paint(const PixelWindow& window, const double* intensity, d
                            T* image) const {
     thread_local Doubles scratch;
     scratch.resize((last - first) * parts->parts * terms);
-    double* const all = scratch.data();  // of the calling thread; other threads read it by this pointer
+    double* const all = scratch.data();  // buffer of the calling thread, read by all threads
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         double sizes[terms] = {};
         cut(isa, *parts, intensity, 1.0, first, last, all, sizes);

@@ -30,7 +30,7 @@
 namespace lommel {
 
 // Pixels of a window, sorted into rings by their distance from the axis. The values of a ring are expanded in distance and
-// angle or, if there are few, have weights of their own.
+// angle or, if they are few, have weights of their own.
 struct PixelRings : Radii {  // radii at which the intensity is computed, in optical units
     // Error budget of a table: shares of the requested error.
     struct Budget {
@@ -41,7 +41,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         static constexpr double window = 0.5;  // share for interpolation between radii if the window is one ring
         static_assert(gauss + harmonics + rings + nodes <= 1.0 && gauss + window <= 1.0);
     };
-    static constexpr std::size_t most_nodes = 900;  // largest number of radii per ring: their Lagrange products do not overflow
+    static constexpr std::size_t most_nodes = 900;  // largest number of radii per ring: Lagrange products of more may overflow
     static constexpr std::size_t most_weights = std::size_t{1} << 27;
     static constexpr double near_weights = 32768.0;  // number of weights that fit into a cache of 256 KiB
 
@@ -49,7 +49,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         RingNodes nodes;
         double middle, half;  // middle and half width of the ring, as range of pixel centres, in optical units
         std::size_t first_node;  // index in `places` of the ring's first radius
-        std::size_t first_value, values, padding;  // index of the first value; padded number of values; padding in it
+        std::size_t first_value, values, padding;  // index of the first value; padded number of values; how many are padding
         std::size_t first_weight, outputs;
         bool direct;  // true: outputs are pixel values; false: coefficients [harmonic][radial_degree]
     };
@@ -58,9 +58,9 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
     std::vector<std::int32_t> places;  // for each radius of each ring: its index in the ascending `radii`
     Doubles weights;  // for each ring: [block of outputs][radius][output]
     Doubles x, cosine;  // for each value: radial position in the ring, -1 to 1; cosine of four times the angle
-    Doubles penalty;  // for each coefficient: factor to the rounding error it causes, in units of roundoff
+    Doubles penalty;  // for each coefficient: its rounding error per unit, in units of roundoff
     std::size_t harmonics = 1, gauss = 1;
-    double error = 0.0;  // error bound of a value, over half the largest intensity, from exact intensities at the radii
+    double error = 0.0;  // error bound of values, over half the largest intensity, if the intensities at the radii are exact
     double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants: between radii; in distance and angle
     double rounding = 0.0;  // rounding of weights and sums, in units of roundoff times the largest intensity
 
@@ -82,8 +82,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         judge(side, half);
     }
 
-    // Choose numbers of Gauss nodes and harmonics for pixels of width `side` and an error `allowed`; returns the half width of
-    // rings.
+    // Choose numbers of Gauss nodes and harmonics for pixels of width `side` and an error `allowed`; returns rings' half width.
     double plan(double side, double allowed) {
         gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
         harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
@@ -118,8 +117,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         Doubles rows(ring.outputs * ring.nodes.count);
         average_rows(
             isa, ring.nodes, square, ring.outputs,
-            // An output is a pixel if the ring is direct, otherwise a pair of Chebyshev points: of the distance and of cos(4
-            // theta).
+            // An output is a pixel if the ring is direct, otherwise a pair of Chebyshev points: distance and cos(4 theta).
             [&](std::size_t o) {
                 const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
                 return ring.middle + ring.half * at;
@@ -170,7 +168,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
 struct PixelTable : PixelRings {
     PixelWindow window;
     int level;  // requested accuracy in decimal digits; the error bound is `error`
-    bool shared;  // for many images at a time, which load weights once; has weights only if one ring suffices
+    bool shared;  // true: for many images at a time, which load weights once; it has weights only if one ring suffices
     PixelGroups groups;
     std::size_t value_count = 0;
 
@@ -236,7 +234,7 @@ struct PixelTable : PixelRings {
     }
 
     // Sort the pixels, which are at distances of at least `least`, into rings of half width `half` (a single ring if `one`).
-    // Their radii cover `slack` more on both sides, for an interpolation error of at most `allowed`.
+    // The radii of a ring cover `slack` more on both sides, for an interpolation error of at most `allowed`.
     void make_rings(double least, double half, double slack, bool one, double allowed) {
         std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
         Glance glance;
@@ -314,7 +312,7 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
     const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
                             (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-    // A weight that does not fit into the near cache takes as long to load as four that do.
+    // A weight beyond the `near_weights` that stay in the cache takes as long to load as four others.
     const double of_one = static_cast<double>(whole.count) * values, far = many ? 0.0 : std::max(0.0, of_one - near_weights);
     const double by_one = 64.0 * static_cast<double>(whole.count) + of_one * sum + 3.0 * far;
     if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {

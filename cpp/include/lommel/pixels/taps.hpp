@@ -21,14 +21,13 @@ namespace lommel {
 // / (4 M) of the maximum, which is hence at most sqrt(2) times the largest value at these points.
 struct PixelTaps {
     std::size_t stride;           // number of samples per pixel pitch
-    std::vector<double> weights;  // taps, an odd number, centred on the pixel
+    std::vector<double> weights;  // filter taps, an odd number, centred on the pixel
     double error;                 // bound on the error of the frequency response in the band of an intensity
     double gain;                  // sum of the moduli of the weights: largest amplification of errors of samples
 
     std::size_t margin() const { return weights.size() / 2; }
 
-    // Shortest filter for pixels of pitch `step` and samples at most `widest` apart (optical units) with a response error <=
-    // `allowed`.
+    // Shortest filter for pixels of pitch `step` and samples at most `widest` apart (optical units); response error <= `allowed`.
     PixelTaps(double step, double allowed, double widest) : stride(across(step, widest)), error(0.0), gain(0.0) {
         const double h = step / static_cast<double>(stride);
         const std::size_t most = stride + 62;

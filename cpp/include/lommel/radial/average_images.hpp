@@ -22,8 +22,7 @@
 
 namespace lommel {
 
-// Aperture. area: bound on |U|, modulus of the field; light: transmitted light over pi, approximately; obscuration: relative
-// radius.
+// Bounds for an aperture. area: on the modulus of the field; light: transmitted light over pi, approximately.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -95,17 +94,17 @@ class PixelRenderer {
     }
 
    private:
-    // Accuracy of tables in decimal digits. last_level: highest to try; exact_level: from here on rounding limits it.
+    // Accuracy of tables in decimal digits. last_level: highest to try; exact_level: rounding prevents more.
     static constexpr int last_level = 15, exact_level = 14;
     // Filters of finer samples are for pixel pitches up to `widest_filtered`, in optical units. The flux through pixel edges
-    // is faster than filters for tolerances below `least_filtered`, which need long filters, and if at most beside_filters *
-    // pitch^4 pixels need interference rings.
+    // is faster for tolerances below `least_filtered`, which need long filters, and if interference rings matter in at most
+    // beside_filters * pitch^4 pixels.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
     // Tables of weights are faster than filters up to about `light_work` products or, for derivatives, `most_weighed` pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
     static constexpr std::size_t most_tabled = 40000;  // largest number of pixels whose weights take reasonable memory and time
-    static constexpr std::size_t most_sampled = 8192;  // largest number of pixels in a batch, whose table costs more beyond
+    static constexpr std::size_t most_sampled = 8192;  // largest number of pixels for which the table of a batch saves time
 
     // Error budget: shares of the tolerance times the estimated maximum.
     struct Budget {
@@ -123,12 +122,12 @@ class PixelRenderer {
         double error;  // requested error of the field U
         int level;  // requested accuracy of the table, in decimal digits
     };
-    // Pixel values of a window: their table, largest value and error bounds.
+    // Result for a window: table, largest value and error bounds.
     template <class Table>
     struct Found {
         std::shared_ptr<const Table> table;
         double bound, size;  // error bound of the field U; largest intensity at the radii
-        double top, off, by_field, by_table;  // largest value; its error bound; parts of this bound
+        double top, off, by_field, by_table;  // largest value; its error bound; parts of this bound, due to field and table
     };
 
     // Destination of an image that SamplePieces writes directly.
@@ -383,7 +382,7 @@ class PixelRenderer {
         }
         render_by<PixelTable>(pupil, threads);
     }
-    // Return false if the flux through pixel edges does not meet the tolerance: its differences round more than weights do.
+    // Render from the flux through pixel edges; return false if the tolerance is not met: this rounds more than weights do.
     bool rendered_coarse(std::size_t pupil, int threads) {
         try {
             render_coarse(pupil, threads);
@@ -428,8 +427,7 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // seen: estimate of the largest value, even if all are below their error; room: allowed error of the field and of
-            // the table.
+            // seen: estimate of the largest value, even if all are below their error; room: allowed error of field and of table.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = request;
@@ -476,7 +474,7 @@ class PixelRenderer {
         thread_local std::vector<T> kept;
         kept.resize(count);
         store_least(values, scale, count, least, kept.data());
-        const T* from = kept.data();  // buffer of the calling thread; others read it by this pointer
+        const T* from = kept.data();  // buffer of the calling thread, read by all threads
         for_rows(groups.rows.distances.size(), width, threads,
                  [&](std::size_t first, std::size_t last) { groups.paint(from, first, last, image); });
     }

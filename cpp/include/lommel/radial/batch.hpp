@@ -18,7 +18,7 @@
 namespace lommel {
 
 struct RadiusTable {
-    std::shared_ptr<const Radii> layout;  // radii in units of `step`; as key in the cache, kept alive here
+    std::shared_ptr<const Radii> layout;  // radii in units of `step`; key of the table in the cache
     double step;
     std::size_t terms, stride;
     Doubles rows;  // [n][radius]: transform of the Legendre polynomial P_n; padded to two of the widest vectors
@@ -83,7 +83,7 @@ class Batch {
 
     static bool fits(const Stack& stack) { return stack.count >= 4 && stack.terms <= 4 && stack.obscuration == 0.0; }
 
-    // Return whether the table, computed once, needs fewer multiply-adds than the pieces of class Field for each pupil.
+    // Return whether the table, computed once, needs fewer multiply-adds than tabulated pieces (class Field) of each pupil.
     static bool pays(const Stack& stack, const Phase& worst, const Radii& at, double step) {
         const double reach = at.reach() * step, radii = static_cast<double>(at.count);
         const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);

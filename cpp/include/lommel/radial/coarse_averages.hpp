@@ -30,7 +30,7 @@ struct CoarseWindow {
     PixelGroups groups;
     std::vector<double> edges;  // distances of pixel edges from the axis, in pixels, ascending
     std::vector<std::int32_t> left, right, top, bottom;  // for each column or row: index into `edges` of its two edges
-    Doubles means;  // for each group of pixels: average of r^-3 over a pixel, in pixels^-3
+    Doubles means;  // for each group of pixels: average of distance^-3 over a pixel, in pixels^-3
 
     explicit CoarseWindow(const PixelWindow& w);
 
@@ -70,7 +70,7 @@ struct CoarseWindow {
     }
 
    private:
-    // Integral of x / r^3 along a pixel edge at distance x from the axis, from `start` to start + 1, in pixels; r: distance.
+    // Integral over y, from `start` to start + 1, of x / r^3 along a pixel edge at distance x; r^2 = x^2 + y^2, all in pixels.
     static double crossing(double x, double start) {
         const double end = start + 1.0, before = std::sqrt(x * x + start * start), after = std::sqrt(x * x + end * end);
         if (start < 0.0) {
@@ -114,24 +114,24 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 class EnergyWithin {
    public:
     static constexpr double width = 2.0;  // width of a panel in optical units
-    double rounding = 0.0;                // bound on the rounding error of computed energies E
+    double rounding = 0.0;                // bound on the rounding error of computed encircled energies
 
-    // Compute the energy E up to the distance `reach`, from the intensity at `points` Chebyshev points per panel. request:
-    // requested error of the field U; swing: half of the largest possible intensity.
+    // Compute the encircled energy up to the distance `reach`, from the intensity at `points` Chebyshev points per panel.
+    // request: requested error of the field U; swing: half of the largest possible intensity.
     void make(Field& field, const Phase& phase, double obscuration, double reach, double request, std::size_t points,
               double swing, int threads);
 
     struct Crossed {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
-    // crossing(): integrals along a pixel edge at distance x from the axis, from `start` to start + 1, in pixels of width
-    // `step`, by Gauss quadrature. light: of E x / r^2; turn: of x / r^2, about the angle that the edge subtends at the axis;
+    // crossing(): integrals along a pixel edge at distance x from the axis, from `start` to start + 1, in pixels of width `step`,
+    // by Gauss quadrature. light: of E x / r^2, E the encircled energy; turn: of x / r^2, about the angle that the edge subtends;
     // off: error bound of `light` from errors of E. The number of nodes is a multiple of `together`. Limited by loads.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
 
-    // Bound on the error of the energy E(r).
+    // Bound on the error of the encircled energy within r.
     double off(double r) const {
         const std::size_t s = panel(r);
         const double inside = width * static_cast<double>(s);
@@ -144,10 +144,10 @@ class EnergyWithin {
 
     std::size_t panels_ = 1, count_ = 1;
     Doubles radii_, values_;
-    std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values to Chebyshev series
+    std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values to Chebyshev coefficients
     std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // buffers of make()
-    // energies_[panel][power]: coefficients of E in the position on a panel, -1 to 1. offs_[panel]: error of E at the panel's
-    // start, error of the intensity on the panel.
+    // energies_[panel][power]: coefficients of the encircled energy in the position on a panel, -1 to 1. offs_[panel]: error
+    // of the energy at the panel's start, error of the intensity on the panel.
     std::vector<double> energies_, offs_;
 };
 
@@ -226,7 +226,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // evaluating: rounding error of E, by its coefficients and by positions; tall: bound on the intensity on the panel.
+        // evaluating: rounding error of the energy, by coefficients and by positions; tall: bound on the intensity on the panel.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -282,7 +282,7 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 // by Gauss quadrature; farther out from the smooth part of the intensity, with a bound on the omitted interference rings.
 class CoarseAverages {
    public:
-    // Error bounds of averages that omit interference rings (by_rings) and of the others (error); largest average (top).
+    // by_rings: error bound of averages without interference rings; error: of averages from the flux; top: largest average.
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
@@ -403,7 +403,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of the energy E is multiplied by the sum of the edges' signed angles, which nearly cancel.
+            // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, which nearly cancel.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

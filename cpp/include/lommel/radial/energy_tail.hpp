@@ -89,7 +89,7 @@ class EnergyTail {
 
     // Derivatives [k] of the pupil function with respect to t = rho^2, at the pupil radius rho = edge.
     static std::array<std::complex<double>, terms> derivatives(const Phase& phase, double edge) {
-        // below, before: k-th derivatives [k], with respect to x = 2t - 1, of the two preceding Legendre polynomials.
+        // below, before: derivatives [k], with respect to x = 2t - 1, of the Legendre polynomials P_(j-1) and P_(j-2) in the loop.
         std::array<double, terms> below{}, before{};
         std::array<std::complex<double>, terms> exponent{}, made{};
         const double x = 2.0 * edge * edge - 1.0;

@@ -1,4 +1,4 @@
-// Complex field of one pupil at given radii, from tabulated pieces or by its Legendre series, with an error bound.
+// Complex field of one pupil at given radii, from tabulated polynomials or by its Legendre series, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Radii at which a field is needed, in optical units: radii[0 .. count) times `step`, ascending; or all up to `reach`.
+// Radii at which a field is needed, in optical units: radii[0 .. count) times `step`, ascending; without radii, all up to `step`.
 struct Places {
     const double* radii;
     std::size_t count;
@@ -57,16 +57,16 @@ class Field {
     void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im);
 
    private:
-    // Up to a distance of `near`, in optical units, each piece that contains a radius has a table, shared by all calls.
-    // Farther out, only pieces with at least `crowd` radii have a table; at other radii the series is summed directly.
+    // Up to a radius of `near`, in optical units, each piece (interval) that contains a radius has a table, shared by all
+    // calls. Farther out, only pieces with at least `crowd` radii have a table; at other radii the series is summed directly.
     static constexpr double near = 4096.0;
     static constexpr std::size_t crowd = degree_count;
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // memory limit of the pieces of one call
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // memory limit, in bytes, of the tables of one call
 
     std::size_t piece_at(double radius, double per_pixel) const {
         return std::min(static_cast<std::size_t>(radius * per_pixel), all_ - 1);
     }
-    // Index of the first radius, from `first` on, that is beyond piece s.
+    // Index of the first radius, from `first` on, that is beyond interval (piece) s.
     std::size_t end_of(std::size_t s, const double* radii, std::size_t first, std::size_t last, double per_pixel) const {
         if (s + 1 == all_) {
             return last;
@@ -152,7 +152,7 @@ class Field {
                         b[j] = b[j] * x[j] + m;
                     }
                 }
-                // Values past the end of a piece are overwritten by those of the next piece.
+                // Vectors may extend past the end of a piece; the next piece overwrites these values.
                 for (std::size_t j = 0; j < unroll; ++j) {
                     sink(i - first + j * I::lanes, a[j], b[j]);
                 }
@@ -175,7 +175,7 @@ class Field {
     Disk outer_, inner_;
     double obscuration_ = 0.0, weight_ = 0.0;
     std::shared_ptr<const PieceTable> table_;
-    std::size_t all_ = 1;      // number of pieces up to the largest radius
+    std::size_t all_ = 1;      // number of intervals (pieces) up to the largest radius
     std::size_t leading_ = 0;  // number of innermost pieces, which have tables even for a single radius
     std::size_t end_ = 0;      // end of the range of pieces that may have a table
     bool few_ = false;  // the series is summed directly at some radii

@@ -25,7 +25,7 @@ class Renderer {
              const Answer<T>& answer)
         : Renderer(stack, {height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step, false}, tol,
                    threads, answer) {}
-    // For a window whose axis is at a pixel centre or midway between pixels.
+    // Constructor for a window whose axis is at a pixel centre or midway between pixels.
     Renderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), layout_(Layout::get(window.rows(), window.columns())), step_(window.step), tol_(tol),
           threads_(threads), answer_(answer) {}

@@ -24,7 +24,7 @@ double intensities(Field& field, const Places& places, int threads, const TakeIn
 LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     const auto work = [&](Field& own, std::size_t task) {
-        // Buffer, as whole vectors are stored: they reach past the end of a chunk, where another chunk begins.
+        // Values go to a buffer, as whole vectors are stored: they reach past the end of a chunk, where another chunk begins.
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
         double top = 0.0;
@@ -70,7 +70,7 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
     : values(places.count) {
     Field derivative;
     error = derivative.prepare(phase, power, obscuration, places, requested);
-    // Vectors overlap where pieces meet, so results must not overwrite the input.
+    // Stored vectors overlap where tabulated intervals meet, so results must not overwrite the input.
     Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
     for (std::size_t first = 0; first < places.count; first += chunk_radii) {
         look();
@@ -112,14 +112,13 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
 #endif
 
 struct Settled {
-    double error, bound;  // error of the field U: requested; its bound
+    double error, bound;  // requested error of the field U; its error bound
     double relative;  // error bound of the stored values, over the peak
     double top, peak;  // largest intensity in the window; largest known, in or outside the window
 };
 
 // Prepare `field` for `places` with smaller and smaller errors, until values of type T have an error of at most `tol` over the
-// PSF's peak. `evaluate` computes the intensities of the window and returns their maximum, by which they are divided if
-// `normalize`.
+// peak. `evaluate` computes the window's intensities and returns their maximum, by which they are divided if `normalize`.
 template <class T, class Evaluate>
 Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
                      const Evaluate& evaluate) {

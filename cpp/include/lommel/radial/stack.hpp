@@ -91,13 +91,12 @@ struct Answer {
     }
 };
 
-// Error budget of an image (certificate, section 6).
+// Error budget of an image (docs/certificate.md, section 6).
 struct RadialBudget {
-    // Error of the field U over tolerance times peak of |U|; it counts twice in the intensity. The rest allows for the peak's
-    // estimate.
+    // Error of the field U over tolerance times peak of |U|; it counts twice in the intensity. The rest is a margin.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the field's error: full disk (outer), obscuration (inner), and interpolation on pieces.
+    // Shares of the field's error: full disk (outer), obscuration (inner), and interpolation in the radius (pieces).
     static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
     // Shares of a disk's error: omitted terms of the Legendre series, and quadrature of its coefficients.
     static constexpr double truncation = 0.5, quadrature = 0.1;
@@ -106,7 +105,7 @@ struct RadialBudget {
     static constexpr double retry = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Estimate of the largest |U|. Most fields exceed it; for others the requested error is reduced once the peak is known.
+// Estimate of the field's largest modulus. Most exceed it; for others the requested error is reduced once the peak is known.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

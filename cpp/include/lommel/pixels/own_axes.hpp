@@ -111,8 +111,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // Squared distances, scaled to [-1, 1], have errors of 15 roundoffs; the Chebyshev polynomial T_k amplifies them
-            // by k^2.
+            // Squared distances, scaled to [-1, 1], have errors of 15 roundoffs; the Chebyshev polynomial T_k amplifies these
+            // k^2-fold.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);

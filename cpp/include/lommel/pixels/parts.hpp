@@ -228,8 +228,7 @@ LOMMEL_ONCE void Halves::derivative(std::size_t m, double x, double (&evens)[hal
 
 LOMMEL_ONCE Bends::Bends() {
     const auto fill = [&](std::size_t from, std::size_t m, std::size_t count) {
-        // A polynomial of degree d is at most 1 / cos(pi d / 2 n) times its largest value at n > d Chebyshev points (Ehlich,
-        // Zeller).
+        // A polynomial of degree d is at most 1 / cos(pi d / 2n) times its maximum at n > d Chebyshev points (Ehlich and Zeller).
         const double share = static_cast<double>(Halves::points - 1 - m) / static_cast<double>(count);
         const double by = 1.0 / std::cos(0.5 * pi * share);
         for (std::size_t at = 0; at < count / 2; ++at) {

@@ -48,8 +48,7 @@ class SquaredRadii {
           words_(number(rows_ - 1, cols_ - 1) / 64 + 1) {
         for (std::size_t y = 0; y < rows_; ++y) {
             look();
-            // If the axis is at the same offset from rows and columns, pixels (y, x) and (x, y) have the same radius: mark
-            // only one.
+            // If the axis is at the same offset from rows and columns, pixels (y, x) and (x, y) have one radius: mark it once.
             for (std::size_t x = odd_y_ == odd_x_ && y < std::min(rows_, cols_) ? y : 0; x < cols_; ++x) {
                 const std::size_t s = number(y, x);
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;

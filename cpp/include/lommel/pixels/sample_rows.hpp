@@ -1,5 +1,4 @@
-// For each pixel of a row: the part of a piece (sample_pieces.hpp) that contains its distance from an arbitrary axis, and its
-// position in this part.
+// For each pixel of a row: the part of a piece (sample_pieces.hpp) that contains its distance from the axis, and its place in it.
 #pragma once
 
 #include <algorithm>

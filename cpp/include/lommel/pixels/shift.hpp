@@ -1,5 +1,4 @@
-// Derivatives of pixel averages by the position of the axis: differences of averages along opposite pixel edges
-// (docs/certificate.md, section 15).
+// Derivatives of pixel averages by the axis position: differences along opposite pixel edges (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>

@@ -71,8 +71,7 @@ inline Doubles odd_transform(std::size_t points) {
     return matrix;
 }
 
-// Multiply each of `sets` sets of rows by a square matrix, in place. Sets begin `set_stride` rows apart; the rows of a set are
-// `stride` rows apart.
+// Multiply `sets` sets of rows by a square matrix, in place. Sets begin `set_stride` rows apart, rows of a set are `stride` apart.
 LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t set_stride, std::size_t stride,
                              std::size_t length, Doubles& rows) {
     const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));

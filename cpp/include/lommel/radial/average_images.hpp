@@ -96,9 +96,8 @@ class PixelRenderer {
    private:
     // Accuracy of tables in decimal digits. last_level: highest to try; exact_level: rounding prevents more.
     static constexpr int last_level = 15, exact_level = 14;
-    // Filters of finer samples are for pixel pitches up to `widest_filtered`, in optical units. The flux through pixel edges
-    // is faster for tolerances below `least_filtered`, which need long filters, and if interference rings matter in at most
-    // beside_filters * pitch^4 pixels.
+    // Filters of finer samples are for pixel pitches up to `widest_filtered` (optical units). The flux through pixel edges is
+    // faster for tolerances below `least_filtered`, and if interference rings matter in at most beside_filters * pitch^4 pixels.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
     // Tables of weights are faster than filters up to about `light_work` products or, for derivatives, `most_weighed` pixels.
     static constexpr double light_work = 2e5;

@@ -57,8 +57,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
 }
 #endif
 
-// Error of the field U(v) from six roundings of the radius v, as |U'| <= 1/2 and, by |J_1(x)| <= 0.826 / sqrt(x), |U'| <=
-// 0.661 / sqrt(v).
+// Error of the field U(v) from six roundings of v: |U'| <= 1/2 and, as |J_1(x)| <= 0.826 / sqrt(x), |U'| <= 0.661 / sqrt(v).
 inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
 
 // Rounding error of a Legendre series at one radius: the moduli of its terms sum to at most 1 (Cauchy and Parseval).

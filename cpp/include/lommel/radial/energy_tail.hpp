@@ -1,5 +1,5 @@
-// Encircled energy of a radially symmetric pupil far from the axis, where the intensity is a mean, falling as r^-3, plus
-// bounded interference rings.
+// Encircled energy of a radially symmetric pupil far from the axis: mean intensity, falling as r^-3, and bounded interference
+// rings.
 #pragma once
 
 #include <algorithm>

@@ -31,12 +31,12 @@ struct Layout : Radii {  // the radii are in units of the pixel pitch
     std::size_t width() const { return columns.count; }
     std::size_t bytes() const { return sizeof(double) * radii.size() + 2 * of_few_.size() + 4 * of_many_.size(); }
 
-    // Index in `radii` of the radius of the pixel with row distance number dy and column distance number dx from the axis.
+    // Index in `radii` of a pixel's distance from the axis; dy, dx: indices of its row and column distances.
     std::size_t rank(std::size_t dy, std::size_t dx) const {
         const std::size_t at = dy * columns.distances() + dx;
         return of_many_.empty() ? of_few_[at] : of_many_[at];
     }
-    // Write the image rows with row distance numbers [first, last), on both sides of the axis, from a profile: a value per radius.
+    // Write the image rows whose distances from the axis have indices [first, last); profile: one value for each radius.
     template <class T>
     void scatter(const T* profile, std::size_t first, std::size_t last, T* image) const;
 

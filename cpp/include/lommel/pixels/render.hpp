@@ -31,7 +31,7 @@ struct FoldedSide {
     std::size_t between() const { return high - low; }  // 1 if the axis is between two pixels, otherwise 0
     // Number of distinct distances from the axis. The distance of index d is that of pixels low - d and high + d.
     std::size_t distances() const { return std::max(low + 1, count - high); }
-    // first(): pixel at distance number `distance`, the lower one if there are two; twice(): true if there are two.
+    // first(): pixel whose distance has the index `distance`, the lower one if there are two; twice(): true if there are two.
     std::size_t first(std::size_t distance) const { return distance <= low ? low - distance : high + distance; }
     bool twice(std::size_t distance) const {
         return distance <= low && high + distance < count && high + distance > low - distance;

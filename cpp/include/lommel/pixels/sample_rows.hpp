@@ -1,4 +1,4 @@
-// For each pixel of a row: the part of a piece (sample_pieces.hpp) that contains its distance from the axis, and its place in it.
+// Parts of pieces (sample_pieces.hpp) that contain the distances of a row's pixels from the axis, and positions in these parts.
 #pragma once
 
 #include <algorithm>
@@ -53,11 +53,12 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// Positions of a window's pixels, counted in parts of pieces from the middle of the first part on. They are linear in the distance
-// from the axis in zone 0, and in the squared distance in each zone farther out, which ends at twice the distance where it begins.
+// Positions of a window's pixels, counted in parts of pieces (intervals of the distance from the axis) from the middle of the
+// first part on. A position is linear in the distance in zone 0, and linear in the squared distance in each zone farther out,
+// which ends at twice the distance where it begins.
 class SampleRows {
    public:
-    struct Zone {  // squared distance where it begins, in pieces^2; position = slope * squared distance + shift
+    struct Zone {  // squared distance where it begins, in (piece width)^2; position = slope * squared distance + shift
         double begin, slope, shift;
     };
     using Zones = std::array<Zone, 40>;  // enough zones for the largest distance allowed; unused ones begin at infinity
@@ -65,9 +66,9 @@ class SampleRows {
     static constexpr std::size_t longest = 128;  // largest number of pixels in a run
     static constexpr std::size_t most_lanes = 16;
 
-    // Run: `count` adjacent pixels of a row, from column `start` on. at[i]: index of pixel i's part, less `base`, both times
-    // the number of coefficients per part; x[i]: position in the part, from -1/2 to 1/2. Both arrays are padded to whole
-    // vectors, with valid entries. straight: parts have two coefficients, of a line.
+    // Run: `count` adjacent pixels of a row, from column `start` on. at[i]: index of the part of a piece that contains pixel
+    // i, less `base`, both times the number of coefficients per part; x[i]: position in the part, from -1/2 to 1/2. Both
+    // arrays are padded to whole vectors, with valid entries. straight: parts have two coefficients, of a line.
     template <class Real>
     struct Run {
         std::size_t row, start, count;
@@ -81,7 +82,7 @@ class SampleRows {
         : window_(window), pieces_(window.step / width), zones_(zones) {}
 
     // Compute single-precision positions by integer arithmetic, if their error is then below about `room` optical units;
-    // returns the largest error, in parts (0: integers are not used).
+    // returns the largest error, in widths of a part of a piece (0: integers are not used).
     double by_integers(double room);
     // Mark single-precision runs as straight if all their pixels are at least `pieces` from the axis, in widths of a piece;
     // returns an upper bound on the distance of pixels in other runs, in the same unit.
@@ -237,11 +238,11 @@ class SampleRows {
     double place_error() const;
 
     PixelWindow window_;
-    double pieces_;  // pixel pitch in widths of a piece
+    double pieces_;  // pixel pitch over the width of a piece (interval of the distance)
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;
-    double straight_ = HUGE_VAL;  // smallest squared distance of straight runs from the axis, in pieces^2
+    double straight_ = HUGE_VAL;  // smallest squared distance of straight runs from the axis, in (piece width)^2
 };
 
 #if defined(LOMMEL_DEFINES)

@@ -17,7 +17,7 @@ namespace lommel {
 // Table for the derivative along x, which is odd in x and even in y: a sum over j < harmonics of cos((2j+1) theta) times odd
 // polynomials of the distance from the axis. The derivative along y is the same with x and y exchanged.
 struct ShiftTable {
-    std::shared_ptr<const AnywhereTable> pixels;  // table of the averages; it is the key in the cache, kept alive here
+    std::shared_ptr<const AnywhereTable> pixels;  // table of the pixel averages; key of this table in the cache
     std::size_t harmonics, degree;
     Doubles weights, penalty;  // weights[block of outputs][node][output]; rounding error of each coefficient
     double error, of_grid, rounding;

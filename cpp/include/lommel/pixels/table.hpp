@@ -37,7 +37,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         static constexpr double gauss = 0.1;      // share for quadrature over a pixel
         static constexpr double harmonics = 0.2;  // share for interpolation in the angle
         static constexpr double rings = 0.3;      // share for interpolation in the distance, on a ring
-        static constexpr double nodes = 0.2;  // share for interpolation between radii, as amplified by the two above
+        static constexpr double nodes = 0.2;  // share for interpolation between radii, amplified by that in distance and angle
         static constexpr double window = 0.5;  // share for interpolation between radii if the window is one ring
         static_assert(gauss + harmonics + rings + nodes <= 1.0 && gauss + window <= 1.0);
     };
@@ -61,7 +61,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
     Doubles penalty;  // for each coefficient: its rounding error per unit, in units of roundoff
     std::size_t harmonics = 1, gauss = 1;
     double error = 0.0;  // error bound of values, over half the largest intensity, if the intensities at the radii are exact
-    double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants: between radii; in distance and angle
+    double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants of interpolation between radii; in distance and angle
     double rounding = 0.0;  // rounding of weights and sums, in units of roundoff times the largest intensity
 
     // Largest factor from an error of the intensity at the radii to an error of a pixel value.

@@ -1,5 +1,5 @@
-// Limits of arguments, the exceptions thrown beyond them, and error propagation from U to stored values (certificate, section
-// 6).
+// Limits of arguments, their exceptions, and the error of stored intensities that follows from that of the amplitude U
+// (certificate, section 6).
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,9 @@
 namespace lommel {
 
 constexpr double unit_roundoff = 1.1102230246251565e-16;
-constexpr double max_phase = 1e6;        // rad; beyond, argument reduction loses digits
-constexpr double max_reach = 1e6;        // v; beyond, I is below 1e-17 of the in-focus peak, and rounding of v dominates
-constexpr std::size_t max_terms = 6000;  // terms of a Legendre series; its quadrature table takes about 4 n^2 bytes
+constexpr double max_phase = 1e6;        // radians; for larger arguments sin and cos lose digits
+constexpr double max_reach = 1e6;        // maximum v = 2 pi NA r / lambda; beyond, I is below 1e-17 of the in-focus peak
+constexpr std::size_t max_terms = 6000;  // n <= max_terms of a Legendre series; its quadrature table takes about 4 n^2 bytes
 constexpr std::size_t max_degree = 200;  // maximum degree of a Zernike term
 
 struct LimitExceeded : std::domain_error {
@@ -50,33 +50,32 @@ struct ZernikeTerm {
     bool operator==(const ZernikeTerm& other) const { return n == other.n && m == other.m; }
 };
 
-// Bound on |I - I_exact| for |U| <= `size` and |U - U_exact| <= `error`.
+// Bound on the error of the intensity I = |U|^2, for an amplitude |U| <= `size` with an error of at most `error`.
 inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
 
-// Error of I (`error`) over the exact peak, which is at least (M - e)^2: M^2 the computed peak, e = `field_error`.
+// An error of I over the exact peak of I, which is at least (sqrt(peak) - field_error)^2; `peak` is the computed peak.
 inline double over_peak(double error, double peak, double field_error) {
     const double exact = std::sqrt(peak) - field_error;
     return exact > 1e-150 ? error / (exact * exact) : 1e300;
 }
 
-// (2 M e + e^2) / (M - e)^2: error of I over its exact peak, from the error e of U and the computed peak M^2.
+// Error of I over its exact peak, (2 M e + e^2) / (M - e)^2, with M^2 the computed `peak` and e the `field_error` of U.
 inline double relative_error(double peak, double field_error) {
     return over_peak(intensity_error(std::sqrt(peak), field_error), peak, field_error);
 }
 
-// Error of values that are divided by their own largest one; `relative` is their error over that.
+// Error of values after division by the largest of them; `relative` is their error before, over the largest.
 inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
 
-// Error over the peak added by storing values as type T: the sum of two squares, the scale and the product with it are at most
-// six roundings to double; conversion to float rounds once, or twice if values are divided by their largest one after they were
-// stored.
+// Error over the peak that rounding of stored values adds. The sum of two squares, the scale and their product take at most six
+// roundings to double. Conversion to float rounds once more, or twice if stored values are divided by the largest of them.
 template <class T>
 constexpr double storing(bool twice) {
     return 6.0 * unit_roundoff + (sizeof(T) == 4 ? (twice ? 2.0 : 1.0) * 5.9604644775390625e-08 : 0.0);
 }
 inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
 
-// Error bound of finished values over their peak; `divided`: by their largest value; `after`: this is done after storing.
+// Error bound, over the peak, of the values returned. `divided`: they are divided by their largest; `after`: only once stored.
 template <class T>
 double finished_error(double relative, bool divided, bool after) {
     return stored(divided ? normalized_error(relative) : relative, storing<T>(divided && after));

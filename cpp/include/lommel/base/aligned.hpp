@@ -7,7 +7,7 @@
 
 namespace lommel {
 
-// Allocator that aligns to cache lines, so that no vector of a table crosses two of them.
+// Allocator that aligns to cache lines (64 bytes), so that no load of a vector register touches two of them.
 template <class T>
 struct AlignedAllocator {
     using value_type = T;

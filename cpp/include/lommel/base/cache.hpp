@@ -21,8 +21,8 @@
 
 namespace lommel {
 
-// Lock of a thread that computes a table, which takes long. Waiting threads can be interrupted, unlike with a mutex; in a
-// forked child the lock is free, whichever thread held it.
+// Lock held while a thread computes a table, which may take seconds. Unlike with a mutex, threads that wait for it can be
+// interrupted; in a forked child the lock is free, whichever thread held it.
 class Turn {
    public:
     class Taken {
@@ -48,12 +48,13 @@ class Turn {
     std::atomic<bool> taken_{false};
 };
 
-// Base of the caches that all calls share. A mutex guards look-ups and changes, but not the computation of a table: that thread
-// may wait for Python's lock, which a forking thread holds. A Turn guards computations. All caches are constructed when the
-// program is loaded, and registered in a list.
+// Base of the caches that all calls share, constructed when the program is loaded. mutex_ guards look-ups and changes; turn_
+// guards computations of tables. These must not hold mutex_: they may wait for Python's lock while the thread that has that
+// lock forks, which waits for mutex_.
 class Shared : protected ForkAware {
    public:
-    // Bytes in all caches, and the sum of their limits; a table larger than its limit is kept until the next one is computed.
+    // bytes_kept(): size of the tables in all caches. bytes_limit(): sum of the limits of the caches, which bytes_kept() may
+    // exceed, as a cache keeps its last two tables whatever their size.
     static std::size_t bytes_kept() {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, Shared* one) { return sum + one->kept(); });
@@ -62,7 +63,8 @@ class Shared : protected ForkAware {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, const Shared* one) { return sum + one->limit(); });
     }
-    // Drop all tables. Running calls keep the tables they use until they return, and may add one that they are computing.
+    // Drop all tables. Calls that are running keep the tables they use until they return, and may add a table that they
+    // compute.
     static void clear_all() {
         for (Shared* one : all()) {
             one->clear();
@@ -98,9 +100,9 @@ class Shared : protected ForkAware {
 LOMMEL_ONCE Shared::Shared() { all().push_back(this); }
 #endif
 
-// Tables of one kind: the most recent ones, up to Table::most_bytes, and the last two whatever their size, as images may
-// alternate between the tables of aperture and obscuration. A table is constructed from its key; is() returns whether it has
-// that key.
+// Cache of tables of one type: those most recently used, up to Table::most_bytes, and the last two whatever their size, as
+// images may alternate between a table for the aperture and one for its obscuration. A table is constructed from its key, which
+// Table::is() compares.
 template <class Table>
 class Cache final : Shared {
    public:
@@ -155,7 +157,7 @@ class Cache final : Shared {
     Tables recent_;
 };
 
-// Never destroyed: threads may outlive main().
+// Never destroyed, as threads that use a cache may outlive main().
 template <class Table>
 inline Cache<Table>& cache = *new Cache<Table>;
 

@@ -1,4 +1,4 @@
-// Schedule for the tiles of an image if the work on a tile also writes to its neighbours.
+// Parallel loop over the tiles of an image, for work on a tile that also writes to the neighbours of that tile.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace lommel {
 
-// Tiles with the same parities of row and column do not overlap, so threads may write to them concurrently. Tiles of the next
-// parity wait only for their preceding neighbours, so an interrupted thread delays few others. The order of sums does not
-// depend on the number of threads.
+// Tiles whose rows and columns have the same parities never write to the same pixel, so threads work on them concurrently. A
+// tile of the next parities waits only for its finished neighbours, so one slow thread delays few others. Sums over a pixel
+// have the same order for any number of threads.
 class Checkerboard {
    public:
     Checkerboard(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {
@@ -58,7 +58,8 @@ class Checkerboard {
 
     std::size_t place(const Tile& tile) const { return tile.row * columns_ + tile.column; }
 
-    // Call wait(place) for the neighbours that must be written before a tile; they precede it in the order of tasks.
+    // Call wait(place(neighbour)) for each neighbour that must be finished before a tile: those of a smaller parity(), whose
+    // tasks come first.
     template <class Wait>
     void before(const Tile& tile, const Wait& wait) const {
         const std::size_t bottom = std::min(rows_, tile.row + 2), right = std::min(columns_, tile.column + 2);

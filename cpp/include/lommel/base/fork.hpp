@@ -1,4 +1,4 @@
-// Protection against fork() while a lock is held: the child has a copy of the memory, but only the calling thread.
+// Notification of fork(), which copies all memory but only the calling thread: locks held by other threads must be freed.
 #pragma once
 
 #include <vector>
@@ -6,7 +6,7 @@
 #include "lommel/base/lock.hpp"
 #include "lommel/base/once.hpp"
 
-// With a single thread, no lock is held during fork().
+// LOMMEL_FORKS: fork() exists, and may be called while another thread holds a lock.
 #if !defined(LOMMEL_SINGLE_THREADED) && (defined(__unix__) || defined(__APPLE__))
 #include <pthread.h>
 #define LOMMEL_FORKS
@@ -14,8 +14,8 @@
 
 namespace lommel {
 
-// Base of objects that are notified of every fork. They must be constructed when the program is loaded, with one thread, and
-// exist as long as the process.
+// Base of objects that are notified of every fork(). They must be constructed while the program is loaded, when it has one
+// thread, and exist as long as the process.
 class ForkAware {
    public:
     ForkAware(const ForkAware&) = delete;

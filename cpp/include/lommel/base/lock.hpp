@@ -1,8 +1,8 @@
-// Locks, without effect on platforms without threads.
+// Mutex and lock guard, which do nothing on platforms without threads.
 #pragma once
 
-// LOMMEL_SINGLE_THREADED: all work is done in the calling thread, and only one thread may call. Defined by the user, or here if
-// the target has no threads. No header of the core then needs <thread>, <mutex>, <condition_variable> or <pthread.h>.
+// LOMMEL_SINGLE_THREADED: all work is done in the calling thread, and only one thread may call. It is defined by the user, or
+// here if the target has no threads. The headers then include no <thread>, <mutex>, <condition_variable> or <pthread.h>.
 #if !defined(LOMMEL_SINGLE_THREADED) && (!defined(__STDCPP_THREADS__) || (defined(__wasm__) && !defined(_REENTRANT)))
 #define LOMMEL_SINGLE_THREADED
 #endif

@@ -1,4 +1,4 @@
-// Thread pool: all callers share helper threads, fewer than there are processors.
+// Thread pool: all callers share the same helper threads, at most one fewer than there are processors.
 #pragma once
 
 #include <algorithm>
@@ -34,10 +34,10 @@ inline int processors() { return 1; }
 inline std::size_t workers(int) { return 1; }
 inline void give_way() {}
 #else
-// Yield the processor while waiting for a running thread.
+// Yield the processor, in a loop that waits for another thread.
 inline void give_way() { std::this_thread::yield(); }
 
-// Number of processors available to this process.
+// Number of processors that this process may use: on Linux, those of its affinity mask.
 inline int processors() {
 #if defined(__linux__)
     cpu_set_t set;
@@ -48,16 +48,16 @@ inline int processors() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// Number of threads, including the caller's, for a limit of `threads` (0: no limit).
+// Number of threads that share a loop, including the caller's: at most `threads` (0: no limit) and the number of processors.
 inline std::size_t workers(int threads) {
     return static_cast<std::size_t>(threads > 0 ? std::min(threads, processors()) : processors());
 }
 
-// Threads that help callers, fewer than there are processors: created when first needed, asleep between calls, none in a forked
-// child at first.
+// Pool of helper threads, which are created when first needed and sleep between calls. In a forked child the pool is empty at
+// first.
 class Helpers final : ForkAware {
    public:
-    // Work shared by a caller, worker 0: helpers call run(worker) with worker = 1, 2, ...; it must not throw.
+    // Work that a caller, worker 0, shares with helpers: these call run(worker) with worker = 1, 2, ...; run() must not throw.
     struct Offer {
         Reference<void(std::size_t)> run;
         Watch* watch;
@@ -67,7 +67,7 @@ class Helpers final : ForkAware {
         std::condition_variable left{};  // notified when the last helper has left
     };
 
-    // Request up to `wanted` helpers. `one` must exist until withdraw() has returned.
+    // Request up to `wanted` helpers for the offer `one`, which must exist until withdraw() has returned.
     void offer(Offer& one, int wanted) {
         {
             const Lock lock(mutex_);
@@ -81,8 +81,8 @@ class Helpers final : ForkAware {
         wake(wanted);
     }
 
-    // Wait until no helper works on an offer, and let no more join. Checks for interruption while it waits, and then calls
-    // fail() from a catch clause.
+    // Let no more helpers join an offer, and wait for those at work. If the user interrupts this wait, fail() is called with
+    // the exception being handled.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
         const auto done = [&] { return one.at_work == 0; };
@@ -110,7 +110,8 @@ class Helpers final : ForkAware {
     }
 
    private:
-    // Helpers block signals, so that these are delivered to threads of the application.
+    // Create a helper, which blocks all signals so that the application's threads receive them. Returns false if the system
+    // refuses.
     bool make() {
 #if defined(LOMMEL_FORKS)
         sigset_t all, before;
@@ -122,7 +123,7 @@ class Helpers final : ForkAware {
             std::thread([this] { serve(); }).detach();
             ++made_;
         } catch (...) {
-            granted = false;  // the granted threads and the caller do the work
+            granted = false;  // the system refused a thread: existing ones do the work
         }
 #if defined(LOMMEL_FORKS)
         pthread_sigmask(SIG_SETMASK, &before, nullptr);
@@ -130,7 +131,7 @@ class Helpers final : ForkAware {
         return granted;
     }
 
-    // Wait for done(), for less time than a thread needs to fall asleep and wake.
+    // Poll done() for at most 50 us, which is less than a thread needs to fall asleep and wake.
     template <class Done>
     static void await(const Done& done) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
@@ -184,12 +185,12 @@ class Helpers final : ForkAware {
         if (in_child) {
             made_ = at_work_ = open_ = 0;
             offers_.clear();
-            new (&wake_) std::condition_variable;  // no thread of the child waits for it
+            new (&wake_) std::condition_variable;  // initialized anew: the child has no waiting threads
         }
         mutex_.unlock();
     }
 
-    Mutex mutex_;  // guards all members and those of offers
+    Mutex mutex_;  // guards all members, and the members of offers
     std::condition_variable wake_;
     std::vector<Offer*> offers_;
     int made_ = 0, at_work_ = 0;
@@ -197,14 +198,15 @@ class Helpers final : ForkAware {
 };
 inline Helpers& helpers = *new Helpers;
 
-// parallel_for() with helper threads.
+// Implementation of parallel_for() for more than one thread.
 using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    // Tasks are divided into `stretches` consecutive stretches. In each stretch a worker begins with a range of its own and
-    // then helps others, so that data shared by neighbouring tasks, and used again by the next call, stay in the cache of one
-    // processor. The caller, worker 0, takes ranges and their tasks in ascending order, so tasks may wait for earlier ones.
+    // The tasks are cut into `stretches` consecutive stretches, and a stretch into one range per worker. In each stretch a
+    // worker begins with its own range and then helps others: neighbouring tasks, and the same tasks of the next call, thus
+    // find their data in the cache of one processor. Worker 0, the caller, takes tasks in ascending order, so a task may wait
+    // for earlier tasks.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;
@@ -219,7 +221,7 @@ LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
     }
     std::atomic<bool> failed{false};
     std::exception_ptr failure;
-    Mutex mutex;  // guards the first exception
+    Mutex mutex;  // guards `failure`, the first exception
     const auto fail = [&] {
         failed = true;
         const Lock lock(mutex);

@@ -1,4 +1,4 @@
-// pi.
+// The constant pi, which the standard library has only since C++20.
 #pragma once
 
 namespace lommel {

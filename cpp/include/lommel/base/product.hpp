@@ -1,5 +1,4 @@
-// Matrix products. Unlike BLAS libraries, they start no threads of their own, and their sums do not depend on the number of
-// threads.
+// Matrix product. Unlike BLAS libraries it starts no threads of its own, and its sums do not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +18,8 @@ void product(const double* given, std::size_t rows, std::size_t count, const dou
 LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
                          int threads, double* out) {
     constexpr std::size_t together = 8, step = 16;
-    // For many rows a panel of columns is copied: read with the stride of the matrix, each of its rows would use another memory
-    // page.
+    // For many rows, a panel of `step` columns of the matrix is first copied to contiguous memory: read in place, each row of
+    // the panel would lie in another memory page.
     const bool copied = rows > 2 * together;
     const std::size_t tall = copied ? 8 * together : together, panels = (sums + step - 1) / step;
     const std::size_t parts = copied ? panels : 1, each = panels / parts;
@@ -28,7 +27,7 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
     const int worth = worthwhile_threads(threads, microseconds);
     parallel_for((rows + tall - 1) / tall * parts, worth, [&](std::size_t, std::size_t task) {
         const std::size_t first = task / parts * tall, row_count = std::min(tall, rows - first);
-        // Missing rows and columns are zero.
+        // At the edges of the matrices, blocks are filled up with zeros to multiples of `together` rows and to `step` columns.
         const std::size_t held = (row_count + together - 1) / together * together;
         const bool full = held == row_count;
         Doubles packed(copied || sums < panels * step ? count * step : 0), values(full ? 0 : held * count),
@@ -47,7 +46,7 @@ LOMMEL_ONCE void product(const double* given, std::size_t rows, std::size_t coun
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using V = typename decltype(isa)::pack;
                 constexpr std::size_t lanes = decltype(isa)::lanes;
-                // Fill all registers with chains of multiply-adds, to read the panel as rarely as possible.
+                // Each value of the panel is read once for `chains` rows, whose running sums fill all registers.
                 constexpr std::size_t chains = lanes == 8 ? together : together / 2;
                 for (std::size_t row = 0; row < row_count; row += chains) {
                     for (std::size_t j = 0; j < step; j += 2 * lanes) {

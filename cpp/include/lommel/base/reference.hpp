@@ -6,7 +6,7 @@ namespace lommel {
 template <class Signature>
 class Reference;
 
-// The callable must outlive the reference: for arguments, not for stored members.
+// The callable must outlive the reference, which is therefore used as a function argument and not stored.
 template <class Result, class... Arguments>
 class Reference<Result(Arguments...)> {
    public:

@@ -29,7 +29,7 @@
 
 namespace lommel {
 
-// LOMMEL_VECTORS: the compiler supports vector types. Otherwise, or with LOMMEL_WITHOUT_VECTORS, plain loops replace them.
+// LOMMEL_VECTORS: the compiler has vector types. Without them, or with LOMMEL_WITHOUT_VECTORS, loops over lanes are compiled.
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(LOMMEL_WITHOUT_VECTORS)
 #define LOMMEL_VECTORS 1
 #if defined(__x86_64__)
@@ -37,7 +37,7 @@ namespace lommel {
 #endif
 #endif
 
-// Minimum length of table rows, whatever the width of vectors.
+// Number of doubles to whose multiple table rows are padded: the lanes of the widest vector, whichever is used.
 constexpr std::size_t row_lanes = 8;
 
 #ifdef LOMMEL_VECTORS
@@ -46,14 +46,14 @@ template <std::size_t Lanes>
 struct Vector {
     typedef double pack __attribute__((vector_size(8 * Lanes)));
     typedef std::int64_t bits __attribute__((vector_size(8 * Lanes)));
-    typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many lanes
-    typedef float narrow __attribute__((vector_size(4 * Lanes)));  // as many lanes
-    typedef std::uint32_t turns __attribute__((vector_size(8 * Lanes)));  // in units of 2^-32 turns
+    typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many lanes as pack
+    typedef float narrow __attribute__((vector_size(4 * Lanes)));  // as many lanes as pack
+    typedef std::uint32_t turns __attribute__((vector_size(8 * Lanes)));  // angles in units of 2^-32 turns
 };
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // GCC would convert it in halves
+    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // one instruction; GCC uses two
         V wide;
         asm("vcvtps2pd %1, %0" : "=v"(wide) : "vm"(p));
         return wide;
@@ -62,13 +62,13 @@ LOMMEL_INLINE V converted(Narrow p) {
     return __builtin_convertvector(p, V);
 }
 
-// All lanes set to x, as x - 0: compilers reduce that to a broadcast, but fill an initializer list lane by lane.
+// Vector with all lanes equal to x, computed as x - 0: compilers reduce this to a broadcast instruction, but fill an
+// initializer list lane by lane.
 template <class V, class Real>
 LOMMEL_INLINE V splat(Real x) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    // GCC splits vectors that are wider than those of the function in which this is written, even if it is inlined into a
-    // function with wider ones, and reassembles broadcasts (unlike sums and products) in many steps. Portable kernels have no
-    // such vectors.
+    // In assembly: this function is written for baseline registers of 16 bytes, so GCC splits wider vectors in it, even where
+    // it is inlined into a kernel for wider registers, and reassembles broadcasts (unlike sums and products) in many steps.
     if constexpr (sizeof(V) > 16) {
         V v;
         if constexpr (sizeof(Real) == 4) {
@@ -81,7 +81,7 @@ LOMMEL_INLINE V splat(Real x) {
 #endif
     return x - V{};
 }
-// Keep v in a register: GCC reloads such vectors for each use.
+// Return v, kept in a register by an empty assembly statement: GCC would load v from memory for each use.
 template <class V>
 LOMMEL_INLINE V loaded(V v) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
@@ -92,7 +92,7 @@ LOMMEL_INLINE V loaded(V v) {
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    // GCC compiles this to a comparison and a mask for floats.
+    // One instruction; GCC compiles a > b ? a : b to a comparison and a mask if a and b are floats.
     if constexpr (sizeof(V) > 16 && sizeof(a[0]) == sizeof(float)) {
         V v;
         asm("vmaxps %2, %1, %0" : "=v"(v) : "v"(a), "v"(b));
@@ -105,12 +105,11 @@ template <class V>
 LOMMEL_INLINE V smaller(V a, V b) {
     return a < b ? a : b;
 }
-// Lanewise x < limit ? a : b.
 template <class V>
 LOMMEL_INLINE V below(V x, V limit, V a, V b) {
     return x < limit ? a : b;
 }
-// 2^k from 1.5 * 2^52 + k.
+// 2^k in each lane, given shifted = 1.5 * 2^52 + k with an integer k, which the low bits of `shifted` hold.
 template <class B, class V>
 LOMMEL_INLINE V power_of_two(V shifted) {
     B bits;
@@ -119,12 +118,11 @@ LOMMEL_INLINE V power_of_two(V shifted) {
     std::memcpy(&shifted, &bits, sizeof shifted);
     return shifted;
 }
-// Lanewise a if bit `bit` of the integer `at` is set, else b.
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
 }
-// Low halves of the 64-bit lanes, interleaved: in each lane that of a, then that of b.
+// Low 32 bits of the 64-bit lanes of a and b, interleaved: a[0], b[0], a[1], b[1], ...
 template <class W, class V>
 LOMMEL_INLINE W low_halves(V a, V b) {
     typedef std::uint64_t Bits __attribute__((vector_size(sizeof(V))));
@@ -147,12 +145,10 @@ LOMMEL_INLINE V signed_floats(W w) {
     std::memcpy(&whole, &w, sizeof whole);
     return __builtin_convertvector(whole, V);
 }
-// Lanewise a if `at` is not 0, else b.
 template <class W, class V>
 LOMMEL_INLINE V choose_lanes(W at, V a, V b) {
     return at != 0 ? a : b;
 }
-// v with its bits XORed with `bits`.
 template <class V, class W>
 LOMMEL_INLINE V flipped(V v, W bits) {
     W w;
@@ -161,7 +157,7 @@ LOMMEL_INLINE V flipped(V v, W bits) {
     std::memcpy(&v, &w, sizeof v);
     return v;
 }
-// Floats whose bit patterns are the integers to which x is truncated.
+// Truncate the lanes of x to integers, and read the bits of these integers as floats.
 template <class V>
 LOMMEL_INLINE V from_bits(V x) {
     typedef std::int32_t Whole __attribute__((vector_size(sizeof(V))));
@@ -184,12 +180,12 @@ LOMMEL_INLINE std::size_t high_place(std::uint64_t places) {
     return places >> 32;
 #endif
 }
-// Load two floats from c + at[0] and two from c + at[1]; for eight lanes also two each from c + at[4] and c + at[5]. In
-// assembly, see splat().
+// Load two floats from c + at[0] and two from c + at[1]; a vector of eight lanes has two more from each of c + at[4] and c +
+// at[5]. The assembly is there for the reason given in splat().
 template <class V>
 LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
     typedef double Two __attribute__((vector_size(16)));
-    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // loads both indices, which are not negative, at once
+    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // loads at[i] and at[i + 1], not negative, at once
         std::uint64_t places;
         std::memcpy(&places, at + i, sizeof places);
         typedef double Second __attribute__((aligned(4), may_alias));
@@ -219,7 +215,8 @@ LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Separate the first and the second elements of the pairs of two such vectors.
+// Separate pairs: within each four lanes, `first` has the first elements of the two pairs of a and of b, `second` the second
+// ones.
 template <class V>
 LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     if constexpr (sizeof(V) == 16) {
@@ -234,7 +231,7 @@ LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     }
 #endif
 }
-// Load four floats from c + at[0] and, for eight lanes, four from c + at[4].
+// Load four floats from c + at[0]; a vector of eight lanes has four more from c + at[4].
 template <class V>
 LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
     V v;
@@ -252,7 +249,7 @@ LOMMEL_INLINE V fours(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Transpose blocks of four: out[k] becomes the k-th elements of the fours of all four vectors.
+// Transpose 4 x 4 blocks: within each four lanes, out[k] holds lane k of a, b, c and d.
 template <class V>
 LOMMEL_INLINE void turned_fours(V a, V b, V c, V d, V (&out)[4]) {
     if constexpr (sizeof(V) == 16) {
@@ -289,7 +286,8 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
     typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
     constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
 #ifdef LOMMEL_X86
-    // In assembly, see splat(). Doubles are permuted as pairs of floats, as no instruction permutes four doubles by a register.
+    // In assembly for the reason given in splat(). Doubles are permuted as pairs of floats: AVX2 has no instruction that
+    // permutes four doubles by indices in a register.
     if constexpr (sizeof(V) > 16) {
         constexpr std::int64_t pair = std::int64_t{1} << 32;
         alignas(64) static constexpr Lane sequence[] = {
@@ -474,7 +472,7 @@ LOMMEL_INLINE void prefetch(const void* at) {
     static_cast<void>(at);
 #endif
 }
-// Load as many values as a vector of doubles has lanes, converted to double.
+// Load one value for each lane of a vector of doubles; floats are converted to double.
 template <class I>
 LOMMEL_INLINE typename I::pack widened(const float* from) {
     return converted<typename I::pack>(load<typename Vector<I::lanes>::narrow>(from));
@@ -492,7 +490,8 @@ LOMMEL_INLINE double lane_sum(V v) {
     return sum;
 }
 
-// Instruction set of a kernel: its vectors, and how many of them fit in registers for each of three arrays.
+// Instruction set of a kernel: its vector types, and `unroll`, the number of vectors of each of three arrays that fit in
+// registers.
 template <std::size_t Lanes, std::size_t Unroll>
 struct Isa {
     using pack = typename Vector<Lanes>::pack;
@@ -504,11 +503,11 @@ struct Isa {
 using Avx512 = Isa<8, 4>;
 using Avx2 = Isa<4, 4>;
 using Portable = Isa<2, 4>;
-constexpr std::size_t widest_step = 32;  // maximum number of values that a kernel handles at once, and may access past the end
+constexpr std::size_t widest_step = 32;  // values that a kernel handles at once, and may access past an array's end, at most
 
 enum class Level { portable, avx2, avx512 };
 
-// Upper limit of the level in use; lowered for tests and comparisons.
+// Highest instruction level that processor_level() returns; tests lower it to compare the levels.
 inline std::atomic<Level>& level_limit() {
     static std::atomic<Level> limit{Level::avx512};
     return limit;
@@ -545,9 +544,9 @@ LOMMEL_NOINLINE void run_portable(const Kernel& kernel) {
 }
 #endif
 
-// Run a kernel at an instruction level of this processor, with the matching Isa as argument. The kernel and all that it calls
-// must be inlined, or they keep the baseline instructions. Each use compiles the kernel twice, for AVX2 and for the baseline; a
-// kernel that would depend on its caller's types takes a Reference instead.
+// Run a kernel with the instructions of `level`, which the processor must have. The kernel and all that it calls must be
+// inlined, or they use baseline instructions. Each call of dispatch() compiles its kernel twice, for AVX2 and for the baseline;
+// a kernel takes its caller's functions as a Reference, so that it is not compiled again for each caller.
 template <class Kernel>
 LOMMEL_INLINE void dispatch([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86
@@ -561,7 +560,7 @@ LOMMEL_INLINE void dispatch(const Kernel& kernel) {
     dispatch(processor_level(), kernel);
 }
 
-// Like dispatch(), compiled for AVX-512 as well: for kernels that gain much from it. Most others gain about 5 %.
+// Like dispatch(), but compiled for AVX-512 as well, for kernels that this accelerates by much more than the usual 5 %.
 template <class Kernel>
 LOMMEL_INLINE void dispatch_widest([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86

@@ -1,4 +1,4 @@
-// Division of work among threads: a stack by pupils, a large image by blocks of rows.
+// Division of work among threads: by pupils for a stack of images, by blocks of rows for a large image.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace lommel {
 
-// Work, in microseconds, that justifies a thread: waking one takes about 30, more if the other processors are busy. Tests
-// reduce it to have threads at all.
+// Work that justifies one more thread, in microseconds. To wake a thread takes about 30, more if the other processors are busy.
+// Tests lower this value, so that small images use several threads.
 inline double& work_per_thread() {
     static double microseconds = 100.0;
     return microseconds;
 }
 
-// Number of threads that the work justifies, at most `threads` (0: no limit).
+// Number of threads that work of so many microseconds justifies, at most `threads` (0: no limit).
 inline int worthwhile_threads(int threads, double microseconds) {
     const int worth = static_cast<int>(std::min(1024.0, std::max(1.0, microseconds / work_per_thread())));
     return std::min(threads > 0 ? threads : worth, worth);
@@ -28,7 +28,7 @@ void for_pupils(std::size_t count, int threads, const Render& render) {
     parallel_for(count, threads, [&](std::size_t, std::size_t pupil) { render(pupil, one ? threads : 1); });
 }
 
-// Call work(first, last) for blocks of pupils; each pupil takes `microseconds`.
+// Call work(first, last) for each block of 64 pupils [first, last); the work on one pupil takes about `microseconds`.
 template <class Work>
 void for_blocks(std::size_t count, int threads, double microseconds, const Work& work) {
     constexpr std::size_t block = 64;
@@ -36,7 +36,7 @@ void for_blocks(std::size_t count, int threads, double microseconds, const Work&
                  [&](std::size_t, std::size_t b) { work(b * block, std::min(count, (b + 1) * block)); });
 }
 
-// Call paint(first, last) for blocks of image rows, each large enough for a task.
+// Call paint(first, last) for each block of image rows [first, last); a block has about 2^18 pixels, enough for a task.
 template <class Paint>
 void for_rows(std::size_t rows, std::size_t width, int threads, const Paint& paint) {
     const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / width);

@@ -9,9 +9,10 @@
 
 namespace lommel {
 
-struct Stopped {};  // thrown by look() if the caller wants to stop
+struct Stopped {};  // exception that look() throws to interrupt a call
 
-// While a Watch exists, its thread asks every 50 ms whether to stop, for itself and for all threads that help it.
+// While a Watch exists, the thread that constructed it calls ask() every 50 ms; once ask() has returned true, look() throws in
+// that thread and in all threads that help it.
 class Watch {
    public:
     using Ask = bool (*)();
@@ -27,9 +28,9 @@ class Watch {
 
     static constexpr std::chrono::milliseconds interval{50};
 
-    // Watch of this thread, or null.
+    // The Watch that look() checks in this thread, or null.
     static Watch* mine() { return seat().watch; }
-    // Set the watch of a helper thread, which does not ask itself but obeys the answer.
+    // Set the Watch that a helper thread checks; only the thread that constructed the Watch calls its ask().
     static void help(Watch* watch) { seat() = {watch, false}; }
 
     static void look() {
@@ -40,7 +41,7 @@ class Watch {
     }
 
    private:
-    // Time in milliseconds. The coarse clock, where available, costs a tenth of the fine one.
+    // Time in milliseconds. The coarse clock of some systems takes a tenth of the time of the other.
     static std::int64_t now() {
 #if defined(CLOCK_MONOTONIC_COARSE)
         std::timespec t;
@@ -83,10 +84,10 @@ class Watch {
     std::atomic<bool> stopped_{false};
 };
 
-// Check for interruption. Takes about 10 ns: for loops whose steps take microseconds.
+// Throw Stopped if the call is to be interrupted. This check takes about 10 ns: it is for loops whose steps take microseconds.
 inline void look() { Watch::look(); }
 
-// Check for interruption in loops with shorter steps, whenever `work`, in operations, adds up to some microseconds.
+// Check for interruption in loops with short steps: look() is called after every 2^14 operations (some microseconds) of `work`.
 class Glance {
    public:
     void operator()(std::size_t work = 1) {

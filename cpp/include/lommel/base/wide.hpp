@@ -6,8 +6,8 @@
 namespace lommel {
 
 // Floating-point type wider than double where the processor has one: 64 bits of mantissa on x86. The 113-bit long double of Arm
-// and WebAssembly is not used, as it is computed in software; LOMMEL_WIDE selects another type. If tables are computed in
-// double, error bounds include the additional rounding.
+// and WebAssembly is not used, as software computes it. LOMMEL_WIDE selects another type. If `wide` is double, the error bounds
+// include the additional rounding of the tables.
 #if defined(LOMMEL_WIDE)
 using wide = LOMMEL_WIDE;
 #elif defined(__LDBL_MANT_DIG__) && __LDBL_MANT_DIG__ == 64

@@ -1,4 +1,4 @@
-// Depth of each block from its energies at all depth candidates: position of the minimum, standard error, goodness of fit.
+// Depth of each block of pixels from its energies at all depth candidates: minimum, standard error and goodness of fit.
 #pragma once
 
 #include <algorithm>
@@ -12,28 +12,29 @@
 
 namespace lommel {
 
-// Depth candidates, at equal steps of vergence. forms[candidate][product]: coefficients of the energy as a quadratic form in
-// the residual images. statistics[row][candidate]: energy of white noise; variance of half the derivative of the energy due to
-// texture, per unit of curvature, and due to noise; ratio of curvature to valley depth for the design texture of the filters;
-// variance of the curvature due to noise.
+// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: coefficients of the energy, which is
+// a quadratic form in the residual images. statistics[row][candidate], with kappa half the second derivative of the energy: 0:
+// energy of white noise; 1, 2: variance of half the energy's first derivative, due to texture (over kappa) and to noise; 3:
+// kappa over valley depth (mean minus minimum of the energy) for the model texture; 4: variance of kappa due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
-    std::size_t count;  // 4 n + 1, at least 9
+    std::size_t count;  // number of candidates, 4 n + 1 with an integer n >= 2
     const float *forms, *statistics;
-    float read_variance;  // variance of a pixel without light, after binning
-    float pixels;  // number of pixels in a window
-    float first, step;  // vergence of the first candidate, and the step
-    float low, high;  // valid range of positions, in candidates
-    float largest;  // maximum standard error of a known depth, in candidates
+    float read_variance;  // variance of a dark pixel after binning, electrons^2
+    float pixels;  // effective number of binned pixels in an averaging window
+    float first, step;  // vergence of the first candidate, and step between candidates, 1 / m
+    float low, high;  // valid range of depth positions, in candidates
+    float largest;  // depths with a larger standard error are unknown, in candidates
 };
 
-// Depth estimate of one block, in units of candidates; `misfit` is 1 if the frames fit a single depth.
+// Depth estimate of one block. position: index of the candidate, fractional, NaN if unknown; error: standard error of position,
+// infinite if unknown; misfit: 1 on average if the frames fit a single depth.
 struct FocalPlace {
-    float position, error, misfit;  // candidates; NaN and infinite if unknown
+    float position, error, misfit;
 };
 
-// Search for the depth of blocks: coarse search over every fourth candidate, then the exact minimum around the best.
+// Depth search for blocks: energies at every fourth candidate, then the exact minimum around the lowest of them.
 class FocalSearch {
    public:
     FocalSearch(const FocalCandidates& given, std::size_t products)
@@ -60,8 +61,8 @@ class FocalSearch {
         Floats energies;
     };
 
-    // Estimate up to one vector of blocks. sums[product], at stride `pitch`: averages over the window, divided by the noise
-    // variance. trust: trusted fraction of the window.
+    // Estimate the depths of up to one vector of blocks. sums[product * pitch + block]: products of residual images, averaged
+    // over the window and divided by the noise variance. trust[block]: trusted fraction of the window.
     template <class I>
     LOMMEL_INLINE void operator()(I, const float* sums, std::size_t pitch, const float* trust, std::size_t blocks,
                                   Scratch& scratch, FocalPlace* out) const {
@@ -69,7 +70,7 @@ class FocalSearch {
         constexpr std::size_t lanes = 2 * I::lanes;
         const std::size_t count = roughs();
         float* const energies = scratch.energies.data();
-        // Coarse search at every fourth candidate, for all blocks at once. Eight parallel sums hide the latency of additions.
+        // Energies at every fourth candidate, for all blocks at once. Eight parallel sums hide the latency of additions.
         for (std::size_t c = 0; c < count; c += several) {
             V total[several] = {};
             for (std::size_t q = 0; q < products_; ++q) {
@@ -113,12 +114,12 @@ class FocalSearch {
     static float square(float x) { return x * x; }
     static constexpr std::size_t rough_step = 4, lanes_ = 16, near = 16, several = 8;
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
-    // Minimum trusted fraction of a window.
+    // Minimum trusted fraction of the window of a block whose depth is estimated.
     static constexpr float least_trust = 0.5f;
-    static constexpr float wide = 1.0f;  // variance, in candidates^2, from which on the likelihood is broad
-    static constexpr float unlike = 0.4f;  // relative scatter of the curvature over textures
+    static constexpr float wide = 1.0f;  // variance (candidates^2) above which the likelihood's second moment is used
+    static constexpr float unlike = 0.4f;  // relative standard deviation of the curvature between textures
     static constexpr float drop = 9.0f, sure = 3.0f,
-                           distinct = 6.0f;  // log-likelihoods; sure: standard deviations of an energy
+                           distinct = 6.0f;  // drop, distinct: log-likelihoods; sure: standard deviations
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
 
@@ -142,8 +143,8 @@ class FocalSearch {
             at = around[c - start] < around[at - start] ? c : at;
         }
         const float noise = noise_[at];
-        // Log-likelihood is pixels x energy / 2. Its minimum is below its value at the true depth by half a chi-squared
-        // variable of one degree of freedom, on average 1/2, hence 1 / pixels in energy.
+        // The negative log-likelihood is pixels * energy / 2. Its minimum is below its value at the true depth by half a
+        // chi-squared variable of one degree of freedom, on average by 1/2, which is 1 / pixels in energy.
         FocalPlace found{unknown, infinite, 1.0f + (around[at - start] + 1.0f / pixels) / noise};
         if (at == 0 || at == last || at == start || at == end) {
             return found;
@@ -152,7 +153,7 @@ class FocalSearch {
         const float* const e = around + (at - start);
         if (at >= start + 2 && at + 2 <= end) {
             std::copy_n(e - 2, 5, g);
-        } else {  // extrapolate by a cubic
+        } else {  // the missing fifth value, extrapolated by a cubic
             std::copy_n(e - 1, 3, g + 1);
             const bool low = at < start + 2;
             g[low ? 4 : 0] = low ? e[2] : e[-2];
@@ -176,7 +177,7 @@ class FocalSearch {
             return found;
         }
         const float worse = std::max(1.0f, found.misfit), likelihood = 0.5f * pixels / worse, here = g[2];
-        // Accept only a minimum well below the mean energy, and below any other valley.
+        // Accept the minimum only if its energy is well below the mean over all candidates, and below that of any other valley.
         const float valley = sum / static_cast<float>(count) - here, better = likelihood * valley;
         if (!(better >= drop && better >= sure * std::sqrt(0.5f * noise * pixels))) {
             return found;
@@ -195,8 +196,8 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= distinct)) {
             return found;
         }
-        // Noise makes the minimum too sharp. The curvature is therefore shrunk towards the one expected from the depth of the
-        // valley, weighted by the variances due to noise and to texture.
+        // Noise makes the minimum too sharp: the measured curvature is averaged with the one expected from the depth of the
+        // valley. Weights are by their variances, due to noise and to differences between textures.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
         const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));
@@ -204,7 +205,7 @@ class FocalSearch {
         float variance =
             (statistic(ByTexture) * curvature + statistic(ByNoise) * worse) * worse / (curvature * curvature * pixels);
         found.position = static_cast<float>(at) + x;
-        // A likelihood several candidates wide: use its second moment, as noise makes the curvature at the minimum too large.
+        // If the likelihood is several candidates wide, its second moment is the variance: noise makes the curvature too large.
         if (variance > wide) {
             float total = 0.0f, moment = 0.0f;
             for (std::size_t c = 0; c < count; ++c) {
@@ -221,7 +222,7 @@ class FocalSearch {
     }
 
     FocalCandidates given_;
-    std::size_t products_, padded_, width_, rough_width_;  // forms are zero beyond the products
+    std::size_t products_, padded_, width_, rough_width_;  // forms_ is padded_ x width_, with zeros as padding
     Floats forms_, rough_, noise_, statistics_;
 };
 

@@ -1,5 +1,4 @@
-// Products of residual images, summed over blocks of pixels and smoothed over blocks: the energies of all candidates are linear
-// in these sums.
+// Products of pairs of residual images, summed over blocks of pixels; the energy of each depth candidate is linear in them.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +12,18 @@
 
 namespace lommel {
 
-// Linear combinations sum_{i,m} factors[image][i][m] T_m y_i of filtered frames y_i (polynomials.hpp), several at a time.
+// Linear combinations of filtered frames: image k is the sum over frames i and orders m of factors[k][i][m] T_m y_i, with y_i
+// frame i and T_m the Chebyshev filter of order m (polynomials.hpp).
 class FocalMixture {
    public:
-    // Use `frames` frames from index `first` of the rows on. factors[images][frames][terms].
+    // The mixture uses `frames` frames of a FocalRows, from index `first` on; factors[images][frames][terms].
     FocalMixture(const float* factors, std::size_t images, std::size_t first, std::size_t frames, std::size_t terms)
         : images_(images), first_(first), frames_(frames), terms_(terms), factors_(factors, factors + images * frames * terms) {
     }
 
     std::size_t images() const { return images_; }
 
-    // Write row y of image k to out[k], in whole vectors.
+    // Write row y of image k to out[k], for all k. Up to two vectors are written past the end of a row.
     template <class I>
     LOMMEL_INLINE void operator()(I isa, FocalRows& rows, std::size_t y, float* const* out) const {
         std::size_t k = 0;
@@ -70,25 +70,25 @@ class FocalMixture {
     Floats factors_;
 };
 
-// Window of averages: blocks of `side` x `side` pixels (1, 2 or 4), and symmetric weights of neighbouring blocks along either
-// axis, with the sum 1.
+// Window over which products are averaged: blocks of `side` x `side` pixels (side = 1, 2 or 4), weighted symmetrically along
+// either axis; the sum of all weights is 1.
 struct FocalWindow {
     std::size_t side;
-    std::vector<float> weights;  // weights at distances of 0, 1, 2, ... blocks
+    std::vector<float> weights;  // weights of blocks at distances of 0, 1, 2, ... from the centre
 };
 
-// Sums over one row of blocks: products e_k e_l of the residual images (k <= l), the mean of the frames, and the number of
-// trusted pixels.
+// Sums over the pixels of each block, for one row of blocks: of products e_k e_l of the residual images e_k (k <= l), of the
+// mean of the frames, and of trust (the number of trusted pixels).
 class FocalProducts {
    public:
     FocalProducts(std::size_t images, std::size_t width, std::size_t side)
         : images_(images), side_(side), blocks_(width / side), groups_((blocks_ + most_lanes - 1) / most_lanes),
           grouped_((images + 2) * groups_ * most_lanes * side * side) {}
 
-    // Number of products of two images.
+    // Number of pairs of images, including each image with itself.
     std::size_t count() const { return images_ * (images_ + 1) / 2; }
 
-    // Add pixel row `within` of the blocks: residual images, mean of the frames, trust (1 or 0).
+    // Add one row of pixels, with index `within` in its blocks: residual images, mean of the frames, trust (1 or 0) of pixels.
     template <class I>
     LOMMEL_INLINE void take(I isa, std::size_t within, float* const* images, float* mean, const float* trust) {
         for (std::size_t k = 0; k < images_ + 2; ++k) {
@@ -99,7 +99,7 @@ class FocalProducts {
         }
     }
 
-    // Write count() rows of sums of products, `pitch` apart, and the sums of the mean and of trust, in whole vectors.
+    // Write the sums of products to count() rows of `out`, `pitch` values apart, and the sums of the mean and of trust.
     template <class I>
     LOMMEL_INLINE void sum(I isa, float* out, std::size_t pitch, float* mean, float* trust) const {
         side_ == 1   ? sums<1>(isa, out, pitch, mean, trust)
@@ -117,7 +117,8 @@ class FocalProducts {
         return const_cast<FocalProducts*>(this)->place(group, k, lanes);
     }
 
-    // Regroup one row of pixels so that lane b of vector c holds pixel column c of block b.
+    // Regroup a row of pixels so that lane b of vector c holds pixel column c of block b; untrusted pixels of residual images
+    // (k < images_) become 0.
     template <std::size_t Side, class I>
     LOMMEL_INLINE void group(I, std::size_t within, std::size_t k, const float* from, const float* trust) {
         using V = typename I::floats;
@@ -137,7 +138,7 @@ class FocalProducts {
             for (std::size_t c = 0; c < Side; ++c) {
                 store(to + c * lanes, out[c]);
             }
-            if (start + lanes * Side > inside) {  // zero beyond the last block
+            if (start + lanes * Side > inside) {  // lanes without a block become 0
                 for (std::size_t block = blocks_ - g * lanes; block < lanes; ++block) {
                     for (std::size_t c = 0; c < Side; ++c) {
                         to[c * lanes + lane_of<Side, lanes>(block)] = 0.0f;
@@ -147,7 +148,8 @@ class FocalProducts {
         }
     }
 
-    // Lane in which by_columns() leaves a block: in order for vectors of four lanes, permuted by halves for eight.
+    // Lane in which by_columns() leaves a block: for vectors of four lanes the block's own index, for eight lanes a
+    // permutation.
     template <std::size_t Side, std::size_t Lanes>
     static constexpr std::size_t lane_of(std::size_t block) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)

@@ -1,4 +1,4 @@
-// Reader of the tables written by LiveDepth.save(), and depth from frames with them, for cameras without Python.
+// Depth from camera frames without Python, using the table files that LiveDepth.save() writes.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 
 namespace lommel {
 
-// Little-endian file: 32-bit integers, then floats, in the order of the fields below.
+// Table file, little-endian: 32-bit integers, then floats, in the order of the fields below.
 struct FocalFile {
-    static constexpr std::int32_t magic = 0x464d4c4c, version = 1;  // "LLMF"
-    static constexpr std::int32_t block = 4;  // pixels along the side of a block with one depth
+    static constexpr std::int32_t magic = 0x464d4c4c, version = 1;  // the letters "LLMF"
+    static constexpr std::int32_t block = 4;  // side of the blocks of the depth map, in pixels
     enum Whole {
         Magic,
         Version,
@@ -49,13 +49,13 @@ struct FocalFile {
         High,
         Largest,
         numbers
-    };  // after two sets of three filter taps
+    };  // number[0] to number[5] are two sets of three filter taps
 
     std::array<std::int32_t, wholes> whole;
     std::array<float, numbers> number;
     std::vector<float> residuals, weights, forms, statistics, images, mixes;
 
-    // Throws std::invalid_argument if the data are not a valid table file.
+    // Read a table file. Throws std::invalid_argument if the data are not valid.
     FocalFile(const void* data, std::size_t bytes) {
         const std::uint16_t one = 1;
         unsigned char low;
@@ -65,7 +65,7 @@ struct FocalFile {
         const unsigned char* const end = from + bytes;
         const auto take = [&](void* to, std::size_t size) {
             require(static_cast<std::size_t>(end - from) >= size, "the tables end too early");
-            std::copy_n(from, size, static_cast<unsigned char*>(to));  // copies nothing if size is 0, as for an empty vector
+            std::copy_n(from, size, static_cast<unsigned char*>(to));  // no copy if size is 0, for an empty vector
             from += size;
         };
         take(whole.data(), sizeof whole);
@@ -109,7 +109,7 @@ struct FocalFile {
     }
 };
 
-// Depth maps and sharp images of frames of one size.
+// Camera whose frames all have one size: computes depth maps and sharp images from its focal stacks.
 class FocalCamera {
    public:
     FocalCamera(const FocalFile& file, std::size_t height, std::size_t width, std::size_t threads) : file_(file) {
@@ -165,8 +165,9 @@ class FocalCamera {
     std::size_t down() const { return stream_->down(); }
     std::size_t across() const { return stream_->across(); }
 
-    // Compute depth from frames of 8 or 16 bits a pixel, rows `stride` pixels apart. Throws std::invalid_argument for a frame
-    // without light.
+    // Compute the depth of each block and its standard error, in metres, and its misfit (FocalPlace), from frames of 8 or 16
+    // bits a pixel, with rows `stride` pixels apart. Throws std::invalid_argument for frames that are dark or differ too much
+    // in exposure.
     void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* errors, float* misfit) {
         taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);
@@ -217,7 +218,7 @@ class FocalCamera {
     }
 
     // Compute the sharp image of the frames of the last take(), which must still be in memory. Throws std::invalid_argument if
-    // the file has no tables for it.
+    // the file has no tables for sharp images.
     void sharpen(float* image) {
         if (!pictures_ || !taken_) {
             throw std::invalid_argument(pictures_ ? "there are no frames yet" : "the tables have no sharp images: sharp=True");

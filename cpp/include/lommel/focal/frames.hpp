@@ -1,4 +1,4 @@
-// Reader of camera frames: rows in electrons per exposure, binned, with unknown pixels marked.
+// Reader of camera frames: binned rows in electrons, divided by the exposure, with marks for unknown pixels.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ struct FocalFrame {
     std::size_t stride;         // row stride in values
     float full;                 // values >= full are saturated, hence unknown
     float offset;               // dark level
-    float gain[6];              // electrons over exposure: factors of 1, x, x^2, y, x y, y^2; x, y = -1 .. 1 over the frame
+    float gain[6];              // electrons per value: coefficients of 1, x, x^2, y, x y, y^2; x, y = -1 .. 1 over the frame
     const std::uint8_t*
-        known;  // 1 for a known pixel, 0 for an unknown one, 2 for an illuminated but not trusted one; null: all are known
+        known;  // mask: 1 known, 0 unknown, 2 illuminated but not to be trusted; null: all pixels are known
     std::size_t known_stride;
 
     float value(std::size_t at) const {
@@ -34,13 +34,14 @@ struct FocalFrame {
     bool even() const { return gain[1] == 0.0f && gain[2] == 0.0f && gain[3] == 0.0f && gain[4] == 0.0f && gain[5] == 0.0f; }
 };
 
-// Rows of frames binned by `binning` x `binning` pixels; height and width count binned pixels.
+// Reader of frame rows, in which squares of `binning` x `binning` pixels are summed; height and width count these squares.
 class FocalReader {
    public:
     FocalReader(std::size_t height, std::size_t width, std::size_t binning)
         : height_(height), width_(width), binning_(binning) {}
 
-    // Write row y to `out`, and mark binned pixels in `unknown`: 2 unknown, 1 not trusted. Returns whether any is marked.
+    // Write row y of binned pixels to `out`, and mark them in `unknown`: 2 if unknown, 1 if not trusted. Returns whether any
+    // binned pixel is marked.
     template <class I>
     LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
         switch (frame.kind) {
@@ -65,8 +66,8 @@ class FocalReader {
             copy<4>(first, frame.stride, out);
         }
         bool any = false;
-        // Quick test before the search by pixel: with a saturated or non-finite pixel, the sum of its bin is at least as large,
-        // or non-finite.
+        // Quick test before the search by pixel: the sum of a square with a saturated pixel is at least frame.full, and that of
+        // a square with a non-finite pixel is not finite.
         float most = -std::numeric_limits<float>::infinity(), all = 0.0f;
         for (std::size_t x = 0; x < width_; ++x) {
             most = out[x] > most ? out[x] : most;
@@ -100,7 +101,8 @@ class FocalReader {
         }
     }
 
-    // Not inlined into each instruction set, as vectors do not accelerate a branch per pixel.
+    // Mark unknown and untrusted pixels. Not compiled for each instruction set, as vectors do not accelerate a branch per
+    // pixel.
     LOMMEL_NOINLINE bool look_for(const FocalFrame& frame, std::size_t y, float* unknown) const {
         bool any = false;
         for (std::size_t i = 0; i < binning_; ++i) {
@@ -140,7 +142,7 @@ class FocalReader {
         return (static_cast<float>(i) + 0.5f) * 2.0f / static_cast<float>(side) - 1.0f;
     }
 
-    // Interpolate unknown pixels linearly between known neighbours in the row; a row with none becomes 0.
+    // Interpolate unknown pixels linearly between known neighbours in the row; a row without known pixels becomes 0.
     LOMMEL_NOINLINE void fill(float* out, const float* unknown) const {
         std::size_t x = 0;
         while (x < width_) {
@@ -167,8 +169,8 @@ class FocalReader {
     std::size_t height_, width_, binning_;
 };
 
-// Sums of raw values over pixels known in all frames, and the number of these pixels, in each of cells x cells parts of the
-// frame: out[frames + 1][cells][cells].
+// Sums of raw values over the pixels known in all frames, for each of cells x cells parts of the frame:
+// out[frame][row][column]. out[frames] has the number of these pixels in each part.
 class FocalSums {
    public:
     static constexpr std::size_t cells = 8;

@@ -1,5 +1,5 @@
-// Chebyshev polynomials of one small filter applied to the rows of several images; each order lags the previous one by `reach`
-// rows.
+// Chebyshev polynomials of one small filter, applied to the rows of several images while these are read: the polynomial of each
+// order is computed `reach` rows behind the previous order.
 #pragma once
 
 #include <algorithm>
@@ -17,20 +17,21 @@ LOMMEL_INLINE std::size_t mirrored_row(std::ptrdiff_t y, std::size_t side) {
     return static_cast<std::size_t>(y < 0 ? -1 - y : y >= rows ? 2 * rows - 1 - y : y);
 }
 
-// Filter T_m(2 B - 1) y, m = 0 .. degree. B is the product of symmetric filters along rows and columns with `reach` (1 or 2)
-// taps on either side of the middle. Images and filtered images have mirrored borders.
+// Filters T_m(2 B - 1), with T_m the Chebyshev polynomials of order m = 0 .. degree. B is the product of two equal symmetric
+// filters along rows and columns, with values[k] at distance k = 0 .. reach (1 or 2). All images have mirrored borders.
 struct FocalTaps {
     std::size_t degree, reach;
     float values[3];
 };
 
-// Ring buffers of the rows of all orders of several images. Rows have `margin` floats on either side.
+// Ring buffers with the last rows of several images, filtered by the polynomial T_m of each order m. Rows have `margin` floats
+// of padding at either end.
 class FocalRows {
    public:
     static constexpr std::size_t margin = 32;
     static std::size_t padded(std::size_t width) { return (width + 31) / 32 * 32 + 2 * margin; }
 
-    // Each row remains available in all orders until row `ahead` after it is read.
+    // Row y remains available in all orders until row y + `ahead` has been read.
     FocalRows(const FocalTaps& taps, std::size_t images, std::size_t height, std::size_t width, std::size_t ahead)
         : taps_(taps), height_(height), width_(width), pitch_(padded(width)), images_(images), column_(pitch_) {
         for (std::size_t m = 0; m <= taps.degree; ++m) {
@@ -48,7 +49,7 @@ class FocalRows {
         return rows_.data() + image * total_ + starts_[m] + y % lengths_[m] * pitch_ + margin;
     }
 
-    // Compute row y of order m > 0 of all images from lower orders.
+    // Compute row y of order m > 0 of all images, by the recurrence of Chebyshev polynomials.
     template <class I>
     LOMMEL_INLINE void step(I isa, std::size_t m, std::size_t y) {
         for (std::size_t image = 0; image < images_; ++image) {

@@ -1,4 +1,4 @@
-// Magnification of frames about their centre, to correct focus breathing.
+// Magnification of frames about their centre, to correct focus breathing (magnification that changes with focus).
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Resampling along one axis by eight taps of a sinc with a Kaiser window, normalized to the sum 1. The response has an error of
-// at most 0.4 % up to 0.3 cycles per pixel, for any subpixel position.
+// Resampling along one axis by eight taps of a sinc with a Kaiser window, normalized to the sum 1. The frequency response
+// deviates from 1 by at most 0.4 % up to 0.3 cycles per pixel, for any subpixel shift.
 class FocalAxis {
    public:
     static constexpr std::size_t taps = 8;
@@ -39,7 +39,8 @@ class FocalAxis {
         }
     }
 
-    // Index of the first of the eight source pixels of pixel x; inside(): all eight are in the frame.
+    // first(x): index of the first of the eight source pixels of pixel x. inside(x): all eight are in the frame. weight(k, x),
+    // weights(k)[x]: weight of source pixel first(x) + k.
     std::ptrdiff_t first(std::size_t x) const { return first_[x]; }
     bool inside(std::size_t x) const { return first_[x] >= 0 && first_[x] + std::ptrdiff_t{taps} <= std::ptrdiff_t(side_); }
     float weight(std::size_t k, std::size_t x) const { return weights_[k * side_ + x]; }
@@ -65,10 +66,10 @@ class FocalAxis {
     Floats weights_;
 };
 
-// Resampling of frames about their centre, in parallel strips.
+// Magnification of frames about their centre, computed in parallel strips of rows.
 class FocalScale {
    public:
-    // Output pixel x samples the frame at `scale` times its distance from the centre.
+    // An output pixel samples the frame at `scale` times its own distance from the centre.
     FocalScale(std::size_t height, std::size_t width, double scale, std::size_t threads)
         : height_(height), width_(width), down_(height, scale), across_(width, scale), threads_(threads),
           room_(threads * (FocalAxis::taps + 1) * width) {}
@@ -76,13 +77,13 @@ class FocalScale {
     std::size_t height() const { return height_; }
     std::size_t width() const { return width_; }
 
-    // Write raw values like those of the frame; NaN where a source pixel is outside it, saturated or unknown.
+    // Write the resampled frame, in raw values; NaN where any source pixel is outside the frame, saturated or unknown.
     void operator()(const FocalFrame& frame, float* out);
 
    private:
     static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-    // Resample row y of a frame along x.
+    // Resample row y of a frame along x to `out`; `values` is working memory.
     void row(const FocalFrame& frame, std::size_t y, float* values, float* out) const {
         const std::uint8_t* const known = frame.known ? frame.known + y * frame.known_stride : nullptr;
         for (std::size_t x = 0; x < width_; ++x) {
@@ -90,7 +91,7 @@ class FocalScale {
             values[x] = value < frame.full && (!known || known[x] == 1) ? value : unknown;
         }
         for (std::size_t x = 0; x < width_;) {
-            // Runs of pixels whose source offset is constant.
+            // Resample one run of pixels whose source pixels all lie at the same offset from them.
             const std::ptrdiff_t shift = across_.first(x) - static_cast<std::ptrdiff_t>(x);
             std::size_t end = x;
             while (end < width_ && across_.inside(end) && across_.first(end) - static_cast<std::ptrdiff_t>(end) == shift) {
@@ -121,7 +122,7 @@ LOMMEL_ONCE void FocalScale::operator()(const FocalFrame& frame, float* out) {
     parallel_for(threads_, static_cast<int>(threads_), [&](std::size_t, std::size_t s) {
         float* const values = room_.data() + s * (taps + 1) * width_;
         float* const ring = values + width_;
-        std::ptrdiff_t next = 0;  // next row to enter the ring
+        std::ptrdiff_t next = 0;  // next frame row to enter the ring buffer
         for (std::size_t y = height_ * s / threads_; y < height_ * (s + 1) / threads_; ++y) {
             float* const to = out + y * width_;
             if (!down_.inside(y)) {

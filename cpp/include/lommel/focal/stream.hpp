@@ -21,26 +21,27 @@
 
 namespace lommel {
 
-// Plan of a FocalStream, for frames of height x width pixels after binning by `binning`.
+// Plan of a FocalStream: size of the frames, filters, and outputs. Heights and widths count pixels after binning by `binning`.
 struct FocalPlan {
     std::size_t height, width, binning;
     std::size_t channels, frames;  // order of frames: all of the first channel, then of the second, ...
     FocalTaps taps;
-    const float* residuals;  // [channels][count][frames][degree + 1]; products are summed over blocks
+    const float* residuals;  // FocalMixture factors of residual images: [channels][count][frames][degree + 1]
     std::size_t residual_count;
-    const float* images;  // [count][frames][degree + 1], first channel; images kept for mix()
+    const float* images;  // FocalMixture factors of the images kept for mix(), first channel only: [count][frames][degree + 1]
     std::size_t image_count;
     FocalWindow window;
-    std::size_t fine;  // number of depths per block along either axis, interpolated between block sums
-    std::size_t blur;  // blur radius in binned pixels; no pixel so close to the border or to an unknown pixel is trusted
+    std::size_t fine;  // number of depths per block along either axis; block sums are interpolated for them
+    std::size_t blur;  // blur radius in binned pixels; pixels this close to the border or to an unknown pixel are not trusted
     std::size_t strips;
 
     std::size_t planes() const { return channels * frames; }
-    // Number of rows that must be read before one can be computed.
+    // Number of rows that must be read beyond a row before its results can be computed.
     std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
 };
 
-// Filters for a focal stack in parallel strips of rows, followed by depth estimation (search) and mixing of sharp images (mix).
+// Processing of a focal stack: take() filters the frames and estimates depths, in parallel strips of rows; search() corrects
+// the depth map; mix() computes sharp images.
 class FocalStream {
    public:
     FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
@@ -68,7 +69,7 @@ class FocalStream {
         }
     }
 
-    // Number of depths along either axis.
+    // down(), across(): number of rows and columns of the depth map.
     std::size_t down() const { return down_ * plan_.fine; }
     std::size_t across() const { return across_ * plan_.fine; }
     bool has_depth() const { return search_ != nullptr; }
@@ -76,22 +77,23 @@ class FocalStream {
     const FocalPlace* places() const { return places_.data(); }
     const float* filled() const { return filled_.data(); }
 
-    // Sums over known pixels and their number, like FocalSums.
+    // Compute the sums of FocalSums: raw values over the pixels known in all frames, and the number of these pixels.
     void sum(const FocalFrame* frames, double* out);
 
-    // Filter a stack of frames; search() and mix() then use the results.
+    // Filter a stack of frames, estimate the depth of each block, and keep images for mix().
     void take(const FocalFrame* frames);
 
-    // Estimate the position and standard error of every block, and fill unknown positions from their surroundings.
+    // Correct the standard errors in places(), mark uncertain depths as unknown, and write filled(): the depth positions, in
+    // which unknown ones are filled from their surroundings.
     void search();
 
-    // Mix the kept images at the given candidate positions [down][across], one per block of `side` pixels, interpolating the
-    // factors [candidates][images] linearly.
+    // Compute a sharp image: sum of the kept images times factors[candidates][images], which are interpolated linearly at the
+    // depth positions[down][across] (in candidates) of blocks of `side` x `side` pixels.
     void mix(const float* positions, std::size_t down, std::size_t across, std::size_t side, const float* factors,
              std::size_t candidates, float* out);
 
    private:
-    // Working memory of one thread.
+    // Working memory of one strip of rows, which one thread filters.
     struct Strip {
         Strip(const FocalPlan& plan, const FocalStream& of)
             : rows(plan.taps, plan.planes(), plan.height, plan.width, plan.ahead()),
@@ -115,38 +117,39 @@ class FocalStream {
         float* unknown_row(std::size_t y) { return unknown.data() + y % kept * pitch; }
 
         FocalRows rows;
-        std::vector<FocalMixture> residuals;  // one per channel
+        std::vector<FocalMixture> residuals;  // residual images of each channel
         FocalMixture images;
         std::vector<FocalProducts> products;
         Floats lines;
-        std::size_t kept, pitch;  // ring of rows of unknown pixels, and their pitch
+        std::size_t kept, pitch;  // number and pitch of the rows in the ring buffer `unknown`
         Floats unknown;
-        std::vector<int> counts;  // number of unknown pixels within `blur`, per column
+        std::vector<int> counts;  // number of unknown pixels within `blur` of each pixel of a row
         Floats smooth[2], padded, between, coefficients;
-        std::size_t held[2] = {none, none};  // index of the block row in each of `smooth`
-        Floats sums;  // ring of sums of the last block rows
-        std::size_t next = 0, end = 0;  // range of depth rows still to estimate
+        std::size_t held[2] = {none, none};  // index of the block row whose averages each `smooth` holds
+        Floats sums;  // ring buffer with the sums of the last block rows
+        std::size_t next = 0, end = 0;  // range of rows of the depth map still to estimate
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;
     };
-    // Level of the image pyramid of fill(): positions, and weights (0 where unknown).
+    // Level of the image pyramid in fill(). values: depth positions in candidates; weights: 1 where the position is known, else
+    // 0.
     struct Level {
         std::size_t height, width;
         std::vector<float> values, weights;
     };
 
     std::size_t line() const { return FocalRows::padded(plan_.width); }
-    // Number of blocks above or below that contribute to the depth of a block.
+    // Number of block rows above, and equally below, that contribute to the depth of a block.
     std::size_t neighbours() const { return plan_.window.weights.size() - 1 + (plan_.fine > 1 ? 1 : 0); }
     float* sums_of(Strip& strip, std::size_t block) const {
         return strip.sums.data() + block % kept_ * rows_ * pitch_ + FocalRows::margin;
     }
 
-    // Filter the rows of a strip in all orders, and compute all results that depend on them.
+    // Filter the rows own .. end - 1 of a strip, and the rows around them that their results depend on; compute the results.
     template <class I>
     LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t own, std::size_t end) {
         const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
-        // Depths next to another strip depend on blocks of that strip.
+        // Depths at the edge of a strip depend on blocks of the adjacent strip, `beyond` rows of pixels.
         const std::size_t beyond = plan_.residual_count > 0 ? neighbours() * plan_.window.side : 0, own_top = own,
                           own_bottom = end;
         const std::size_t top = own > beyond ? own - beyond : 0, bottom = std::min(end + beyond, plan_.height);
@@ -162,7 +165,8 @@ class FocalStream {
                     strip.rows.step(isa, m, y);
                 }
             }
-            // Running count over the rows within `blur`: add the row that enters the range, subtract the row that leaves it.
+            // Running count of unknown pixels in the rows within `blur`: add the row that enters this range, subtract the one
+            // that leaves.
             const std::size_t blur = plan_.blur, span = 2 * blur + 1;
             if (t + blur >= first + ahead && t + blur - ahead < plan_.height) {
                 count(strip, t + blur - ahead, 1);
@@ -198,7 +202,7 @@ class FocalStream {
         }
     }
 
-    // Compute row y of all images.
+    // Compute row y of all residual images and kept images, and the depths of which this row is the last needed.
     template <class I>
     LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y, bool own) {
         float* lines[most_images + 2];
@@ -214,7 +218,7 @@ class FocalStream {
         for (std::size_t x = 0; judged && x < plan_.width; ++x) {
             trust[x] = edge || x < plan_.blur || x + plan_.blur >= plan_.width || strip.counts[x] != 0 ? 0.0f : 1.0f;
         }
-        // The residuals of each channel, then (last pass) the kept images of the first.
+        // Residual images of each channel; in the last pass, the kept images of the first channel.
         for (std::size_t c = 0; c <= plan_.channels; ++c) {
             const bool kept = c == plan_.channels;
             if (kept ? !own || plan_.image_count == 0 : !judged) {
@@ -241,7 +245,7 @@ class FocalStream {
         }
     }
 
-    // Last block row that depth row y depends on.
+    // Last block row on which row y of the depth map depends.
     std::size_t needed(std::size_t y) const {
         const std::size_t fine = plan_.fine, block = fine == 1 ? y : (2 * y + 1 + fine) / (2 * fine);
         return std::min(std::min(block, down_ - 1) + plan_.window.weights.size() - 1, down_ - 1);
@@ -257,7 +261,7 @@ class FocalStream {
         }
     }
 
-    // Smooth a row of blocks along x, in place, with zeros beyond its ends.
+    // Average a row of blocks along x with the weights of the window, in place; blocks beyond the ends count as 0.
     template <class I>
     LOMMEL_INLINE void smooth(I, Strip& strip, float* row) {
         using V = typename I::floats;
@@ -274,7 +278,7 @@ class FocalStream {
         }
     }
 
-    // Estimate depth row y.
+    // Estimate row y of the depth map.
     template <class I>
     LOMMEL_INLINE void decide(I isa, Strip& strip, std::size_t y) {
         constexpr std::size_t lanes = 2 * I::lanes;
@@ -303,7 +307,7 @@ class FocalStream {
         }
     }
 
-    // Window averages around a row of blocks: products divided by the noise variance, light, and trust.
+    // Averages over the windows around a row of blocks: products divided by the noise variance, mean of the frames, and trust.
     template <class I>
     LOMMEL_INLINE const float* average(I, Strip& strip, std::size_t block) {
         const std::size_t slot = plan_.fine > 1 ? block % 2 : 0;
@@ -320,7 +324,7 @@ class FocalStream {
             const float* const light = sums + (products_ + c) * pitch_;
             for (std::size_t i = 0; i <= each_; ++i) {
                 column(I{}, strip, block, i == 0 ? products_ + c : c * each_ + i - 1, i == 0 ? nullptr : over, sums);
-                // Mean light over the part of the window inside the image.
+                // Divided by the fraction of the window inside the image, `light` is the mean of the frames over that part.
                 for (std::size_t x = 0; i == 0 && x < across_; ++x) {
                     const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
                     over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
@@ -329,7 +333,7 @@ class FocalStream {
         }
         return sums;
     }
-    // Row q of the window averages: weighted sum of block rows above and below, times `factors` if not null.
+    // Window average of quantity q (a product, the mean or trust): weighted sum over block rows, times `factors` unless null.
     template <class I>
     LOMMEL_INLINE void column(I isa, Strip& strip, std::size_t block, std::size_t q, const float* factors, float* sums) const {
         const std::vector<float>& weights = plan_.window.weights;
@@ -367,7 +371,7 @@ class FocalStream {
             store(to + x, factors ? sum * load<V>(factors + x) : sum);
         }
     }
-    // Fraction of a window along one axis inside 0 .. side - 1.
+    // Sum of the window weights, along one axis, of blocks inside 0 .. side - 1, for the window around block `at`.
     float share(std::size_t at, std::size_t side) const {
         const std::vector<float>& weights = plan_.window.weights;
         if (at + 1 >= weights.size() && at + weights.size() <= side) {
@@ -380,9 +384,9 @@ class FocalStream {
         return sum;
     }
 
-    // A window across a depth edge mixes two depths, and the minimum of its energy is between them. The standard error is
-    // therefore increased by the slope of neighbouring positions and their deviation from a plane. Positions out of range or
-    // with too large an error become unknown.
+    // Increase standard errors near depth edges, by the slope of neighbouring positions and their deviation from a plane: a
+    // window across an edge mixes two depths, and its energy has a minimum between them. Positions out of range or with too
+    // large an error become unknown.
     void doubt() {
         const FocalCandidates& given = search_->candidates();
         const std::size_t strips = strips_.size();
@@ -409,8 +413,8 @@ class FocalStream {
             }
         }
     }
-    // Additional variance of a position from its neighbours, beyond their own errors: from their slope and, if the frames do
-    // not fit a single depth (misfit), from their deviation from a plane.
+    // Variance to add to that of a position whose neighbours differ by more than their errors: from their slope and, if the
+    // frames do not fit a single depth (misfit), from their deviation from a plane.
     float rough(std::ptrdiff_t y, std::ptrdiff_t x, std::ptrdiff_t reach) const {
         const auto rows = static_cast<std::ptrdiff_t>(down()), columns = static_cast<std::ptrdiff_t>(across());
         const FocalPlace& here = places_[static_cast<std::size_t>(y * columns + x)];
@@ -447,7 +451,7 @@ class FocalStream {
     }
     static constexpr float slope_share = 0.06f, bend_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
 
-    // Fill unknown positions with means of known ones around them, coarse to fine.
+    // Fill unknown positions with means of known positions around them, from an image pyramid, coarse to fine.
     void fill() {
         Level& finest = levels_[0];
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -495,7 +499,7 @@ class FocalStream {
                              const float* factors, std::size_t candidates, float* out, std::size_t top, std::size_t bottom) {
         using V = typename I::floats;
         const std::size_t count = plan_.image_count, pitch = line();
-        // Factors of each image at two rows of blocks, and interpolated to a row of pixels.
+        // before, after: factors of each image at two rows of blocks; here: factors interpolated to one row of pixels.
         float* const before = strip.coefficients.data();
         float* const after = before + count * pitch;
         float* const here = after + count * pitch;
@@ -540,7 +544,8 @@ class FocalStream {
         }
         static_cast<void>(sizeof(V));
     }
-    // Interpolate linearly between block centres to a row of pixels.
+    // Interpolate linearly from block centres to a row of pixels; a and b are rows of blocks, mixed with the weight `part` of
+    // b.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
                                      std::size_t width, float* to) {
         const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };

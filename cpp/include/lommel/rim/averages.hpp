@@ -1,5 +1,5 @@
-// Averages over pixels far from the axis, for pupils of any Zernike terms, from the rims of their apertures (certificate,
-// section 10).
+// Averages over pixels far from the axis, computed from the pupil function on the rims of the aperture and its obscuration, for
+// any Zernike terms (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -22,24 +22,26 @@
 
 namespace lommel {
 
-// Pupils whose axes are in the middle of pixels, tilts being less than a pixel: see DiskStack::move_axes().
+// Stack of pupils whose axes DiskStack::move_axes() has moved to pixel centres, which leaves tilts of less than a pixel.
 class RimStack {
    public:
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
 
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
-    // Root of the mean of |Q_K|^2 over the disk, K = rim_orders, to out[pupil].
+    // out[pupil]: root mean square over the pupil of dbar^K P / P, P being the pupil function, dbar = d/dx + i d/dy, K =
+    // rim_orders.
     void remainders(int threads, double* out) const;
 
    protected:
-    // Pupils in vector lanes or, if `lone`, one pupil, whose lanes are angles and, in the window's tables, radii.
+    // Pupils first .. first + here - 1, one per vector lane; or, if `lone`, one pupil: lanes are then angles on the rim and,
+    // later, radii in the image.
     struct Batch {
         Level level;
         std::size_t first, here;
         bool lone;
         std::size_t lanes() const { return RimKernels::lanes(level); }
     };
-    // Batches of full vectors; a remainder of less than a third of a vector is done pupil by pupil.
+    // Division of pupils into batches that fill vectors; less than a third of a vector, at the end, is done pupil by pupil.
     struct Batches {
         std::size_t count, together, alone;
         explicit Batches(std::size_t pupils) : count(pupils) {
@@ -54,8 +56,9 @@ class RimStack {
                                 : Batch{RimKernels::narrow(widest), count - alone + b - together, 1, true};
         }
     };
-    // Copy the coefficients of the pupils to lanes, of the aperture or (inner) of its obscuration; with `line`, also their sums
-    // over each azimuthal order, in units of ChordKernels::unit.
+    // Copy the Zernike coefficients of a batch, of the aperture or (`inner`) the obscuration, to
+    // scratch.coefficients[term][lane]. With `line`, also write their sums over each azimuthal order to scratch.phases, in
+    // units of ChordKernels::unit.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
         const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
@@ -79,11 +82,11 @@ class RimStack {
     std::size_t degree_;
 };
 
-// Results, and averages within boxes that were computed elsewhere. Boxes may extend beyond the window.
+// Results of RimAverages, and averages computed elsewhere for pixels in a box around each axis, which may exceed the window.
 struct RimAnswer {
-    const double *remainders, *near;  // [pupil] of RimStack; [pupil][row][column of the box]
-    const std::int64_t* places;       // [pupil]: index of its image
-    double *images, *numbers;         // [image][row][column]; [pupil][error, largest value] of averages outside the box
+    const double *remainders, *near;  // [pupil], from RimStack; near: averages in boxes, [pupil][row][column]
+    const std::int64_t* places;       // [pupil]: index of its image in `images`
+    double *images, *numbers;         // [image][row][column]; numbers: [pupil][error bound, maximum], outside the box
 };
 
 class RimAverages : RimStack {
@@ -108,7 +111,7 @@ class RimAverages : RimStack {
     void run(int threads) const;
 
    private:
-    // Smallest rectangle of pixels, relative to the axis, around the windows of all pupils of a batch.
+    // Smallest rectangle of pixels that holds the windows of all pupils of a batch, in rows and columns from the axis.
     struct Around {
         std::int64_t top, bottom, left, right;
         std::size_t width() const { return static_cast<std::size_t>(right - left + 1); }
@@ -122,11 +125,11 @@ class RimAverages : RimStack {
     void render(const Batch& batch, const RimLone* lone) const;
     Around around(const Batch& batch) const;
     std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
-    // Write the image of a pupil; returns the largest average outside the box.
+    // Write the image of a pupil; returns the largest average outside its box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // Bounds alpha_k (certificate, section 10, "Orders") divided by k! unit^k. each[k]: error of a Fourier coefficient on the
-    // rim from aliasing of orders beyond angles - rim.orders; rounded[k]: sum of moduli to which the rounding of Q_k is
+    // Bounds for the derivatives dbar^k P of the pupil function P on a rim, divided by rim_scale(k). each[k]: aliasing error of
+    // a Fourier coefficient (alpha in certificate, section 10, "Orders"); rounded[k]: sum of moduli, to which rounding is
     // relative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
@@ -165,7 +168,7 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    // e: sums over terms; apart: sums of the moduli of their summands, to which rounding is relative.
+    // e: derivatives of the phase, summed over terms; apart: sums of the moduli of the summands, to which rounding is relative.
     std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);
@@ -181,8 +184,8 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
         moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
         summed[i] = apart[2 * i] + apart[2 * i + 1];
     }
-    // At theta +- i t coefficients of exp(i mu theta) grow by at most exp(|mu| t), and |P| is at most the exponential of the
-    // bound on the imaginary part of the phase.
+    // phase[m]: amplitude of the phase of azimuthal order m. At complex angles theta +- i t a term exp(i m theta) grows by at
+    // most exp(|m| t), and the pupil function is bounded by the exponential of the phase's imaginary part.
     std::vector<double> phase(slopes.degree + 1, 0.0);
     for (std::size_t c = 0; c < line.orders.size(); ++c) {
         double sum = 0.0;
@@ -243,7 +246,7 @@ LOMMEL_ONCE void RimAverages::render(const Batch& batch, const RimLone* lone) co
     const Around pixels = around(batch);
     scratch.out.assign(pixels.size() * lanes, 0.0f);
     RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
-    if (batch.lone) {  // lanes hold radii: sums and maxima over them
+    if (batch.lone) {  // lanes are radii: sum or maximum over the lanes
         for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
             scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
         }
@@ -280,7 +283,7 @@ LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::siz
             for (std::size_t i = 0; i < 4; ++i) {
                 const std::int64_t y = down[turned][i], x = right[turned][i];
                 if (pixels.holds(y, x)) {
-                    // In the mirror image, the angle psi becomes i quarter turns minus psi.
+                    // A mirror image (`turned`) has the polar angles of i quarter turns minus those of the pixel.
                     const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
                     const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
                     const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
@@ -320,7 +323,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
                                       double top) const {
     const RimTable& table = *table_;
     const double nearest = table.window.nearest();
-    // Error of U, root mean square over a pixel.
+    // Root mean square error of the field U over a pixel.
     double off = stack_.lost[pupil] +
                  answer_.remainders[pupil] * std::pow(nearest, -static_cast<double>(rim_orders)) * std::sqrt(table.off_field);
     double size[2] = {0.0, 0.0};
@@ -336,7 +339,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
             const double energy = static_cast<double>(of.energy[k * lanes + lane]);
             const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
                                 2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
-            // Rounding of the sums over angles, of phases and slopes, and of k steps from Q_j to Q_{j+1}.
+            // Rounding, in units of roundoff: of sums over angles, of phases and derivatives, and of k steps of rim_powers().
             const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
             off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
                    (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);
@@ -346,8 +349,8 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
     }
     const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
                  largest = static_cast<double>(scratch.largest[lane]);
-    // Rounding in single precision: of sums over radii, angles and channels; and of waves. The moduli of all `many` waves, two
-    // for each rim, sum to at most sqrt(many S), S the smooth channel (Schwarz).
+    // Rounding in single precision. units: of sums over radii, angles and channels. waves: of the waves; their number is
+    // `many`, two for each rim, and their moduli sum to at most sqrt(many S), with S the sum of their squares (Schwarz).
     const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                  waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                  many = 2.0 * static_cast<double>(table.rims.size());

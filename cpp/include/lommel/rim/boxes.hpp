@@ -1,4 +1,5 @@
-// Choice of each pupil's box around the axis: pixels inside are averaged from samples at nodes, pixels outside from the rim.
+// Choice of a box of pixels around the axis of each pupil: the averages of its pixels are computed from samples at quadrature
+// nodes, those of pixels outside from the pupil function on the rim.
 #pragma once
 
 #include <algorithm>
@@ -16,34 +17,33 @@
 
 namespace lommel {
 
-// Box sizes, chosen by estimated cost: the number of pairs of nodes, in a box or in the whole window. The cost of rims is in
-// the same unit.
+// Box sizes of the least estimated time. Its unit is a pair of nodes, one node for each axis of a box or of the whole window.
 class RimBoxes {
    public:
-    std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: no box, rims are not faster
-    std::vector<std::int64_t> most;  // [pupil]: largest side of the box within the window
-    std::vector<double> remainders, tolerances;  // [pupil]: rms of Q_K over the disk, see RimStack; allowed error of averages
+    std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: nodes for the whole window
+    std::vector<std::int64_t> most;  // [pupil]: largest allowed side of its box; 0: none
+    std::vector<double> remainders, tolerances;  // [pupil]: RimStack::remainders(); tolerances: allowed errors
 
-    // `tol` is relative to the largest average, which is at least 4.4 * lowest for pupils without aberration.
+    // `tol`: tolerance relative to the largest average, which without aberration is at least 4.4 * lowest.
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Choose sides and remainders; returns whether rims are estimated to be faster than nodes of the whole window.
+    // Compute `sides` and `remainders`; returns whether rims are estimated to be faster than nodes for the whole window.
     bool choose(int threads);
 
    private:
-    static constexpr std::size_t probed = 16;  // number of pupils sampled from a larger stack
-    // Largest window diagonal in pixels of v = 1, over the square root of the number of pupils, which share tables. It is
-    // divided by the root of the pitch, as larger pixels have more Gauss points.
+    static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
+    // Largest window diagonal, in pixels, for which rims are tried with one pupil and a pixel pitch of lambda / (2 pi NA). It
+    // is multiplied by the root of the number of pupils, which share tables, and divided by that of the pitch.
     static constexpr double reach = 200.0;
-    static constexpr double shorter = 0.5;  // factor on reach with an obscuration: three times as many weights per pixel
-    static constexpr double shortest = 48.0;  // lower limit of that diagonal per root of pupils: small windows gain most
-    static constexpr double further = 4.0;  // minimum number of pupils to assume, as a few are often followed by others
-    // Cost in pairs of nodes: of a pupil's rim, of its two rims, of a call.
+    static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration, for which pixels have 3 times the weights
+    static constexpr double shortest = 48.0;  // lower limit of that diagonal, in pixels: small windows gain most
+    static constexpr double further = 4.0;  // minimum number of pupils assumed, as small stacks often follow one another
+    // Times in pairs of nodes: rim: of a pupil without obscuration; rims: of a pupil with one; call: of a call for a stack.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
-    static constexpr std::int64_t together = 8;  // minimum number of pupils per side of a box; fewer use a larger one
+    static constexpr std::int64_t together = 8;  // minimum number of pupils with boxes of one side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
-    static constexpr double narrowest = 18.0;  // least half side of a box, in v
-    static constexpr double left = 0.4;  // fraction of the tolerance for the remainder U_K of the field
-    // Rims are used up to this fraction of the time of nodes of the whole window.
+    static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
+    static constexpr double left = 0.4;  // fraction of the tolerance for the field that `remainders` bounds
+    // Rims are used if their estimated time is at most this fraction of the time of nodes for the whole window.
     static constexpr double worth = 0.85;
 
     double count() const { return static_cast<double>(stack_.count); }
@@ -52,7 +52,8 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Pairs of nodes of the whole window, and the cost of a pupil with a box of this side in the same unit.
+    // Times per pupil in pairs of nodes. whole(): nodes for the whole window; with_box(): nodes for a box of this side, and
+    // rims.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
@@ -78,7 +79,7 @@ LOMMEL_ONCE RimBoxes::RimBoxes(const DiskStack& stack, const DiskWindow& window,
 LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
     const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], last_row = height_ - 1 - row,
                        last_column = width_ - 1 - column;
-    // The size of tables grows with the distance of the farthest pixel.
+    // Limit the distance of the farthest pixel, with which the size of the tables grows.
     const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
     const double most_pixels = std::max(shortest, (stack_.obscuration > 0.0 ? shorter : 1.0) * reach / std::sqrt(step_));
     if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > most_pixels * std::sqrt(std::max(further, count()))) {
@@ -90,7 +91,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // The variance of the phase gives an estimate of the largest average.
+    // Estimate the largest average from the variance of the phase.
     const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }
@@ -107,7 +108,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) 
     return 0;
 }
 
-// Choose sides and remainders of the pupils `which`; returns whether rims with these boxes are faster.
+// Compute `sides` and `remainders` of the pupils `which`; returns whether rims with these boxes are faster than nodes.
 LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int threads) {
     remainders.resize(which.size());
     if (which.size() == stack_.count) {
@@ -130,7 +131,7 @@ LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int thread
     return work <= worth * whole() * static_cast<double>(which.size());
 }
 
-// Move pupils to the next larger side in use if fewer than `together` have theirs, and if that box is within the window.
+// If fewer than `together` pupils have boxes of one side, use the next larger side that others have, if it fits the window.
 LOMMEL_ONCE void RimBoxes::gather_few() {
     std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
     for (const std::int64_t side : sides) {
@@ -155,7 +156,7 @@ LOMMEL_ONCE bool RimBoxes::choose(int threads) {
     if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
         return false;
     }
-    // Large stacks are first estimated from a sample of their pupils.
+    // For a large stack, decide by a sample of its pupils first.
     std::vector<std::size_t> all(pupils), some;
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });

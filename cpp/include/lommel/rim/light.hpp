@@ -1,4 +1,5 @@
-// Intensity far from the axis from the rims of pupils, one pupil per vector lane (certificate, section 10, "From the rim").
+// Intensity far from the axis, computed from the pupil function on the rims of the aperture and its obscuration, with one pupil
+// per vector lane (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -16,13 +17,13 @@
 
 namespace lommel {
 
-// Tables of one rim that depend on the stack and not on the window: slopes and phases at the rim's angles.
+// Tables of one rim that do not depend on the window: derivatives of the phase, and Zernike terms at equally spaced angles.
 struct RimLine {
     RimSlopes slopes;
     RimTurns turns;
     std::vector<std::int32_t> orders;  // azimuthal order m of each column of `phases`
-    std::vector<std::size_t> columns;  // [term]: its column
-    Doubles phases;                    // cos or sin of m theta, [tile of angles][column][angle of the tile]
+    std::vector<std::size_t> columns;  // [term]: its column in `phases`
+    Doubles phases;                    // cos or sin of m theta, [tile of angles][column][angle in the tile]
 
     RimLine(const std::vector<ZernikeTerm>& terms, const Amplitude& light, std::size_t angles)
         : slopes(terms, light, {1.0}), turns(angles, slopes.degree) {
@@ -53,11 +54,11 @@ struct RimLine {
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 };
 
-// Sums over the Fourier coefficients of one rim, in lanes.
+// Sums over the Fourier coefficients of dbar^k P (RimSlopes) on one rim; a lane is a pupil.
 struct RimSums {
     Floats left;    // [k][lane]: sum of squared moduli of the omitted coefficients
     Floats energy;  // [k][lane]: sum of squared moduli of all coefficients
-    std::array<Floats, 2> size;  // [ellipse][lane]: bound Sigma on the waves in an ellipse (certificate, Radii)
+    std::array<Floats, 2> size;  // [ellipse][lane]: bound on the waves at complex radii in an ellipse (section 10)
 };
 
 struct RimScratch {
@@ -67,8 +68,8 @@ struct RimScratch {
     Floats squares, largest, mean;
 };
 
-// Fold values a, b, c, d at theta, pi - theta, theta + pi and -theta, so that sums over a quarter of the angles suffice.
-// Kinds: 0 cosines and 1 sines of even orders, 2 cosines and 3 sines of odd orders.
+// Combine values a, b, c, d at the angles theta, pi - theta, theta + pi and -theta, so that Fourier sums need a quarter of the
+// angles. put(kind, value): kinds 0, 1 are for cosines, sines of even orders, kinds 2, 3 for those of odd orders.
 template <class V, class Put>
 LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(0, (a + c) + (b + d));
@@ -77,8 +78,8 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Fourier coefficients f_{k mu} of Q_k P on a rim, over k! unit^k, from the coefficients of the phases:
-// values[nu][k][re, im][lane] with nu = mu - k; 0 for |mu| > rim.orders.
+// Fourier coefficients (order mu) of the derivatives dbar^k P on a rim, P being the pupil function, over rim_scale(k):
+// values[mu - k][k][re, im][lane], 0 for |mu| > rim.orders. The Zernike coefficients are in scratch.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,
                                     Floats& values, RimSums& of) {
@@ -190,7 +191,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     }
 }
 
-// P at the angles of a rim for one pupil: out[angle][re, im].
+// Pupil function of one pupil at the angles of a rim: out[angle][re, im].
 template <class I>
 LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scratch, float* out) {
     using Wave = Waves<I, float>;
@@ -226,7 +227,7 @@ LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scra
     }
 }
 
-// Like rim_coefficients(), for one pupil. Lanes are angles at first, then [re, im][k] of Q_k P.
+// Like rim_coefficients(), for one pupil: lanes are first angles, then the real and imaginary parts for all orders k.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const RimLine& line, double amplitude,
                                              RimScratch& scratch, Floats& values, RimSums& of) {
@@ -324,12 +325,12 @@ LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const R
     }
 }
 
-// Tables of a window for one pupil at a time, with radii in the lanes: those of RimTable in blocks of as many radii as lanes.
+// Copy of the RimTable of a window for one pupil at a time: lanes are radii, in blocks of as many radii as lanes.
 struct RimLone {
     std::size_t lanes;
     RimWindow window;
-    std::vector<Floats> real[2], imaginary[2];  // [rim][block], each [nu][k][lane]
-    std::vector<Floats> weights;                // [block], each [weight][lane]
+    std::vector<Floats> real[2], imaginary[2];  // of RimWaves: [rim][block], each [wave][k][lane]
+    std::vector<Floats> weights;                // of RimTable: [block], each [weight][lane]
 
     RimLone(const RimTable& table, std::size_t side) : lanes(side), window(table.window) {
         const std::size_t radii = table.radii(), blocks = (radii + lanes - 1) / lanes;
@@ -376,8 +377,8 @@ struct RimLone {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
-// X and Y at radii from..from + size - 1: waves[radius][kind as in fold()][order][re, im of X, re, im of Y][lane]. `Lone`: for
-// one pupil, whose values are the same in all lanes, at a block of radii, one per lane.
+// Waves X and Y (RimWaves) at the radii from .. from + size - 1, as Fourier series in the polar angle: waves[radius][kind of
+// fold()][order][re X, im X, re Y, im Y][lane]. `Lone`: for one pupil, at the radii of block `from`, one radius per lane.
 template <bool Lone, class I>
 LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const RimLone* lone, std::size_t from,
                              std::size_t size, const float* values, Floats& waves) {
@@ -391,7 +392,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     const auto tile = [&](auto fixed) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(fixed)::value;
         for (std::size_t n = 0; n < rim.orders + K; ++n) {
-            V parts[2][2][R][2] = {};  // [n, -n][X, Y][radius][re, im]
+            V parts[2][2][R][2] = {};  // [order n, order -n][X, Y][radius][re, im]
             for (std::size_t side = 0; side < 2; ++side) {
                 const std::size_t i = side == 0 ? rim.first + n : rim.first - n;
                 if (i < rim.count() && (n > 0 || side == 0)) {
@@ -410,7 +411,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
             for (std::size_t r = 0; r < R; ++r) {
                 float* const to = waves.data() + r * each + (2 * (n % 2) * most + n / 2) * 4 * lanes;
                 for (std::size_t k = 0; k < 2; ++k) {
-                    // Factors (-i)^n of order n and (-i)^-n = i^n of order -n.
+                    // Multiply order n by (-i)^n, and order -n by (-i)^-n = i^n.
                     V re[2], im[2];
                     for (std::size_t side = 0; side < 2; ++side) {
                         const V a = parts[side][k][r][0], b = parts[side][k][r][1];
@@ -420,7 +421,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
                     }
                     store(to + 2 * k * lanes, re[0] + re[1]);
                     store(to + (2 * k + 1) * lanes, im[0] + im[1]);
-                    // Coefficient of sin(n psi): i times the difference of orders n and -n.
+                    // Coefficient of sin(n psi), psi being the polar angle: i times the difference of orders n and -n.
                     float* const sine = to + most * 4 * lanes;
                     store(sine + 2 * k * lanes, im[1] - im[0]);
                     store(sine + (2 * k + 1) * lanes, re[0] - re[1]);
@@ -435,8 +436,8 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     }
 }
 
-// Channels of v^3 I at an angle from x[rim][re, im of X, re, im of Y]: the smooth channel S, then for each frequency of the
-// interference rings the coefficients of its cosine and sine.
+// Channels of v^3 I at one polar angle, with v the radius and I the intensity, from the waves x[rim][re X, im X, re Y, im Y].
+// Channel 0 is smooth, the sum of |wave|^2; the others are coefficients of cosine and sine for each ring frequency.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     const auto two = splat<V>(2.0f), four = splat<V>(4.0f), zero = splat<V>(0.0f);
@@ -450,7 +451,7 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
     out[0] = smooth;
     if constexpr (Rims == 2) {
-        // A = X + i Y and B = X - i Y of both rims.
+        // Amplitudes A = X + i Y of the waves exp(i v), and B = X - i Y of the waves exp(-i v), for both rims.
         V a[2][2], b[2][2];
         for (std::size_t d = 0; d < 2; ++d) {
             a[d][0] = x[d][0] - x[d][3];
@@ -468,12 +469,12 @@ LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     }
 }
 
-// Pixels with the same weights, one or four at quarter turns, averaged together.
+// One to four pixels with the same weights, at quarter turns about the axis, which are averaged together.
 struct RimJob {
     const RimPixels* pixels;
-    std::array<std::size_t, 4> at, to;  // at: first angle, in a ring padded at both ends; to: index of the average
+    std::array<std::size_t, 4> at, to;  // at: index of the first angle in the padded ring; to: index of the average
     std::uint8_t count;
-    bool turned;  // mirror images: angles descend
+    bool turned;  // the pixels are mirror images: their angles descend
 };
 
 template <bool Lone, std::size_t R, std::size_t Used, class I>
@@ -510,7 +511,7 @@ LOMMEL_INLINE void rim_pixel(I, const RimPixels& pixels, const float* weights, c
     }
 }
 
-// Add the weighted channels of one radius, ring[angle][channel][lane], to the averages of pixels.
+// Add the channels of one radius, ring[angle][channel][lane], times their weights `all`, to the averages `out` of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob>& jobs, const float* ring, float* out) {
     using V = typename I::floats;
@@ -538,7 +539,7 @@ LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob
     }
 }
 
-// Add the channels of I at all radii, one after the other, to the averages of pixels.
+// Compute the channels of the intensity at one radius after the other, and add them to the averages of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
                              RimScratch& scratch) {
@@ -548,7 +549,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     scratch.light.resize(table.ring() * line);
     scratch.squares.assign(lanes, 0.0f);
     scratch.largest.assign(lanes, 0.0f);
-    const std::size_t steps = Lone ? lone->weights.size() : table.radii();  // radii, or blocks of them
+    const std::size_t steps = Lone ? lone->weights.size() : table.radii();  // number of radii, or of blocks of radii
     for_tiles(steps, Lone ? 1 : rim_radii_tile, [&](std::size_t from, std::size_t size) LOMMEL_INLINE_LAMBDA {
         for (std::size_t d = 0; d < Rims; ++d) {
             rim_waves<Lone>(isa, table, d, lone, from, size, scratch.values[d].data(), scratch.waves[d]);
@@ -610,7 +611,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
     });
 }
 
-// Call f(Size<N>) with the smallest instantiated N that is at least the degree.
+// Call f(Size<N>) with the smallest N >= degree of those compiled: 4, 7 and rim_most_degree.
 template <class F>
 LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
     degree <= 4 ? f(Size<4>{}) : degree <= 7 ? f(Size<7>{}) : f(Size<rim_most_degree>{});
@@ -618,7 +619,7 @@ LOMMEL_INLINE void with_degree(std::size_t degree, const F& f) {
 
 // Kernels, compiled for each instruction set and chosen at run time by `level`.
 struct RimKernels {
-    // Number of pupils per vector.
+    // Number of pupils per vector of floats.
     static constexpr std::size_t lanes(Level level) { return 2 * widest_lanes(level); }
     // Instruction set for one pupil, with radii in the lanes: wider vectors would have idle lanes.
     static constexpr Level narrow(Level level) { return std::min(level, Level::avx2); }

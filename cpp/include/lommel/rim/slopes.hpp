@@ -1,4 +1,5 @@
-// Derivatives of the phase of pupils along circles, for the field far from the axis (certificate, section 10, "From the rim").
+// Derivatives of the phase and of the pupil function on circles, which give the field far from the axis (certificate, section
+// 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -18,11 +19,11 @@
 
 namespace lommel {
 
-constexpr std::size_t rim_orders = 8;        // K: number of times that Gauss's theorem is applied
-constexpr std::size_t rim_most_degree = 16;  // largest degree of phases and of exponents of amplitudes
+constexpr std::size_t rim_orders = 8;        // K: number of partial integrations by Gauss's theorem
+constexpr std::size_t rim_most_degree = 16;  // largest degree of the phase and of the exponent of the amplitude
 constexpr double rim_unit = 32.0;            // scale of derivatives, so that their powers do not overflow
 
-// k! unit^k: factor from the scaled numbers that are summed to Q_k.
+// k! rim_unit^k, by which derivatives of order k are divided when they are stored, against overflow.
 inline double rim_scale(std::size_t k) {
     double scale = 1.0;
     for (std::size_t i = 1; i <= k; ++i) {
@@ -31,28 +32,28 @@ inline double rim_scale(std::size_t k) {
     return scale;
 }
 
-// With dbar = d/dx + i d/dy and P = exp(i Phi), dbar^k P = Q_k P. On a circle, the numbers i dbar^j Phi / ((j - 1)! unit^j)
-// that determine Q_k are sums over mu of E_{j mu} exp(i mu theta). A Zernike term contributes to the real or to the imaginary
-// part of two of the E for each j.
+// Derivatives dbar^j Phi of the phase Phi on circles, dbar = d/dx + i d/dy, which give dbar^k P = Q_k P of the pupil function P
+// = exp(i Phi). On a circle, i dbar^j Phi / ((j - 1)! rim_unit^j) is the sum over mu of E_j,mu exp(i mu theta). A Zernike term
+// contributes to the real or the imaginary part of two coefficients E for each j.
 struct RimSlopes {
     struct Part {
-        std::size_t at, term;  // twice the index of E, plus 1 for its imaginary part
+        std::size_t at, term;  // at: twice the index of the coefficient E, plus 1 for its imaginary part
     };
 
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     std::vector<double> radii;
-    std::size_t degree = 1;            // largest j
-    std::vector<std::int32_t> orders;  // mu of each E
-    std::vector<std::size_t> ends;     // [j - 1]: end of the E of j
+    std::size_t degree = 1;            // largest order j of derivatives
+    std::vector<std::int32_t> orders;  // order mu of each coefficient E
+    std::vector<std::size_t> ends;     // [j - 1]: end of the coefficients E of order j
     std::vector<Part> parts;
-    Floats weights;  // [circle][part]
-    Floats fixed;    // [circle][E][re, im]: contribution of the amplitude
+    Floats weights;  // [circle][part]: part of E per unit of the Zernike coefficient
+    Floats fixed;    // [circle][E][re, im]: contribution of the pupil's amplitude
 
     RimSlopes(const std::vector<ZernikeTerm>& list, const Amplitude& light, const std::vector<double>& circles)
         : terms(list), amplitude(light), radii(circles) {
         degree = degree_of(list, light);
-        std::vector<std::size_t> first;  // [j - 1]: index of E with mu = -(degree - j)
+        std::vector<std::size_t> first;  // [j - 1]: index of the first E of order j, mu = -(degree - j)
         for (std::size_t j = 1; j <= degree; ++j) {
             first.push_back(orders.size());
             const std::int32_t most = static_cast<std::int32_t>(degree - j);
@@ -106,11 +107,12 @@ struct RimSlopes {
         return degree;
     }
 
-    // Rounding, in units of roundoff, of a step from Q_k to Q_{k+1}: of the sums over terms and orders, and of the step itself.
+    // Rounding, in units of roundoff, of one step from dbar^k P to dbar^(k+1) P: of sums over Zernike terms and orders, and of
+    // the step itself.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:
-    // Call f(a, b, c) for each term c z^a conj(z)^b of R_n^m(r) exp(i m theta).
+    // Call f(a, b, c) for each term c z^a conj(z)^b of the polynomial R_n^m(r) exp(i m theta), z = r exp(i theta).
     template <class F>
     static void each_power(std::int32_t n, std::int32_t m, const F& f) {
         double c = 1.0;  // binomial(n, (n - m) / 2)
@@ -122,7 +124,7 @@ struct RimSlopes {
             c *= -static_cast<double>(((n + m) / 2 - s) * ((n - m) / 2 - s)) / static_cast<double>((s + 1) * (n - s));
         }
     }
-    // dbar^j z^a conj(z)^b = 2^j b! / (b - j)! z^a conj(z)^(b - j), at theta = 0.
+    // (d/dx + i d/dy)^j z^a conj(z)^b = 2^j b! / (b - j)! z^a conj(z)^(b - j), at z = radius.
     static double slope(std::int32_t a, std::int32_t b, std::int32_t j, double radius) {
         double product = 1.0;
         for (std::int32_t i = 0; i < j; ++i) {
@@ -143,7 +145,8 @@ struct RimSlopes {
     }
 };
 
-// e[E][re, im][lane] of a circle from coefficients[term][lane]; with `Moduli`, the sums of the moduli of their summands.
+// Derivatives of the phase on one circle as Fourier coefficients (E in RimSlopes): e[E][re, im][lane], from the Zernike
+// coefficients[term][lane]. `Moduli`: sums of the moduli of the summands instead.
 template <bool Moduli = false, class I>
 LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circle, const float* coefficients, float* e) {
     using V = typename I::floats;
@@ -160,13 +163,13 @@ LOMMEL_INLINE void slopes_of_circle(I, const RimSlopes& table, std::size_t circl
     }
 }
 
-constexpr std::size_t rim_side = 8;  // angles per block
+constexpr std::size_t rim_side = 8;  // angles per block of RimTurns
 
 // Cosines and sines of mu theta, mu = 0, 1, .., degree, at the angles theta = (l + 1/2) 2 pi / count of the first half circle.
 struct RimTurns {
     std::size_t count, orders;
     Floats turns;   // [angle][mu][cos, sin]
-    Floats beside;  // [block of angles][mu][cos, sin][angle of the block], 0 beyond the last angle
+    Floats beside;  // [block of angles][mu][cos, sin][angle in the block], 0 beyond the last angle
 
     RimTurns(std::size_t angles, std::size_t degree)
         : count(angles), orders(degree + 1), turns(angles * (degree + 1)), beside(blocks() * 2 * orders * rim_side, 0.0f) {
@@ -184,21 +187,21 @@ struct RimTurns {
     }
     const float* at(std::size_t angle) const { return turns.data() + 2 * angle * orders; }
     std::size_t blocks() const { return (count / 2 + rim_side - 1) / rim_side; }
-    // Table from an angle on, which must be the first of a vector of its block.
+    // Pointer into `beside` for the vector of angles that begins with `angle`.
     const float* from(std::size_t angle) const {
         return beside.data() + angle / rim_side * 2 * orders * rim_side + angle % rim_side;
     }
 };
 
-// Q_k P / (k! unit^k), k = 1 to Last, at an angle and half a turn further, from P there: q[point][k][re, im]. Degree: bound on
-// the degree of phases, a compile-time constant so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one
-// pupil, whose E are the same in all lanes.
+// Derivatives dbar^k P / rim_scale(k), k = 1 .. Last, of the pupil function P = q[point][0] at an angle (point 0) and half a
+// turn further (point 1): q[point][k][re, im]. e: from slopes_of_circle(). Degree: bound on the degree of the phase, a constant
+// so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one pupil, with the same e in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
     V d[2][Degree][2];
     for (std::size_t j = 0; j < Degree; ++j) {
-        // Orders mu from -(degree - 1 - j) to degree - 1 - j; even and odd ones are summed separately.
+        // Orders mu run from -most to most; even and odd orders are summed separately.
         const std::size_t most = table.degree - 1 - j, from = j == 0 ? 0 : table.ends[j - 1];
         V re[2], im[2];
         for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -250,11 +253,11 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
     }
 }
 
-// Quadrature nodes on circles in the disk, exact for |Q_K|^2.
+// Quadrature over the disk with nodes on circles, which is exact for |Q_K|^2, Q_K = dbar^K P / P (RimSlopes).
 struct RimDisk {
     RimSlopes slopes;
     RimTurns turns;
-    std::vector<double> weights;  // [circle]
+    std::vector<double> weights;  // weight of each circle
 
     RimDisk(const std::vector<ZernikeTerm>& terms, const Amplitude& light)
         : slopes(terms, light, circles(RimSlopes::degree_of(terms, light), false)),
@@ -278,8 +281,8 @@ struct RimDisk {
     }
 };
 
-// Mean of |Q_K / (K! unit^K)|^2 over the disk, mean[lane], and the same with sums of moduli for Q_K, moduli[lane], to which
-// rounding is relative. Lanes as in rim_powers().
+// mean[lane]: mean over the disk of |Q_K / rim_scale(K)|^2, with Q_K = dbar^K P / P (RimSlopes) and K = rim_orders.
+// moduli[lane]: the same with sums of moduli for Q_K, to which rounding is relative. Lanes are those of rim_powers().
 template <std::size_t Degree, bool Lone, class I>
 LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
     using V = typename I::floats;

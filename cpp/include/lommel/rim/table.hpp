@@ -1,5 +1,5 @@
-// Tables of a window for averages of far pixels from the Fourier coefficients of pupils along their rims (certificate, section
-// 10, "From the rim").
+// Tables of a window, by which averages of far pixels are computed from the Fourier coefficients of pupils on their rims
+// (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -25,14 +25,14 @@ namespace lommel {
 
 constexpr std::size_t rim_radii_tile = 3, rim_angles_tile = 3, rim_orders_tile = 6;
 
-// Parameters that determine a table.
+// Parameters that determine a RimTable.
 struct RimWindow {
-    double step;           // pixel pitch in v
+    double step;           // pixel pitch, in lambda / (2 pi NA) like the radius v
     std::size_t box;       // side in pixels, odd, of the box around the axis; pixels outside are far
     std::size_t reach;     // distance from the axis to the farthest pixel along an axis, in pixels
     double obscuration;
-    std::size_t degree;    // largest degree of the phases
-    double error;          // allowed error of averages by interpolation
+    std::size_t degree;    // largest degree of Zernike terms
+    double error;          // allowed error of averages due to interpolation
 
     bool operator==(const RimWindow& other) const {
         return step == other.step && box == other.box && reach == other.reach && obscuration == other.obscuration &&
@@ -41,46 +41,48 @@ struct RimWindow {
     double nearest() const { return 0.5 * static_cast<double>(box) * step; }
 };
 
-// Waves of one rim: that of the aperture (radius 1) or of the obscuration, with radius * v instead of v.
+// Waves from one rim: that of the aperture (radius 1), or that of the obscuration, for which v is `radius` times the image
+// radius.
 struct RimWaves {
     double radius = 1.0, weight = 1.0;  // radius of the rim; factor of its waves
-    std::size_t orders = 0;   // m: largest |mu|; coefficients beyond are omitted
+    std::size_t orders = 0;   // largest order |mu| of the Fourier coefficients in use
     std::size_t angles = 0;   // number N of angles on the rim
-    std::size_t first = 0;    // wave i has the order nu = i - first, i < count()
-    // Parts X and Y of v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv): [nu][tile of radii][k][radius of the tile].
+    std::size_t first = 0;    // wave i has the order nu = mu - k = i - first, i < count()
+    // Factors of the Fourier coefficients in X and in Y, v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv), U being the field:
+    // [wave][tile of radii][k][radius in the tile].
     Floats real, imaginary;
-    Floats forward[4];        // [tile of orders][angle][order of the tile]; kinds as in fold()
-    Floats back[4];           // [tile of angles][order][angle of the tile]
-    Floats size[2];           // [ellipse], [k][mu + orders]: bound on the wave of a coefficient 1
+    Floats forward[4];        // cos, sin on the rim, by kind of fold(): [tile of orders][angle][order in the tile]
+    Floats back[4];           // cos, sin in the image, by kind of fold(): [tile of angles][order][angle in the tile]
+    Floats size[2];           // bound, in each ellipse, on the wave of a Fourier coefficient 1: [k][mu + orders]
 
     std::size_t count() const { return 2 * orders + rim_orders; }
-    // Number of orders n >= 0 of a parity; -n goes with n.
+    // Number of even (odd = 0) or odd (odd = 1) orders n >= 0; order -n is combined with n.
     std::size_t halves(std::size_t odd) const { return (orders + rim_orders - 1 + 2 - odd) / 2; }
 };
 
-// Far pixels with the same weights: those at (+-p, +-q) and (+-q, +-p) from the axis, p >= q >= 0.
+// Far pixels with the same weights: those at (+-p, +-q) and (+-q, +-p) pixels from the axis, p >= q >= 0.
 struct RimPixels {
     std::size_t p, q;
-    std::size_t from, used;     // weights[radius][from ..] are [angle][channel]; number of channels: 1, 3, .. 9
-    std::ptrdiff_t begin;       // index of the first angle
-    std::size_t count;          // number of angles
+    std::size_t from, used;     // weights[radius][from ..] are [angle][channel]; used: number of channels, 1 .. 9
+    std::ptrdiff_t begin;       // index of the first angle with a weight
+    std::size_t count;          // number of angles with a weight
 };
 
-// Least-squares weights of `taps` angles at a spacing of `apart` (rad) for interpolation between the middle two, for all orders
-// |m| <= `most`.
+// Weights of `taps` angles, `apart` rad from each other, for interpolation between the middle two: a least-squares fit to exp(i
+// m t) for all orders |m| <= `most`.
 class AngleWeights {
    public:
     static constexpr std::size_t most_taps = 12;  // a multiple of the lanes of vectors
     double shares[most_taps] = {};
-    // Sine and cosine of t / 2 and of (most + 1/2) t, t the angle from the first tap.
+    // sine, cosine: of t / 2; fast_sine, fast_cosine: of (most + 1/2) t; t is the angle from the first tap.
     struct Turn {
         double sine, cosine, fast_sine, fast_cosine;
     };
 
     AngleWeights(std::size_t taps, double most, double apart);
-    // Angle from the first tap of a point at the fraction `part` of the way between the middle two.
+    // Angle, from the first tap, of a point at the fraction `part` of the way between the middle two taps.
     double angle(double part) const { return (part + static_cast<double>(taps_ / 2 - 1)) * apart_; }
-    // Compute `shares`; returns the sum of the squared misfits of all orders.
+    // Compute the weights `shares` for one angle; returns the sum over all orders of the squared interpolation errors.
     template <class I>
     LOMMEL_INLINE double find(I isa, const Turn& at) {
         using V = typename I::pack;
@@ -92,7 +94,7 @@ class AngleWeights {
             const V value = (fast * load<V>(turns_[0] + j) - other * load<V>(turns_[1] + j)) / gap;
             store(wanted + j, below(larger(gap, zero - gap), splat<V>(1e-9), all, value));
         }
-        // Both matrices are symmetric.
+        // Both matrices are symmetric, so that multiply() may read rows as columns.
         multiply(isa, inverse_, wanted, shares);
         multiply(isa, common_, shares, misfits);
         double misfit = 2.0 * order_ + 1.0;
@@ -131,12 +133,12 @@ class AngleWeights {
     std::size_t taps_;
     double order_, apart_;
     double common_[most_taps * most_taps] = {},
-                               inverse_[most_taps * most_taps] = {};  // Dirichlet kernel between taps; its inverse, ridge added
-    double turns_[4][most_taps] = {};  // cos, sin of (order + 1/2) times the angles of taps; cos, sin of half of them
+                               inverse_[most_taps * most_taps] = {};  // Dirichlet kernel between taps; its inverse with `ridge`
+    double turns_[4][most_taps] = {};  // cos, sin of (order_ + 1/2) t; cos, sin of t / 2; t: angles of the taps
 };
 
-// Barycentric interpolation at Chebyshev points of [low, 1], of functions that are analytic in an ellipse around it that
-// excludes 0; also valid for x outside the interval but within the ellipse.
+// Barycentric interpolation at Chebyshev points of [low, 1], for functions that are analytic in an ellipse around this interval
+// which excludes 0. It may be used at any x in the ellipse.
 class RadiusRule {
    public:
     std::vector<double> places, shares;  // places: points; shares: weights for the x last requested
@@ -149,10 +151,10 @@ class RadiusRule {
         const double c = (1.0 + low) / (1.0 - low);
         return 1.0 + (ellipse == 0 ? 0.85 : 0.6) * (c + std::sqrt(c * c - 1.0) - 1.0);
     }
-    // Largest imaginary part, and largest modulus, of x in an ellipse.
+    // In the ellipse `rho`: bend(): largest imaginary part of x; largest(): largest modulus of x.
     double bend(double rho) const { return 0.25 * (1.0 - low) * (rho - 1.0 / rho); }
     double largest(double rho) const { return 0.5 * (1.0 + low) + 0.25 * (1.0 - low) * (rho + 1.0 / rho); }
-    // Interpolation error at x of functions that are at most 1 in the ellipse.
+    // Bound on the interpolation error at x for functions that are at most 1 in the ellipse.
     double error(double x, double rho) const;
     // Compute `shares` for x; returns the sum of their moduli.
     LOMMEL_INLINE double at(double x) {
@@ -175,19 +177,20 @@ class RadiusRule {
 struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
-    RadiusRule rule;  // interpolation in x = R / v
-    // around: number of angles of a ring; taps: angles per point; margin: angles repeated at either end of a ring.
+    RadiusRule rule;  // interpolation in x = window.nearest() / v
+    // around: number of polar angles on a ring (one radius); taps: number of angles that a point is interpolated from; margin:
+    // number of angles repeated at either end of a ring.
     std::size_t around = 0, taps = 0, margin = 0;
     std::vector<RimPixels> pixels;
-    std::vector<Floats> weights;  // [radius], see RimPixels
-    // Error of averages by interpolation between angles, relative to the rms of the smooth channel around the axis.
+    std::vector<Floats> weights;  // [radius]: weights of all pixels, see RimPixels
+    // Error of averages due to interpolation between angles, relative to the rms over a ring of channel 0 of rim_channels().
     double off_angles = 0.0;
-    double gain = 0.0;  // sum of moduli of weights of an average, all channels
-    // Error of averages by interpolation between radii, relative to the squared size of waves in an ellipse.
+    double gain = 0.0;  // largest sum of the moduli of a pixel's weights, all channels
+    // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each ellipse.
     std::array<double, 2> off_radii{};
-    double off_pixels = 0.0;  // error of averages by Gauss quadrature
-    double off_field = 1.0;  // bound on the mean of |U_K|^2 over a pixel, relative to the mean of |Q_K|^2 over the disk
-    double dropped = 0.0;  // error of averages by omitted rings, relative to the largest value of the smooth channel
+    double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
+    double off_field = 1.0;  // bound on the mean of |field of dbar^K P|^2 over a pixel, over that of |dbar^K P|^2 in the pupil
+    double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
 
     explicit RimTable(const RimWindow& asked);
     bool is(const RimWindow& asked) const { return window == asked; }
@@ -205,22 +208,22 @@ struct RimTable {
 
     std::size_t channels() const { return rims.size() == 1 ? 3 : 9; }
     std::size_t radii() const { return rule.places.size(); }
-    std::size_t ring() const { return around + 2 * margin; }  // angles
-    // Number N of angles on a rim, a multiple of 4: N > 2 (K - 1) (degree - 1) makes the mean of |P_k|^2 exact, N >= 5 m + 8
-    // keeps aliased orders, beyond N - m, small.
+    std::size_t ring() const { return around + 2 * margin; }  // number of angles, margins included
+    // Number N of angles on a rim, a multiple of 4. N > 2 (K - 1) (degree - 1), K = rim_orders, makes means of |dbar^k P|^2
+    // over the rim exact; N >= 5 m + 8, m = `orders`, makes aliases (of orders beyond N - m) small.
     static std::size_t angles_of(std::size_t degree, std::size_t orders) {
         return (std::max(5 * orders + 8, 2 * (rim_orders - 1) * (degree - 1) + 4) + 3) / 4 * 4;
     }
-    // Error of the response of Gauss quadrature along an axis with this many points a side; the error of averages of I is at
-    // most 3 times this.
+    // Error of the frequency response of Gauss quadrature over a pixel, along one axis with `points` points. The error of
+    // averages of the intensity is at most 3 times this.
     static double pixel_error(double step, std::size_t points);
 
    private:
     void make_waves(RimWaves& rim) const;
-    // Highest order in the polar angle psi of the channels of v^3 I (rim/light.hpp), each a product of two waves.
+    // Highest order, in the polar angle, of the channels of rim_channels(), each a product of two waves.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
     double apart() const { return 2.0 * pi / static_cast<double>(around); }
-    // Bound on the sum of the moduli of all channels, divided by that of the smooth channel (rim/light.hpp).
+    // Bound on the sum of the moduli of all channels of rim_channels(), divided by channel 0.
     double together() const { return channels() == 3 ? 2.0 : 5.0; }
     RadiusRule chosen_rule() const;
     void choose_angles();
@@ -261,7 +264,7 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
 }
 
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // Response cos(w a t / 2) at t in [-1, 1], |w| <= 2, a = step: the smallest bound over Bernstein ellipses.
+    // Least bound, over several Bernstein ellipses, for the integrand cos(w step t / 2), t in [-1, 1], frequencies |w| <= 2.
     double least = 1.0;
     for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
         const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));
@@ -280,14 +283,15 @@ LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) 
 }
 
 LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
-    // T_k, k >= n, has a coefficient of at most 2 / rho^k and is at most out^k at x; its interpolant is +-T_j, j < n, or 0.
+    // Sum over Chebyshev polynomials T_k, k >= n, for n points: the coefficient of T_k is at most 2 / rho^k, |T_k(x)| <= out^k,
+    // and its interpolant is +-T_j, j < n, or 0.
     const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
     const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
     return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
 }
 
-// Rule of fewest points that meets the error for all pixels; the farthest may be outside its interval, as their intensity,
-// falling as x^3, counts little.
+// Rule of fewest points that meets window.error for all pixels. The farthest pixels may be outside its interval, as their
+// intensity falls as x^3.
 LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
     const double nearest = window.nearest(),
                  farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
@@ -300,8 +304,8 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated square of the waves in the ellipse: about the inner radius `nearest`, more for the large phases that
-            // need a large box.
+            // Estimated squared modulus of waves in the ellipse: about `nearest`, and more for the large phases that need a
+            // large box.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;
@@ -336,8 +340,8 @@ LOMMEL_ONCE RimTable::RimTable(const RimWindow& asked) : window(asked), rule(cho
 LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
     const double nearest = rim.radius * window.nearest();
     const std::size_t most = rim.orders + 1;
-    // v^(1/2) e^-iv H1_n(v) by the recurrence from n = 0 and 1, which is stable; these from Hankel's integral with t = s^2,
-    // summed in equal steps, which are exact but for exp(-2 pi sqrt(v) / step).
+    // Hankel functions v^(1/2) e^-iv H1_n(v): n = 0 and 1 by Hankel's integral with t = s^2, as a sum in equal steps with an
+    // error of exp(-2 pi sqrt(v) / step); larger n by the recurrence, which is stable.
     std::vector<std::vector<std::complex<double>>> hankel;
     for (const double place : rule.places) {
         const double v = nearest / place;
@@ -358,7 +362,7 @@ LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
         }
         hankel.push_back(std::move(h));
     }
-    // H_{-n} = (-1)^n H_n.
+    // Hankel functions of negative order: H_{-n} = (-1)^n H_n.
     const auto wave = [&](std::size_t radius, std::int32_t n) {
         return n < 0 && n % 2 != 0 ? -hankel[radius][static_cast<std::size_t>(-n)]
                                    : hankel[radius][static_cast<std::size_t>(std::abs(n))];
@@ -380,8 +384,8 @@ LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
             }
         });
     }
-    // Sizes in ellipses: Hankel's integral of the modulus of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps
-    // of ln t; 1.02 covers their error.
+    // Bounds sup[n] on these Hankel functions in ellipses of x = R / v, R = nearest: Hankel's integral over t of the modulus of
+    // exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps of ln t, whose error the factor 1.02 covers.
     for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
         const double bend = rule.bend(rule.rho(ellipse)), largest = rule.largest(rule.rho(ellipse));
         std::vector<double> sup(most + 2, 0.0);
@@ -473,15 +477,15 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             // Lowest and highest polar angle of the pixel's corners, in units of apart().
             const double low = std::atan2(down - 0.5, right + (q == 0 ? -0.5 : 0.5)) / apart(),
                          high = std::atan2(down + 0.5, right - 0.5) / apart();
-            // Angle l is (l + 1/2) apart().
+            // Index `begin` of the first angle with a weight; angle l of a ring is (l + 1/2) apart().
             const double begin = std::floor(low - 0.5) - static_cast<double>(taps / 2 - 1);
             const std::size_t count =
                 static_cast<std::size_t>(std::floor(high - 0.5) + static_cast<double>(taps / 2) - begin) + 1;
-            // Factors lights[radius][channel][point] and shares[point][angle] of sums[radius][channel][angle].
+            // Weights sums[radius][channel][angle]: matrix product of lights[radius][channel][point] and shares[point][angle].
             lights.resize(radii() * channels() * points * points);
             shares.assign(points * points * count, 0.0);
             sums.resize(radii() * channels() * count);
-            // The error of interpolation between radii is largest at an end of the pixel's range of v.
+            // The error of interpolation between radii is largest at the least or the largest radius v of the pixel.
             const double first = window.step * std::hypot(std::max(0.0, down - 0.5), right - 0.5),
                          last = window.step * std::hypot(down + 0.5, right + 0.5);
             for (std::size_t e = 0; e < 2; ++e) {
@@ -493,9 +497,9 @@ LOMMEL_ONCE void RimTable::make_pixels() {
                 using I = decltype(isa);
                 using V = typename I::pack;
                 double v[padded], turn[padded], before[padded], half[2][padded], fast[2][padded];
-                std::array<std::array<double, padded>, 8> waves;  // cosine and sine of each frequency
+                std::array<std::array<double, padded>, 8> waves;  // cosine and sine of frequency times v
                 for (std::size_t i = 0; i < points; ++i) {
-                    // A row of points, padded to whole vectors.
+                    // A row of Gauss points in the pixel, padded to whole vectors.
                     const double y = down + 0.5 * x[i];
                     for (std::size_t j = 0; j < points + I::lanes; ++j) {
                         const double z = right + 0.5 * x[std::min(j, points - 1)];
@@ -541,7 +545,8 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             });
             product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
-            // Omit the fastest interference rings whose weights have a small sum; each ring is at most the smooth channel.
+            // Omit the interference rings of highest frequency whose weights sum to little; a ring is at most as large as
+            // channel 0.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                 return sums[(radius * channels() + channel) * count + angle];
             };

@@ -16,8 +16,8 @@
 namespace lommel {
 
 // Polynomials of degree 15 on pieces of width 2. J_m is of exponential type 1 and at most 1, so the interpolation error is at
-// most 2^-15 / 16! < 2e-18 (docs/certificate.md, section 15). Rounding of the sampled values, times the Lebesgue constant
-// 1 + (2 / pi) log 16, and of Horner's rule, whose sums are at most e, is below 96 units of roundoff.
+// most 2^-15 / 16! < 2e-18 (docs/certificate.md, section 15). Rounding of sampled values, times the Lebesgue constant 1 + (2 /
+// pi) log 16, and of Horner's rule is below 96 units of roundoff.
 struct BesselPieces {
     static constexpr std::size_t orders = 4, coefficients = 16;
     static constexpr double half = 1.0, error = 96.0;  // half width of a piece; error in units of roundoff
@@ -27,7 +27,7 @@ struct BesselPieces {
 
     explicit BesselPieces(double most);
 
-    // J_0(v), ..., J_3(v) for v up to the reach of the table. Limited by the throughput of multiply-adds.
+    // Compute J_0(v), ..., J_3(v) for v <= reach. Multiply-adds limit the speed.
     template <class I>
     LOMMEL_INLINE void operator()(I, double v, double (&out)[orders]) const {
         constexpr std::size_t lanes = I::lanes < orders ? I::lanes : orders;

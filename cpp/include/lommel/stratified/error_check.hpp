@@ -1,5 +1,4 @@
-// Error bounds of the intensity of a plane at given radii (docs/certificate.md, section 15), and angular factors of azimuthal
-// orders.
+// Error bounds of the intensity of one plane of a stack (docs/certificate.md, section 15), and sums over azimuthal orders.
 #pragma once
 
 #include <algorithm>
@@ -13,19 +12,19 @@
 
 namespace lommel {
 
-// Error bounds of the intensity of a plane.
+// Error bounds of the intensity I of one plane of a stack.
 struct Judged {
-    double given;  // error of I at the radii
+    double given;  // error of I at the radii where it is computed
     double most;   // bound on |I| at any radius
-    double swing;  // bound on the distance of I from a constant
+    double swing;  // bound on |I - c| at any radius, for some constant c
 
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes)
         : Judged(planes, plane, sizes, 0, planes.harmonics.size()) {}
 
-    // Bounds for the harmonics first .. last - 1 only.
+    // Bounds for the azimuthal orders planes.harmonics[first .. last - 1] only.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        // Products, forms and the power, known to 1e-13, cost a few roundings of the maximum each.
+        // `rounding` covers that of products, of Hermitian forms, and of the collected power, which is known to 1e-13.
         given =
             planes.bilinear(
                 plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +
@@ -40,7 +39,8 @@ struct Judged {
         swing += 0.5 * steady;
     }
 
-    // Bounds for a derivative 2 Re sum form G conj(F); `of`: sizes of the field F, `sizes`: those of its derivative G.
+    // Bounds for a derivative of I, 2 Re of the sum of form G conj(F): F is the field, with sizes `of`, G its derivative, with
+    // `sizes` and `error`.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
@@ -54,7 +54,7 @@ struct Judged {
             2.0 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return G.most[j] * F.most[l]; }, first, last);
     }
 
-    // Bounds of factor x this + share x other.
+    // Bounds for factor * A + share * B, if *this bounds A and `other` bounds B.
     Judged sum(double factor, const Judged& other, double share) const {
         Judged made = *this;
         made.given = std::abs(factor) * given + std::abs(share) * other.given;
@@ -66,7 +66,7 @@ struct Judged {
    private:
     static constexpr double rounding = 4e-13;
 
-    // Moduli of the parts of a field at the radii and at any radius, and their error.
+    // Parts F_m of a field. found: |F_m| at the radii; most: bound on |F_m| at any radius; off: error of each F_m.
     struct Parts {
         double off;
         std::array<double, most_parts> found{}, most{};
@@ -82,7 +82,7 @@ struct Judged {
     };
 };
 
-// Factors cos, sin of the azimuthal orders at the pixels of a centred window, for sums over the orders.
+// Sums over the azimuthal orders of the intensity at the pixels of a centred window, with their cosines and sines in memory.
 class Turned {
    public:
     Turned(const Planes& planes, const Layout& layout) : orders_(planes.harmonics.size()) {

@@ -1,4 +1,4 @@
-// Windows of pixels of planes in a layered medium, each with its error bound (docs/certificate.md, section 15).
+// Images of the planes of a stack in a layered medium, each with its error bound (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 namespace lommel {
 
-// Images of planes by interpolation from few radii.
+// Images of planes, interpolated from the intensity at few radii.
 template <class T>
 class LayeredImages {
    public:
@@ -37,8 +37,8 @@ class LayeredImages {
         threads_ = worthwhile_threads(threads, static_cast<double>(planes.count) * each);
     }
 
-    // Return whether this engine supports the windows. Intensities that depend on the azimuth can only be sampled; derivatives
-    // need windows around arbitrary axes or pixel averages around the middle.
+    // Return whether this class supports the windows. Intensities that depend on the azimuth can only be sampled, not averaged
+    // over pixels; derivatives need windows around arbitrary axes, or pixel averages in centred windows.
     static bool fits(const Planes& planes, const PixelWindows& windows, bool derivatives) {
         const bool averages = windows.first.integrate;
         if (windows.centers == nullptr) {
@@ -69,7 +69,7 @@ class LayeredImages {
         const Turned turned(planes_, *layout);
         const std::size_t stride = (layout->count + 2 * Between::tile) / Between::tile * Between::tile;
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
-            constexpr std::size_t together = 6;  // twelve chains of multiply-adds
+            constexpr std::size_t together = 6;  // rows at once: twelve chains of multiply-adds
             thread_local Doubles made;
             const std::size_t rows = profiles.harmonics() * here;
             made.resize((rows + together) * stride);
@@ -86,7 +86,8 @@ class LayeredImages {
             });
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
-                // Radii are rounded a few times relative to the largest; |dI/dv| is at most twice the swing (Bernstein).
+                // Radii have a few roundings of the largest radius; |dI/dv| is at most twice the swing, by Bernstein's
+                // inequality.
                 const double off =
                     between->magnification() * judged.given + between->error * judged.swing +
                     unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);
@@ -95,7 +96,7 @@ class LayeredImages {
         });
     }
 
-    // Windows of pixel averages or around an arbitrary axis, for radially symmetric intensities.
+    // Images of radially symmetric intensities: pixel averages, or samples around an arbitrary axis.
     template <class Table>
     void around(const std::shared_ptr<const Table>& table) const {
         const Profiles profiles(planes_, table, 1.0);
@@ -118,7 +119,7 @@ class LayeredImages {
         });
     }
 
-    // Samples around an arbitrary axis, for intensities that depend on the azimuth.
+    // Images of intensities that depend on the azimuth: samples around an arbitrary axis.
     void turned(const std::shared_ptr<const AnywhereTable>& table) const {
         const Profiles profiles(planes_, table, 1.0);
         const WindowSlopes<T> slopes(planes_, windows_, slopes_, table);

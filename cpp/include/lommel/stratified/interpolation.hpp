@@ -15,17 +15,17 @@
 
 namespace lommel {
 
-struct Between : Radii {  // radii: Chebyshev points of each piece, in v
+struct Between : Radii {  // radii: Chebyshev points of each piece, in lambda / (2 pi NA)
     static constexpr double widest = 16.0;
     static constexpr std::size_t tile = 16;
 
-    std::shared_ptr<const Layout> layout;  // keeps the cache key alive
+    std::shared_ptr<const Layout> layout;  // kept alive, as the cache compares its address
     double step;
     std::size_t nodes, pieces;
     double half, error;                // half width of a piece; interpolation error of a function bounded by 1
-    std::vector<std::size_t> first;    // [piece]: its first radius
+    std::vector<std::size_t> first;    // [piece]: index of its first radius
     std::vector<std::size_t> weight;   // [piece]: start of its weights
-    Doubles weights;                   // [piece][tile of radii][node][radius]
+    Doubles weights;                   // [piece][tile of radii][node][radius in the tile]
 
     static std::size_t pieces_of(double reach) { return static_cast<std::size_t>(std::ceil(reach / widest)); }
 
@@ -60,12 +60,12 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in v
     }
 
     double magnification() const { return lebesgue(nodes); }
-    // Rounding in units of the maximum: 4 n + 8 of the second barycentric formula (N. J. Higham, IMA J. Numer. Anal. 24, 547,
-    // 2004), including the sum over the nodes.
+    // Rounding of interpolated values, in roundoffs of the largest value: 4 nodes + 8 by the second barycentric formula (N. J.
+    // Higham, IMA J. Numer. Anal. 24, 547, 2004), including the sum over the nodes.
     double rounding() const { return (4.0 * static_cast<double>(nodes) + 8.0) * (magnification() + 1.0); }
 
-    // out[plane * out_stride + radius] from values[plane * stride + node], for `Together` planes. Whole tiles are written in
-    // order; the next piece overwrites the excess of the last tile.
+    // Interpolate `Together` rows, from values[row * stride + node] to out[row * out_stride + radius]. Whole tiles are written
+    // in order; the next piece overwrites the excess of the last tile.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I, const double* values, std::size_t stride, double* out, std::size_t out_stride) const {
         using V = typename I::pack;
@@ -104,8 +104,8 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in v
     double middle(std::size_t s) const { return half * (2.0 * static_cast<double>(s) + 1.0); }
     double point(std::size_t j) const { return chebyshev_point(nodes - 1 - j, nodes); }
 
-    // Write the Lagrange polynomials at x, to[j * tile]. Barycentric weights of Chebyshev points are sines with alternating
-    // signs.
+    // Write the Lagrange polynomial of each node j at x to to[j * tile]. The barycentric weights of Chebyshev points are sines
+    // with alternating signs.
     void weigh(double x, double* to) const {
         double sum = 0.0;
         for (std::size_t j = 0; j < nodes; ++j) {

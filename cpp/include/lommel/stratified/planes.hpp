@@ -1,5 +1,5 @@
-// Planes of a microscope: pupil angles, phases, and the Hermitian forms that give intensities (docs/certificate.md, section
-// 15).
+// Planes of a microscope's stack: pupil angles, phases, and the Hermitian forms that give intensities (docs/certificate.md,
+// section 15).
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,24 @@ namespace lommel {
 
 constexpr std::size_t most_parts = 3;
 
-// Pupil angles: amplitudes of the parts of the field (azimuthal orders 0, 1, ...) and the phase, linear in depth and focus.
+// Pupil angles, the nodes of a quadrature: amplitudes of the parts of the field (azimuthal orders 0, 1, ...), and the phase psi
+// = fixed + depth * by_depth + focus * by_focus.
 struct Angles {
     const double* rho;
     std::size_t count, parts;
-    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // [part][angle]; the others [angle]
+    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: [part][angle]; others: [angle]
     double error;                                                   // error bound of each part of the field
-    // For derivatives with respect to ln k: rates of change of the phase minus a constant each; change of the parts, or null.
+    // For derivatives by ln k, k being the wavenumber. turning: those of fixed, by_depth and by_focus, each minus a constant,
+    // [3][angle]; change: those of `part`, or null.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
-    // Rounding of the sum over angles, of the Bessel functions and of the products, relative to the sum of magnitudes.
+    // Rounding of a sum over angles relative to the sum of magnitudes: of sum, products and Bessel functions (`of_bessel`
+    // roundoffs).
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
 };
 
-// Azimuthal order of the intensity: sum over j, l of form[j][l] F_j conj(F_l), times cosine cos(order phi) + sine sin(order
-// phi).
+// One azimuthal order of the intensity: the sum over j, l of form[j][l] F_j conj(F_l), with F_j the parts of the field, times
+// cosine cos(order phi) + sine sin(order phi), with phi the azimuth.
 struct Harmonic {
     std::complex<double> form[most_parts][most_parts];
     std::size_t order;
@@ -38,14 +41,15 @@ struct Harmonic {
     double size() const { return std::hypot(cosine, sine); }
 };
 
-// Variables of derivatives: depth of the emitter, stage focus, v, and ln k (wavenumber) at fixed v.
+// Variables of derivatives: depth of the emitter, stage focus, radius v in lambda / (2 pi NA), and ln(wavenumber) at fixed v.
 enum class By { depth, focus, radius, wavenumber };
 struct Derivative {
     By by;
     double error;  // error bound of each part of the differentiated field
 };
 
-// Planes: depth of the emitter, stage focus and collected power, each [plane]; the harmonics of their intensity.
+// Planes of a stack: depth of the emitter, stage focus and collected power of each, and the azimuthal orders of all
+// intensities.
 struct Planes {
     Angles angles;
     const double *depth, *focus, *power;
@@ -59,8 +63,8 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // Multiply the parts by exp(i psi): re, im[part * stride + angle]. sizes: sum of |re| + |im| of each part. exp() of the
-    // decay is computed only for evanescent waves, which are few.
+    // Multiply the parts of the field by exp(i psi), psi being the phase: re, im[part * stride + angle]. sizes: sum of |re| +
+    // |im| of each part. exp() of the decay is computed only for evanescent waves, which are few.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {
@@ -102,7 +106,7 @@ struct Planes {
         }
     }
 
-    // Add i d psi / dx times (re, im) to (to_re, to_im); x is depth, focus or ln k.
+    // Add i d psi / dx times (re, im) to (to_re, to_im), psi being the phase and x the depth, the focus or ln(wavenumber).
     void turn(By by, std::size_t plane, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
               double* sizes) const {
         const std::complex<double>* rate = by == By::depth ? angles.by_depth : angles.by_focus;
@@ -128,7 +132,7 @@ struct Planes {
         }
     }
 
-    // Sum over j, l of |form[j][l]| f(j, l), divided by the power and summed over the harmonics first .. last - 1.
+    // Sum over j, l of |form[j][l]| f(j, l), over the harmonics first .. last - 1, divided by the collected power.
     template <class F>
     double bilinear(std::size_t plane, const F& f, std::size_t first, std::size_t last) const {
         double sum = 0.0;

@@ -1,4 +1,4 @@
-// Intensities of many planes at the radii of one table, and their derivatives, by matrix products over angles.
+// Intensities of many planes, and their derivatives, at the radii of one table, by matrix products over pupil angles.
 #pragma once
 
 #include <algorithm>
@@ -18,33 +18,34 @@
 
 namespace lommel {
 
-// Sizes of the parts F of the field of a plane, or of its derivative: largest |F|^2 at the radii (found), and bound on |F| at
-// any radius (most).
+// Sizes of the parts of a plane's field, or of its derivative. found: largest squared modulus at the radii; most: bound on the
+// modulus at any radius.
 struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };
 
-// Fields at the radii as products of waves and tabulated Bessel functions, and intensities from them.
+// Fields at the radii, as sums over pupil angles of waves times tabulated Bessel functions, and intensities from the fields.
 class Profiles {
    public:
-    static constexpr std::size_t together = 3;  // planes: twelve chains of multiply-adds, as many as fit in sixteen registers
+    static constexpr std::size_t together = 3;  // planes at once: twelve chains of multiply-adds, which sixteen registers hold
     static constexpr std::size_t group = 24;  // planes per task
 
     Profiles(const Planes& planes, const std::shared_ptr<const Radii>& radii, double step)
         : Profiles(planes, AngleTable::get(radii, step, {planes.angles.rho, planes.angles.rho + planes.angles.count},
                                            planes.angles.parts, planes.slopes())) {}
-    // With a table that is not cached.
+    // Constructor with a table that is not in the cache.
     Profiles(const Planes& planes, std::shared_ptr<const AngleTable> table) : planes_(planes), table_(std::move(table)) {}
 
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
-    // Rows per plane: the azimuthal orders of the intensity, then those of each derivative.
+    // outputs(): rows per plane, the azimuthal orders of the intensity and of each derivative. kinds(): intensity and
+    // derivatives.
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
-    // Call take(first, count, values, sizes) for each group of planes, with values[(plane * outputs + k) * stride + radius] and
-    // the sizes of the field and of its derivatives, [plane][kind].
+    // Call take(first, count, values, sizes) for each group of planes: values[(plane * outputs() + row) * stride() + radius],
+    // and sizes[plane][kind] of the field and of its derivatives.
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, const PartSizes* sizes)>;
     void run(int threads, const Take& take) const;
 
@@ -64,7 +65,7 @@ class Profiles {
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
-                // The waves and their bounds are the same, as |J_m'| <= 1.
+                // Waves and bounds are those of the field itself, as |J_m'| <= 1 for Bessel functions.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }
@@ -75,7 +76,7 @@ class Profiles {
         }
     }
 
-    // Fields of `together` planes at two vectors of radii. Limited by the throughput of multiply-adds.
+    // Fields of `together` planes at two vectors of radii. Multiply-adds limit the speed.
     template <class I, class V>
     LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, std::size_t kind, const double* re, const double* im,
                               Fields<V>& out) const {
@@ -142,7 +143,7 @@ class Profiles {
         }
     }
 
-    // Re sum over j, l of form[j][l] G_j conj(F_l), for a Hermitian form.
+    // Real part of the sum over j, l of form[j][l] G_j conj(F_l), with F and G the parts of two fields and a Hermitian form.
     template <class V>
     LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
                            std::size_t u) const {

@@ -18,9 +18,10 @@ namespace lommel {
 
 constexpr std::size_t ring_planes = fft_rows;
 
-// Fields: azimuthal order m of field f on a circle is sum_q part[m][f][q] wave[q] J_|m|(v rho_q) / sqrt(power).
+// Fields on circles around the axis: azimuthal order m of field f is the sum over nodes q in the pupil of parts[m][f][q]
+// waves[q] J_|m|(v rho_q) / sqrt(power), with v the radius of the circle and rho_q that of the node.
 struct RingLight {
-    const double* bessel;  // [|m|][circle][node]
+    const double* bessel;  // J_|m|(v rho): [|m|][circle][node]
     std::size_t orders, circles, nodes;  // m = 1 - orders .. orders - 1
     const std::complex<double>* parts;   // [plane, or one for all][m][field][node]
     std::size_t wavefronts, fields;
@@ -29,16 +30,16 @@ struct RingLight {
     std::size_t planes;
 };
 
-// Interpolation weights of the taps as polynomials of 2 t - 1, with t = 0 .. 1 between the two middle taps:
-// [highest power first][tap].
+// Interpolation weights of `count` taps as polynomials of 2 t - 1, with t = 0 .. 1 between the two middle taps:
+// polynomials[power, highest first][tap].
 struct RingTaps {
     static constexpr std::size_t most = 16;
     const double* polynomials;
     std::size_t terms, count;
 };
 
-// Interpolation from `angles` equal angles of each circle to any position. Circles are filtered by neighbouring circles,
-// azimuthal orders m = 0, 1, ... are multiplied by gains[m], and taps interpolate along the radius and around the circle. The
+// Interpolation from `angles` equidistant angles on each circle to any position: circles are filtered by neighbouring circles,
+// azimuthal orders m = 0, 1, ... multiplied by gains[m], and taps interpolate along the radius and around the circle. The
 // interpolation error of order m is at most aliases[m] times its modulus.
 struct RingSteps {
     std::size_t angles;
@@ -49,17 +50,17 @@ struct RingSteps {
     std::size_t orders;
 
     std::size_t finer() const { return 2 * angles; }
-    std::size_t row() const { return finer() + around.count + 1; }  // angles per row, with those beyond a turn
-    std::size_t before() const { return along.count / 2; }          // circles of negative radius
+    std::size_t row() const { return finer() + around.count + 1; }  // angles per circle, with those repeated
+    std::size_t before() const { return along.count / 2; }          // number of circles of negative radius
 };
 
-// Maxima over a plane that enter its error bound.
+// Maxima over the circles of each plane, for its error bound.
 struct RingSizes {
     explicit RingSizes(std::size_t fields) : squares(fields * ring_planes) {}
-    Doubles squares;                    // largest |E_f|^2 of each field, [field][plane]
-    double top[ring_planes] = {};       // largest intensity
-    double aliases[ring_planes] = {};   // over circles: largest sum of the errors of its orders
-    double numbers[ring_planes] = {};   // over circles: largest sum of the moduli of its orders
+    Doubles squares;                    // squared modulus of each field: [field][plane]
+    double top[ring_planes] = {};       // intensity
+    double aliases[ring_planes] = {};   // sum of the aliasing errors of a circle's orders
+    double numbers[ring_planes] = {};   // sum of the moduli of a circle's orders
 };
 
 // Intensities of eight planes on circles, filtered and interpolated to twice as many angles.
@@ -69,14 +70,14 @@ class Rings {
         : light_(light), steps_(steps), fft_(steps.angles), finer_(steps.finer()), circles_(light.circles - steps.filters + 1),
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
-    // Compute eight planes from `first` on. Rows: [circle, from -before()][angle, from -taps / 2][plane].
+    // Compute eight planes from index `first` on. row(): [circle, from -before() on][angle, from -taps / 2 on][plane].
     void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }
     const double* row(std::size_t i) const { return rows_.data() + i * steps_.row() * ring_planes; }
 
    private:
-    // Fields of all orders on all circles: found_[m][circle][sign of m][field][re, im][plane].
+    // Azimuthal orders m of the fields on all circles: found_[|m|][circle][sign of m][field][re, im][plane].
     void sum(std::size_t first) {
         const std::size_t here = std::min(ring_planes, light_.planes - first), nodes = light_.nodes;
         const std::size_t each = 2 * light_.fields * fft_element;
@@ -90,7 +91,7 @@ class Rings {
             }
         }
         const std::size_t all = 2 * light_.orders - 1, one = light_.fields * nodes;
-        // `parts`: one wavefront for each plane, or one for all.
+        // `parts` has one wavefront for each plane, or one for all planes.
         const bool many = light_.wavefronts > 1;
         const std::size_t from = many ? first : 0, last = many ? here - 1 : 0, wavefront_stride = many ? all * one : 0;
         for (std::size_t m = 0; m < light_.orders; ++m) {
@@ -203,7 +204,7 @@ class Rings {
     }
 
     // Interpolate the filtered circles j and j + 1 to twice as many angles, in one complex transform: one circle is the real
-    // part, the other the imaginary part. The gains are real and equal for m and -m, so the two stay separate.
+    // part, the other the imaginary part. They stay separate, as the gains are real and equal for orders m and -m.
     template <class I>
     LOMMEL_INLINE void spread(I isa, std::size_t j, RingSizes& sizes) {
         using V = typename I::pack;
@@ -218,7 +219,7 @@ class Rings {
         }
         const double* orders = fft_.whole(isa, a_.data(), b_.data());
         double* const to = orders == a_.data() ? b_.data() : a_.data();
-        // Zero only the elements that the transform reads.
+        // Zero the elements between the orders, as far as the transform reads them.
         std::fill_n(to, n / 2 * fft_element, 0.0);
         std::fill_n(to + (finer_.n - n / 2) * fft_element, n / 2 * fft_element, 0.0);
         V off[packs] = {}, size[packs] = {};
@@ -265,7 +266,7 @@ class Rings {
         }
     }
 
-    // Fill circles of negative radius, and the angles beyond a full turn.
+    // Fill the circles of negative radius, and repeat angles at both ends of a turn.
     void turn() {
         const std::size_t before = steps_.before(), circle_stride = steps_.row() * ring_planes, turn = finer_.n * ring_planes;
         const std::size_t margin = steps_.around.count / 2 * ring_planes;

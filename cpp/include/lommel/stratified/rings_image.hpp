@@ -1,5 +1,5 @@
-// Windows of pixels interpolated between circles; the weights of a pixel are common to all planes (docs/certificate.md, section
-// 16).
+// Images interpolated between circles; the interpolation weights of a pixel are common to all planes (docs/certificate.md,
+// section 16).
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 
 namespace lommel {
 
-// Window of pixels with a pitch of `step` circles. centers[axis][row, column]: one axis for each plane, or one for all.
+// Window of pixels, with a pitch of `step` distances between circles. centers[axis][row, column]: an axis per plane, or one for
+// all.
 struct RingWindow {
     std::size_t height, width;
     const double* centers;
@@ -34,8 +35,8 @@ struct RingWindow {
     }
 };
 
-// Quantities for the error bounds, at[quantity][plane]: largest |E_f|^2 of each field f; then, as maxima over circles, the
-// intensity, the sum of aliasing errors and the sum of moduli of orders; finally the largest pixel.
+// Quantities for the error bounds, at[quantity][plane]: largest squared modulus of each field; maxima over circles of the
+// intensity, of the sum of aliasing errors, and of the sum of the moduli of azimuthal orders; largest pixel.
 struct RingNumbers {
     double* at;
     std::size_t planes, fields;
@@ -47,8 +48,8 @@ struct RingNumbers {
 template <class T>
 class RingImages {
    public:
-    static constexpr std::size_t side = 16;  // side of a tile, whose circles fit in a cache
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit on the circles in memory at the same time
+    static constexpr std::size_t side = 16;  // side of a tile in pixels, whose circles fit in a processor's cache
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit of the memory for circles
 
     RingImages(const RingLight& light, const RingSteps& steps, const RingWindow& window, int threads)
         : light_(light), steps_(steps), window_(window), threads_(threads) {}
@@ -90,10 +91,10 @@ class RingImages {
 
     struct Weights {
         alignas(64) double along[RingTaps::most], around[RingTaps::most];
-        std::size_t row, angle;  // index of the first taps
+        std::size_t row, angle;  // indices of the circle and of the angle of the first tap
     };
 
-    // Taps from their polynomials at x.
+    // Evaluate the polynomials of the taps at x: interpolation weights to `out`.
     template <class I>
     static LOMMEL_INLINE void weigh(I, const RingTaps& taps, double x, double* out) {
         using V = typename I::pack;
@@ -111,7 +112,7 @@ class RingImages {
         using V = typename I::pack;
         constexpr std::size_t packs = ring_planes / I::lanes;
         const std::size_t height = std::min(side, window_.height - top), width = std::min(side, window_.width - left);
-        // Angles per turn and per radian.
+        // finer: number of angles per turn; turn: number of angles per radian.
         const double finer = static_cast<double>(steps_.finer()), turn = finer / 6.283185307179586477;
         const double* const center = window_.centers + (window_.axes > 1 ? 2 * (first + group.from) : 0);
         Weights weights[side * side];
@@ -170,7 +171,7 @@ class RingImages {
         }
     }
 
-    // Sum over `Together` circles at once: enough chains to hide the latency of multiply-adds. Limited by loads.
+    // Sum over `Together` circles at once, to hide the latency of multiply-adds; loads limit the speed.
     template <std::size_t Together, class V>
     LOMMEL_INLINE void circles(const double* start, std::size_t circle_stride, const double* around, const double* along,
                                V* total) const {

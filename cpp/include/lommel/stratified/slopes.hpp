@@ -1,4 +1,4 @@
-// Derivatives of windows of a microscope's planes, each with its error bound (docs/certificate.md, section 15).
+// Derivatives of the images of a microscope's planes, each with its error bound (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -19,17 +19,17 @@
 
 namespace lommel {
 
-// A requested derivative: factor x dI/dx + own[plane] x I with x the depth, the focus or ln k; or (axis) two images, with
-// respect to the row and column of the axis. With respect to ln k, radially symmetric intensities are differentiated at fixed
-// positions in metres (v grows with k), others at fixed v.
+// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, with x the depth, the focus or ln(wavenumber);
+// `axis`: two images, by row and column of the axis. By ln(wavenumber), radially symmetric intensities are differentiated at
+// fixed positions in metres, others at fixed positions in lambda / (2 pi NA).
 struct LayeredSlope {
     enum class What { depth, focus, axis, wavenumber } what;
     double factor;
-    const double* own;  // [plane]
+    const double* own;  // [plane]: coefficient of I
 };
 
-// Results: derivatives times the scale of the values, images[image][plane][pixel], and absolute error bounds before scaling,
-// errors[image][plane].
+// Requested derivatives and their results. images[image][plane][pixel]: derivatives, times the scale of the intensities;
+// errors[image][plane]: absolute error bounds before scaling.
 template <class T>
 struct LayeredSlopes {
     std::vector<LayeredSlope> requested;
@@ -37,7 +37,8 @@ struct LayeredSlopes {
     double* errors = nullptr;
 };
 
-// Profiles of a plane at the radii: I and its derivatives, values[kind][order][radius]; sizes of the fields; bounds of I.
+// Profiles of one plane at the radii, values[kind][order][radius]: the intensity and its derivatives. sizes: of the field and
+// its derivatives; judged: error bounds of the intensity.
 struct PlaneProfiles {
     const double* values;
     std::size_t stride;
@@ -45,7 +46,7 @@ struct PlaneProfiles {
     const Judged& judged;
 };
 
-// The requested derivatives of the windows of planes.
+// Computation of the requested derivatives of images.
 template <class T>
 class WindowSlopes {
    public:
@@ -60,7 +61,7 @@ class WindowSlopes {
         }
     }
 
-    // Derivatives of radially symmetric intensities.
+    // Write the derivatives of one plane, for radially symmetric intensities.
     void radial(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         table_.visit([&](const auto& table) {
             std::size_t image = 0;
@@ -78,7 +79,7 @@ class WindowSlopes {
         });
     }
 
-    // Derivatives of samples of intensities that depend on the azimuth.
+    // Write the derivatives of one plane, for samples of intensities that depend on the azimuth.
     void turned(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made, double* total) const {
         for (std::size_t image = 0; image < slopes_.requested.size(); ++image) {
             const double error = turned_window(
@@ -90,7 +91,7 @@ class WindowSlopes {
     }
 
    private:
-    // Pointer to one of the two kinds of tables.
+    // Pointer to the table of either kind: for windows around arbitrary axes, or for centred windows.
     struct AnyTable {
         const AnywhereTable* anywhere = nullptr;
         const PixelTable* centered = nullptr;
@@ -119,7 +120,8 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // Values of a derivative at the radii. At fixed positions in metres v I'(v) is added, whose error grows with the radius.
+    // Derivative of the intensity I at the radii. At fixed positions in metres, v I'(v) is added for a change of the
+    // wavenumber, v being the radius; its error grows with v.
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
@@ -146,13 +148,14 @@ class WindowSlopes {
             all.most += size * far * 2.0 * self.swing;
             all.swing += size * table.growth() * self.swing;
         }
-        // The power that divides I is known to 1e-13, and so are its derivatives.
+        // The collected power, by which I is divided, is known to 1e-13, and so are the power's derivatives.
         all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
         return {mixed.data(), all};
     }
 
-    // Shift of the axis. Averages change by the difference of the averages along opposite pixel sides; samples by I' / v, which
-    // is even, of type 2 and at most max |I''|.
+    // Derivatives by the position of the axis. Pixel averages change by the difference of averages along opposite pixel sides;
+    // samples by I' / v times the distance moved, v being the radius: I' / v is even in v, of exponential type 2, at most max
+    // |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;

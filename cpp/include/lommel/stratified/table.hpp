@@ -1,4 +1,4 @@
-// Table of Bessel functions of angle and radius, independent of depth and focus.
+// Table of Bessel functions J_m(v rho), rho being the pupil radius and v the image radius; independent of depth and focus.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace lommel {
 struct AngleTable {
     static constexpr std::size_t tile = 16;  // radii per tile
 
-    std::shared_ptr<const Radii> radii;  // keeps the cache key alive
+    std::shared_ptr<const Radii> radii;  // kept alive, as the cache compares its address
     double step;
     std::vector<double> rho;
     std::size_t parts;
     bool slopes;
     std::size_t kinds, tiles;
-    Doubles rows;  // [tile][J_m of each part, then dJ_m/dv][angle][radius]
+    Doubles rows;  // [tile][J_m of each part m, then dJ_m/dv][angle][radius in the tile]
 
     AngleTable(const std::shared_ptr<const Radii>& at, double pitch, const std::vector<double>& angles, std::size_t orders,
                bool derivatives);

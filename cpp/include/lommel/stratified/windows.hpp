@@ -1,4 +1,4 @@
-// Windows of pixels from the azimuthal orders of the intensity at the radii of a table, with error bounds.
+// Images computed from the azimuthal orders of the intensity at the radii of a table, with error bounds.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Compute a radially symmetric window; returns its error bound, for values at the radii of at most `size`.
+// Compute an image of a radially symmetric intensity, at most `size` at the radii; returns its error bound.
 template <class Table>
 double window_of(const Table& table, const PixelWindow& window, const double* at_radii, const Judged& of, double size,
                  WindowValues& made) {
@@ -24,13 +24,14 @@ double window_of(const Table& table, const PixelWindow& window, const double* at
     return window_error(table, made.penalty, size, of.given, 2.0 * of.swing, of.swing);
 }
 
-// Values of one azimuthal order at the radii.
+// One azimuthal order of the intensity at the radii, with its error bounds.
 struct Order {
     const double* values;
     Judged judged;
 };
 
-// Add one azimuthal order from `values` of h_0, h_1 / v or h_2, times cos and sin of the azimuth (and v for order 1).
+// Add to `total` one azimuthal order of the intensity: `values` times the factor in the azimuth, cos or sin; for order 1, whose
+// values are divided by the radius, also times the radius.
 inline void add_order(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
     const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
     for (std::size_t row = 0, i = 0; row < here.height; ++row) {
@@ -45,8 +46,9 @@ inline void add_order(const Harmonic& h, const PixelWindow& here, const double* 
     }
 }
 
-// Samples of an intensity that depends on the azimuth; returns their error bound. h_0, h_2 and h_1 / v are even in v and of
-// type 2. |h_1 / v| is at most max |h_1'|, by Bernstein's inequality at most twice max |h_1| (docs/certificate.md, section 15).
+// Compute samples of an intensity that depends on the azimuth; returns their error bound. Its orders h_0, h_2 and h_1 / v, v
+// being the radius, are even in v and of exponential type 2. |h_1 / v| is at most max |h_1'|, which by Bernstein's inequality
+// is at most twice max |h_1| (docs/certificate.md, section 15).
 template <class Of>
 double turned_window(const AnywhereTable& table, const Planes& planes, const PixelWindow& here, const Of& order,
                      WindowValues& made, double* total) {

@@ -23,61 +23,62 @@ namespace lommel {
 // values are divided by their maximum, in the window.
 struct AverageRequest {
     std::size_t height, width;
-    double step;   // pixel pitch in v
-    double tol;    // tolerance of averages, storing included
+    double step;   // pixel pitch, in lambda / (2 pi NA)
+    double tol;    // tolerance of the stored averages
     double scale;  // factor of the intensity; 0: divide by the largest average
     double storing;
     int threads;
-    std::vector<ZernikeTerm> factors;  // terms with respect to whose coefficients derivatives are computed
+    std::vector<ZernikeTerm> factors;  // Zernike terms, by whose coefficients averages are differentiated
 
     std::size_t pixels() const { return height * width; }
     bool divides() const { return scale == 0.0; }
-    // Allowed error of averages before storing; 0.4 of it if they are divided by their maximum, which doubles errors.
+    // Allowed error of averages before they are stored; 0.4 of it if they are divided by their maximum, which doubles errors.
     double before_storing() const { return (divides() ? 0.4 : 1.0) * (tol - (1.0 + tol) * storing); }
     double once_stored(double relative) const { return stored(divides() ? normalized_error(relative) : relative, storing); }
 };
 
-// Averages in double precision, with error bounds.
+// Averages and their derivatives in double precision, with error bounds.
 struct AverageAnswer {
     double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
     double *errors, *peaks;         // [pupil]. errors: relative to the peak; peaks: largest average (the peak)
     double* slope_errors;           // [term][pupil], relative to the peak
 };
 
-// Estimates of the pupils' light; no bound depends on them.
+// Estimates for a stack of pupils; they affect the speed, and no error bound.
 struct PupilLight {
     double strehl;        // lowest peak of the stack, relative to the peak without aberration
     double transmission;  // integral of the squared amplitude, relative to that of a clear aperture
 };
 
-// Request for fields at nodes. tol: allowed error of U; single: single precision suffices.
+// Request for the field U at nodes along rows and columns. tol: allowed error of U; single: single precision suffices.
 struct NodeQuestion {
     const WindowNodes &rows, &columns;
     double tol;
     bool single;
 };
 
-// Numbers of each pupil in addition to its averages.
+// Numbers of each pupil, from which the error bounds of its averages follow.
 struct NodeNumbers {
-    // [pupil]. error: of U at the nodes; brightest: largest sample of I; largest: largest average; together: sum of averages.
+    // [pupil]. error: of the field at nodes; brightest: largest intensity at nodes; largest, together: maximum and sum of
+    // averages.
     std::vector<double> error, brightest, largest, together;
-    // [term][pupil]. slope_error: error of the samples of derivatives; steepest: largest modulus of these samples.
+    // [term][pupil]. slope_error: error of derivatives of the intensity at nodes; steepest: largest modulus of these
+    // derivatives.
     std::vector<double> slope_error, steepest;
     NodeNumbers(std::size_t pupils, std::size_t terms)
         : error(pupils), brightest(pupils), largest(pupils), together(pupils), slope_error(pupils * terms),
           steepest(pupils * terms) {}
 };
 
-// Write averages and derivatives; throws ToleranceNotMet if fields cannot be computed to the tolerance.
+// Function that computes fields at nodes, and averages and derivatives from them; it throws ToleranceNotMet if fields miss tol.
 using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, NodeNumbers&)>;
 
-// Compute the averages of some pupils within the tolerance; returns false if the window has no nodes or the tolerance is not
-// met.
+// Compute the averages of `pupils` pupils; returns false if the window has no nodes or averages miss the tolerance.
 bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils, const AverageAnswer& answer,
                       const NodeSample& sample);
 
-// Call compute(answer), which writes averages and derivatives in double precision, and store them as images and derivatives
-// [term][pupil][pixel] with bounds. Returns false, with nothing stored, if compute does.
+// Call compute(answer), which writes averages and derivatives in double precision. Store these in `images` and
+// slopes[term][pupil][pixel], with error bounds. Returns false, with nothing stored, if compute() does.
 template <class T, class Compute>
 bool averaged_images(const AverageRequest& asked, std::size_t pupils, const DiskAnswer<T>& images, T* slopes,
                      double* slope_bounds, const Compute& compute) {
@@ -104,12 +105,13 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Disk
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
                                   const AverageAnswer& answer, const NodeSample& sample) {
-    constexpr double of_samples = 0.8;  // fraction of the tolerance
-    // Assumed fraction of the estimated peak: low estimates are mostly too high.
+    constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
+    // Factors on the estimated Strehl ratio: `sharp` for ratios above 0.6, `dim` for lower ones, whose estimates are often too
+    // high.
     constexpr double sharp = 0.87, dim = 0.1;
-    constexpr double of_response = 2e-3;  // error of the response over tolerance times least average, before the factor below
+    constexpr double of_response = 2e-3;  // error of the nodes' response over tolerance times least average, before `easier`
     constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio
-    constexpr double in_single = 2e-7;  // allowed error of U from which on samples are in single precision
+    constexpr double in_single = 2e-7;  // if the field may have this error or more, samples are in single precision
     const double room = asked.before_storing(), step = asked.step;
     if (!(room > 0.0)) {
         return false;
@@ -118,7 +120,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     const double lowest = least_average(step), most = std::min(4.0 * lowest, 1.0),
                  guess = light.strehl * (light.strehl > 0.6 ? sharp : dim);
     double err_samples = of_samples * room * most * guess / (most + guess);
-    // Rounded to a power of 2, so that pupils with similar peaks share cached nodes.
+    // The allowed error is rounded to a power of 2, so that pupils with similar peaks share cached nodes.
     double err_response = of_response * room * lowest * std::exp2(std::floor(std::log2(easier * light.strehl)));
     NodeNumbers made(pupils, asked.factors.size());
     for (int attempt = 0; attempt < 3; ++attempt) {
@@ -128,7 +130,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             return false;
         }
         const double gain = rows->gain * columns->gain, spread = rows->spread * columns->spread;
-        // I of a clear aperture integrates to 4 pi over the plane (Parseval); a pixel has the area step^2.
+        // The intensity of a clear aperture integrates to 4 pi over the plane (Parseval); a pixel has the area step^2.
         const double all = spread * 4.0 * pi * light.transmission / (step * step);
         const double size = std::sqrt(gain * std::min(gain, all));
         const double err_field = err_samples / (size + std::sqrt(size * size + gain * err_samples));
@@ -151,8 +153,8 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             if (!(peak > 0.0)) {
                 return false;
             }
-            // A of the certificate, samples weighted by moduli of weights: at most gain times the largest sample, and at most
-            // spread times the sum of all averages (times 1.01 for the rounding of that sum).
+            // Sum of samples times moduli of weights (A in certificate, section 10): at most gain times the largest sample, and
+            // at most spread times the sum of all averages (times 1.01 for the rounding of that sum).
             const double weighed = std::min(gain * made.brightest[p], 1.01 * spread * made.together[p]);
             const double given = made.error[p] * (2.0 * std::sqrt(gain * weighed) + gain * made.error[p]) / peak,
                          own = (missed + rounding * weighed) / peak;
@@ -164,8 +166,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
         }
         if (worst <= asked.tol) {
             for (std::size_t i = 0; i < made.steepest.size(); ++i) {
-                // The transfer function of a derivative is at most twice the autocorrelation of the disk (certificate, section
-                // 8).
+                // The transfer function of a derivative is at most twice that of a clear disk (certificate, section 8).
                 answer.slope_errors[i] =
                     (gain * (made.slope_error[i] + rounding * made.steepest[i]) + 2.0 * missed) / answer.peaks[i % pupils];
             }

@@ -1,5 +1,5 @@
-// Pixel averages of circular and annular pupils with any Zernike terms: pixels far from the axis from the rim, where that is
-// faster, the others from samples at nodes of the window.
+// Pixel averages of circular and annular pupils with any Zernike terms: where it is faster, pixels far from the axis are
+// computed from the pupil function on the rim, other pixels from samples at nodes of the window.
 #pragma once
 
 #include <algorithm>
@@ -29,35 +29,35 @@ class DiskAverages {
     }
     virtual ~DiskAverages() = default;
 
-    // Return false if the window has no nodes or the averages miss the tolerance.
+    // Compute the averages; returns false if the window has no nodes or averages miss the tolerance.
     bool run(const AverageAnswer& answer);
 
    protected:
     using Pupils = std::vector<std::size_t>;
 
-    // Average all pixels outside boxes of box x box pixels around the axes of the pupils `which`, and copy those within boxes,
-    // answer.near[pupil][row][column of the box]. answer.numbers becomes, for each pupil, the error and the maximum of the
-    // averages outside. Virtual so that tests can observe it.
+    // Compute averages of the pixels outside boxes of `box` x `box` pixels around the axes of the pupils `which`, and copy
+    // those within boxes from answer.near. answer.numbers becomes, for each pupil, the error and the maximum of the averages
+    // outside its box. Virtual so that tests can observe the call.
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:
     static constexpr int tries = 3;  // maximum number of boxes for each pupil
-    static constexpr double power = 4.0;  // errors fall at least as this power of the side of a box
+    static constexpr double power = 4.0;  // errors fall at least with this power of the side of a box
     static constexpr double worth = 0.9;  // fraction of the tolerance aimed at with a larger box
-    static constexpr double farthest = 16.0;  // error over tolerance above which the next box grows no faster
+    static constexpr double farthest = 16.0;  // limit of error over tolerance, by which the next box is chosen
 
     bool from_rims(const AverageAnswer& answer);
-    // Average pupils with boxes of the same side: pixels in the box from nodes, the others from rims. `stack`: all axes in the
-    // middle of pixels. answer.errors remains infinite if the box fails.
+    // Compute the averages of pupils with boxes of the same side: pixels in the box from nodes, others from rims. `stack`:
+    // pupils with axes at pixel centres. answer.errors remains infinite if the box fails.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
-    // Average pupils at nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`: no
-    // other results exist yet, so that a faster series may be used instead (LimitExceeded).
+    // Compute averages from nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`:
+    // there are no other results yet, so that a faster series may be used instead (LimitExceeded).
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;
-    // Stack of pupils with the axis of the window at their common centre or, if centres differ, with tilts to each (placed);
-    // stack with each axis in the middle of a pixel (moved).
+    // placed(): stack of pupils with the window's axis at their common centre or, if centres differ, with a tilt for each.
+    // moved(): stack with each axis at a pixel centre.
     DiskStack placed(const Pupils& which, const std::vector<double>& centers, DiskWindow& window) const;
     DiskStack moved(const Pupils& which) const;
     std::vector<double> centers_of(const Pupils& which) const;
@@ -154,7 +154,7 @@ LOMMEL_ONCE void DiskAverages::outside(const Pupils& which, std::size_t box, dou
 }
 
 LOMMEL_ONCE std::int64_t DiskAverages::larger(std::int64_t side, double times, std::int64_t most) {
-    // NaN compares false and is treated like `farthest`.
+    // If `times` is NaN, the comparison is false, and `farthest` is used.
     const double off = times < farthest ? times : farthest;
     const double grown = static_cast<double>(side) * std::pow(off / worth, 1.0 / power);
     const std::int64_t next =
@@ -182,7 +182,7 @@ LOMMEL_ONCE void DiskAverages::with_box(const Pupils& which, std::int64_t side, 
     if (!at_nodes(which, of_box, centers, true, {near.data(), nullptr, errors.data(), peaks.data(), nullptr})) {
         return;
     }
-    // Rounded to a power of sqrt(2), so that stacks with similar peaks share tables.
+    // The tolerance is rounded to a power of sqrt(2), so that stacks with similar peaks share tables.
     least = std::exp2(0.5 * std::floor(2.0 * std::log2(least)));
     outside(which, of_box.height, least, {remainders.data(), near.data(), places.data(), answer.values, numbers.data()});
     for (std::size_t i = 0; i < count; ++i) {

@@ -1,12 +1,13 @@
-// Nodes of a window: few samples, shared by all of its pixels, that give the average over each (certificate, section 10).
+// Nodes of a window: few samples, shared by all pixels of the window, that give the average over each (certificate, section
+// 10).
 //
-// Pixels of pitch a, with their middles at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at the
-// nodes x_k within the window such that
-//     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j)
-// is small in the band |w| <= 2. The number of nodes is about the Shannon number of the window, 4 L / pi. A filter that is the
-// same for all pixels needs more than twice as many samples, as it reaches beyond the window. Nodes are zeros of a prolate
-// spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound
-// depends on this choice. Weights are found by least squares.
+// Pixels of pitch a, with their centres at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at the
+// nodes x_k in the window such that, at spatial frequencies |w| <= 2 (the cutoff), its response differs little from that of a
+// pixel:
+//     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j) is small.
+// The number of nodes is about the Shannon number of the window, 4 L / pi; a filter that is the same for all pixels reaches
+// beyond the window and needs more than twice as many samples. Nodes are zeros of a prolate spheroidal function of bandwidth 2
+// L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this choice.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +28,7 @@
 
 namespace lommel {
 
-// Eigenvector of a symmetric tridiagonal matrix; `index`: number of smaller eigenvalues, `beside`: off-diagonal.
+// Eigenvector of a symmetric tridiagonal matrix: of the eigenvalue with `index` smaller ones; `beside`: off-diagonal elements.
 //
 // Bisection finds the eigenvalue: the number of negative pivots of the shifted matrix is that of eigenvalues below the shift.
 // The vector follows from the pivots of both directions, joined where the residual is smallest (I. S. Dhillon and B. N. Parlett
@@ -38,16 +39,16 @@ std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::
 // coefficients are an eigenvector of a symmetric tridiagonal matrix (Xiao, Rokhlin and Yarvin 2001, section 3).
 std::vector<double> prolate_zeros(std::size_t degree, double bandwidth);
 
-// Nodes along one axis of a window, and the weights of its pixels at them.
+// Nodes along one axis of a window, and the weights of each pixel at these nodes.
 class WindowNodes {
    public:
-    std::vector<double> places;  // nodes, v from the middle of the window, ascending
+    std::vector<double> places;  // nodes, from the window's middle, in lambda / (2 pi NA), ascending
     std::vector<double> weights;  // [pixel][node]
-    double error;  // bound on the mean of |r_j| under the transfer function of the disk, E (1 + epsilon / 2) of section 10
-    double gain;  // G: largest sum over nodes of the moduli of a pixel's weights
-    double spread;  // beta: maximum over nodes k of max_j |c_jk| / sum_j c_jk
+    double error;  // bound on the mean error of a pixel's response, E (1 + epsilon / 2) of certificate, section 10
+    double gain;  // largest sum over nodes of the moduli of a pixel's weights
+    double spread;  // largest ratio, over nodes, of the largest modulus of a pixel's weight to the sum of all pixels' weights
 
-    // `count`: number of nodes, even.
+    // `count`: number of nodes, an even number.
     WindowNodes(double step, std::size_t pixels, std::size_t count);
 
     static constexpr std::size_t most_bytes = std::size_t{1} << 24;
@@ -57,7 +58,8 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
-    // Cosines (0) and sines (1) at nodes x > 0, and the target response of pixels: [frequency][node] and [frequency][pixel].
+    // Cosine (0) and sine (1) waves at several frequencies. nodes[frequency][node]: at the nodes x > 0;
+    // pixels[frequency][pixel]: averaged over a pixel, the target of the weights.
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -68,8 +70,8 @@ class WindowNodes {
     std::size_t pixels_;
 };
 
-// Nodes for pixels of pitch `step` (v) whose response has at most the mean error `error`; null if the window is too large, or
-// if pixels are so small that weights of both signs would amplify errors.
+// Nodes for pixels of pitch `step`, whose mean error of the response is at most `error`; null if the window is too large, or if
+// pixels are so small that weights of both signs would amplify errors.
 class ChosenNodes {
    public:
     std::shared_ptr<const WindowNodes> nodes;
@@ -83,8 +85,8 @@ class ChosenNodes {
     std::size_t bytes() const { return 64; }
 
    private:
-    static constexpr double largest = 450.0;  // bandwidth 2 L above which filters replace nodes
-    static constexpr double enough = 2.0, highest = 5.0;  // gain from which on no more nodes are tried; largest accepted gain
+    static constexpr double largest = 450.0;  // window, in lambda / (2 pi NA), above which filters replace nodes
+    static constexpr double enough = 2.0, highest = 5.0;  // gain at which no more nodes are tried; largest accepted gain
     static constexpr double worth = 0.85;  // two more nodes are used if they reduce the gain by this factor
     static constexpr std::size_t tried = 8;  // maximum number of trials, each with 2 more nodes
 
@@ -131,7 +133,7 @@ class EvenSeries {
 
    private:
     struct Step {
-        // P_{k+1} = once x P_k - ..., `twice`: factor of P_k in P_{k+2}; term: coefficient of P_k in the sum.
+        // Recurrence: once: factor of x P_k in P_{k+1}; twice: factor of -P_k in P_{k+2}; term: coefficient of P_k in the sum.
         double term, once, twice;
     };
     std::vector<Step> steps_;
@@ -195,7 +197,7 @@ LOMMEL_ONCE std::vector<double> prolate_zeros(std::size_t degree, double bandwid
     }
     const prolate::EvenSeries series(terms);
     std::vector<double> zeros;
-    const std::size_t points = 3 * degree;  // at least four from one zero to the next
+    const std::size_t points = 3 * degree;  // at least four from one zero of the series to the next
     double low = 0.0, below = series(0.0);
     for (std::size_t i = 1; i < points; ++i) {
         const double x = std::sin(1.5707963267948966 * static_cast<double>(i) / static_cast<double>(points - 1));
@@ -243,8 +245,8 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const std::size_t nodes = x.size();
     const std::vector<double> band = band_points(half);
     const TransferRule rule(band.size());
-    // Weights even about the middle give the real part of r, which is even in w; odd ones the imaginary part. Each is a
-    // least-squares problem for the nodes on one side.
+    // Weights that are even about the window's middle give the real part of the response, odd ones the imaginary part. Each is
+    // a least-squares problem for the nodes on one side.
     const auto at_rule = [&](std::size_t i) { return std::sqrt(rule.weights[i]); };
     const Waves of_rule = waves(rule.at, at_rule, x), of_band = waves(band, [](std::size_t) { return 1.0; }, x);
     std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
@@ -289,8 +291,8 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
     const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
     const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
-    // Product of two responses: one factor has the mean error `mean`, the other at most the error `largest` (certificate,
-    // section 10).
+    // Product of the responses along both axes: one has the mean error `mean`, the other at most the error `largest`
+    // (certificate, section 10).
     error = (1.0 + 0.5 * largest) * mean;
     spread = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -304,7 +306,8 @@ LOMMEL_ONCE ChosenNodes::ChosenNodes(double step, std::size_t pixels, double err
     if (bandwidth > largest) {
         return;
     }
-    // Number of eigenvalues above about `error`: the Shannon number plus the width of the transition beyond it (D. Slepian).
+    // Number of prolate functions with an eigenvalue above about `error`: the Shannon number plus the width of the transition
+    // beyond it (D. Slepian).
     const double count = bandwidth * 2.0 / pi + std::log(bandwidth + 3.0) * std::log(0.3 / error) / (pi * pi);
     const auto least = static_cast<std::size_t>(2.0 * std::max(2.0, std::floor(0.5 * count)));
     for (std::size_t more = 0; more < tried; ++more) {

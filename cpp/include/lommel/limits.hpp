@@ -1,5 +1,4 @@
-// Limits of arguments, their exceptions, and the error of stored intensities that follows from that of the amplitude U
-// (certificate, section 6).
+// Limits of arguments, their exceptions, and the error of stored intensities (certificate, section 6).
 #pragma once
 
 #include <cmath>
@@ -14,7 +13,7 @@ namespace lommel {
 constexpr double unit_roundoff = 1.1102230246251565e-16;
 constexpr double max_phase = 1e6;        // radians; for larger arguments sin and cos lose digits
 constexpr double max_reach = 1e6;        // maximum v = 2 pi NA r / lambda; beyond, I is below 1e-17 of the in-focus peak
-constexpr std::size_t max_terms = 6000;  // n <= max_terms of a Legendre series; its quadrature table takes about 4 n^2 bytes
+constexpr std::size_t max_terms = 6000;  // maximum number n of Legendre terms; their quadrature table takes about 4 n^2 bytes
 constexpr std::size_t max_degree = 200;  // maximum degree of a Zernike term
 
 struct LimitExceeded : std::domain_error {
@@ -53,13 +52,13 @@ struct ZernikeTerm {
 // Bound on the error of the intensity I = |U|^2, for an amplitude |U| <= `size` with an error of at most `error`.
 inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
 
-// An error of I over the exact peak of I, which is at least (sqrt(peak) - field_error)^2; `peak` is the computed peak.
+// `error` of an intensity over the exact peak, which is at least (sqrt(peak) - field_error)^2; `peak` is the computed peak.
 inline double over_peak(double error, double peak, double field_error) {
     const double exact = std::sqrt(peak) - field_error;
     return exact > 1e-150 ? error / (exact * exact) : 1e300;
 }
 
-// Error of I over its exact peak, (2 M e + e^2) / (M - e)^2, with M^2 the computed `peak` and e the `field_error` of U.
+// Error of an intensity over its exact peak, (2 M e + e^2) / (M - e)^2, with M^2 the computed `peak` and e the `field_error`.
 inline double relative_error(double peak, double field_error) {
     return over_peak(intensity_error(std::sqrt(peak), field_error), peak, field_error);
 }
@@ -67,7 +66,7 @@ inline double relative_error(double peak, double field_error) {
 // Error of values after division by the largest of them; `relative` is their error before, over the largest.
 inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
 
-// Error over the peak that rounding of stored values adds. The sum of two squares, the scale and their product take at most six
+// Rounding error of stored values, over their peak. The sum of two squares, the scale and their product take at most six
 // roundings to double. Conversion to float rounds once more, or twice if stored values are divided by the largest of them.
 template <class T>
 constexpr double storing(bool twice) {

@@ -49,8 +49,8 @@ class Turn {
 };
 
 // Base of the caches that all calls share, constructed when the program is loaded. mutex_ guards look-ups and changes; turn_
-// guards computations of tables. These must not hold mutex_: they may wait for Python's lock while the thread that has that
-// lock forks, which waits for mutex_.
+// guards computations of tables, which must not hold mutex_: they may wait for Python's lock, held by a thread whose fork()
+// waits for mutex_.
 class Shared : protected ForkAware {
    public:
     // bytes_kept(): size of the tables in all caches. bytes_limit(): sum of the limits of the caches, which bytes_kept() may
@@ -63,8 +63,7 @@ class Shared : protected ForkAware {
         return std::accumulate(all().begin(), all().end(), std::size_t{0},
                                [](std::size_t sum, const Shared* one) { return sum + one->limit(); });
     }
-    // Drop all tables. Calls that are running keep the tables they use until they return, and may add a table that they
-    // compute.
+    // Drop all tables. Running calls keep the tables they use until they return, and may add a table that they compute.
     static void clear_all() {
         for (Shared* one : all()) {
             one->clear();
@@ -100,9 +99,8 @@ class Shared : protected ForkAware {
 LOMMEL_ONCE Shared::Shared() { all().push_back(this); }
 #endif
 
-// Cache of tables of one type: those most recently used, up to Table::most_bytes, and the last two whatever their size, as
-// images may alternate between a table for the aperture and one for its obscuration. A table is constructed from its key, which
-// Table::is() compares.
+// Cache of tables of one type: the most recently used, up to Table::most_bytes, and always the last two, as images may alternate
+// between tables for an aperture and for its obscuration. Table::is() compares the key from which a table is constructed.
 template <class Table>
 class Cache final : Shared {
    public:

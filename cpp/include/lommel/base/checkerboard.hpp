@@ -11,8 +11,8 @@
 namespace lommel {
 
 // Tiles whose rows and columns have the same parities never write to the same pixel, so threads work on them concurrently. A
-// tile of the next parities waits only for its finished neighbours, so one slow thread delays few others. Sums over a pixel
-// have the same order for any number of threads.
+// tile of the next parities waits only for its own neighbours, so one slow thread delays few others. Sums over a pixel have the
+// same order for any number of threads.
 class Checkerboard {
    public:
     Checkerboard(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns) {
@@ -58,8 +58,7 @@ class Checkerboard {
 
     std::size_t place(const Tile& tile) const { return tile.row * columns_ + tile.column; }
 
-    // Call wait(place(neighbour)) for each neighbour that must be finished before a tile: those of a smaller parity(), whose
-    // tasks come first.
+    // Call wait(place(neighbour)) for each neighbour of a tile that must be finished first: those of a smaller parity().
     template <class Wait>
     void before(const Tile& tile, const Wait& wait) const {
         const std::size_t bottom = std::min(rows_, tile.row + 2), right = std::min(columns_, tile.column + 2);

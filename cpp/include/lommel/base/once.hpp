@@ -1,5 +1,5 @@
-// Header-only or compiled library. If LOMMEL_COMPILED is defined, headers only declare their large non-template functions; a
-// source file of cpp/compiled that defines LOMMEL_DEFINES before it includes a header compiles those of that header.
+// Header-only or compiled library. If LOMMEL_COMPILED is defined, headers only declare large non-template functions; a source
+// file of cpp/compiled compiles those of a header by defining LOMMEL_DEFINES before it includes the header.
 #pragma once
 
 #if defined(LOMMEL_COMPILED)

@@ -53,8 +53,7 @@ inline std::size_t workers(int threads) {
     return static_cast<std::size_t>(threads > 0 ? std::min(threads, processors()) : processors());
 }
 
-// Pool of helper threads, which are created when first needed and sleep between calls. In a forked child the pool is empty at
-// first.
+// Pool of helper threads, created when first needed and asleep between calls. A forked child begins without helpers.
 class Helpers final : ForkAware {
    public:
     // Work that a caller, worker 0, shares with helpers: these call run(worker) with worker = 1, 2, ...; run() must not throw.
@@ -81,8 +80,7 @@ class Helpers final : ForkAware {
         wake(wanted);
     }
 
-    // Let no more helpers join an offer, and wait for those at work. If the user interrupts this wait, fail() is called with
-    // the exception being handled.
+    // Let no more helpers join an offer, and wait for those at work. Call fail() in a catch clause if the wait is interrupted.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
         const auto done = [&] { return one.at_work == 0; };
@@ -110,8 +108,7 @@ class Helpers final : ForkAware {
     }
 
    private:
-    // Create a helper, which blocks all signals so that the application's threads receive them. Returns false if the system
-    // refuses.
+    // Create a helper with all signals blocked, so that the application receives them; false if the system refuses.
     bool make() {
 #if defined(LOMMEL_FORKS)
         sigset_t all, before;
@@ -203,10 +200,9 @@ using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    // The tasks are cut into `stretches` consecutive stretches, and a stretch into one range per worker. In each stretch a
-    // worker begins with its own range and then helps others: neighbouring tasks, and the same tasks of the next call, thus
-    // find their data in the cache of one processor. Worker 0, the caller, takes tasks in ascending order, so a task may wait
-    // for earlier tasks.
+    // The tasks are cut into `stretches` stretches of one range per worker. In each stretch a worker begins with its own range
+    // and then helps others, so that neighbouring tasks, and the same tasks of the next call, find their data in the cache of
+    // one processor. Worker 0, the caller, takes tasks in ascending order: a task may wait for earlier tasks.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;

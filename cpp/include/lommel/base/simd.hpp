@@ -37,7 +37,7 @@ namespace lommel {
 #endif
 #endif
 
-// Number of doubles to whose multiple table rows are padded: the lanes of the widest vector, whichever is used.
+// Table rows are padded to a multiple of this number of doubles: the lanes of the widest vector, whichever is used.
 constexpr std::size_t row_lanes = 8;
 
 #ifdef LOMMEL_VECTORS
@@ -180,8 +180,7 @@ LOMMEL_INLINE std::size_t high_place(std::uint64_t places) {
     return places >> 32;
 #endif
 }
-// Load two floats from c + at[0] and two from c + at[1]; a vector of eight lanes has two more from each of c + at[4] and c +
-// at[5]. The assembly is there for the reason given in splat().
+// Load two floats from c + at[0] and two from c + at[1]; for eight lanes also two from c + at[4] and two from c + at[5].
 template <class V>
 LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
     typedef double Two __attribute__((vector_size(16)));
@@ -215,8 +214,7 @@ LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
 #endif
     return v;
 }
-// Separate pairs: within each four lanes, `first` has the first elements of the two pairs of a and of b, `second` the second
-// ones.
+// Separate pairs: within each four lanes, `first` has the first elements of the pairs of a and b, `second` the second ones.
 template <class V>
 LOMMEL_INLINE void turned_pairs(V a, V b, V& first, V& second) {
     if constexpr (sizeof(V) == 16) {
@@ -286,8 +284,7 @@ LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
     typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
     constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
 #ifdef LOMMEL_X86
-    // In assembly for the reason given in splat(). Doubles are permuted as pairs of floats: AVX2 has no instruction that
-    // permutes four doubles by indices in a register.
+    // Doubles are permuted as pairs of floats: AVX2 has no instruction that permutes four doubles by indices in a register.
     if constexpr (sizeof(V) > 16) {
         constexpr std::int64_t pair = std::int64_t{1} << 32;
         alignas(64) static constexpr Lane sequence[] = {
@@ -490,8 +487,7 @@ LOMMEL_INLINE double lane_sum(V v) {
     return sum;
 }
 
-// Instruction set of a kernel: its vector types, and `unroll`, the number of vectors of each of three arrays that fit in
-// registers.
+// Instruction set of a kernel: vector types, and `unroll`, the number of vectors that fit in registers for each of three arrays.
 template <std::size_t Lanes, std::size_t Unroll>
 struct Isa {
     using pack = typename Vector<Lanes>::pack;

@@ -15,7 +15,7 @@ inline double& work_per_thread() {
     return microseconds;
 }
 
-// Number of threads that work of so many microseconds justifies, at most `threads` (0: no limit).
+// Number of threads justified by work of this duration, at most `threads` (0: no limit).
 inline int worthwhile_threads(int threads, double microseconds) {
     const int worth = static_cast<int>(std::min(1024.0, std::max(1.0, microseconds / work_per_thread())));
     return std::min(threads > 0 ? threads : worth, worth);

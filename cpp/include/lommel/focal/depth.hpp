@@ -12,10 +12,10 @@
 
 namespace lommel {
 
-// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: coefficients of the energy, which is
-// a quadratic form in the residual images. statistics[row][candidate], with kappa half the second derivative of the energy: 0:
-// energy of white noise; 1, 2: variance of half the energy's first derivative, due to texture (over kappa) and to noise; 3:
-// kappa over valley depth (mean minus minimum of the energy) for the model texture; 4: variance of kappa due to noise.
+// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: the energy as a quadratic form in the
+// residual images. statistics[row][candidate], with kappa half the energy's second derivative: row 0: energy of white noise;
+// rows 1, 2: variance of half the energy's first derivative, due to texture (over kappa) and to noise; row 3: kappa over valley
+// depth (mean minus minimum of the energy); row 4: variance of kappa due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 

@@ -117,8 +117,7 @@ class FocalProducts {
         return const_cast<FocalProducts*>(this)->place(group, k, lanes);
     }
 
-    // Regroup a row of pixels so that lane b of vector c holds pixel column c of block b; untrusted pixels of residual images
-    // (k < images_) become 0.
+    // Regroup a row of pixels so that lane b of vector c holds pixel column c of block b; untrusted residuals become 0.
     template <std::size_t Side, class I>
     LOMMEL_INLINE void group(I, std::size_t within, std::size_t k, const float* from, const float* trust) {
         using V = typename I::floats;
@@ -148,8 +147,7 @@ class FocalProducts {
         }
     }
 
-    // Lane in which by_columns() leaves a block: for vectors of four lanes the block's own index, for eight lanes a
-    // permutation.
+    // Lane in which by_columns() leaves a block: its own index for vectors of four lanes, a permutation of it for eight.
     template <std::size_t Side, std::size_t Lanes>
     static constexpr std::size_t lane_of(std::size_t block) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)

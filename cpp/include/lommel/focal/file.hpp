@@ -165,9 +165,8 @@ class FocalCamera {
     std::size_t down() const { return stream_->down(); }
     std::size_t across() const { return stream_->across(); }
 
-    // Compute the depth of each block and its standard error, in metres, and its misfit (FocalPlace), from frames of 8 or 16
-    // bits a pixel, with rows `stride` pixels apart. Throws std::invalid_argument for frames that are dark or differ too much
-    // in exposure.
+    // Compute the depth of each block and its standard error in metres, and its misfit (FocalPlace), from frames of 8 or 16 bits
+    // a pixel with rows `stride` pixels apart. Throws std::invalid_argument if frames are dark or differ too much in exposure.
     void take(const void* const* frames, bool words, std::size_t stride, float* depth, float* errors, float* misfit) {
         taken_ = false;
         const float full = std::min(file_.number[FocalFile::Full], words ? 65535.0f : 255.0f);

@@ -40,8 +40,7 @@ class FocalReader {
     FocalReader(std::size_t height, std::size_t width, std::size_t binning)
         : height_(height), width_(width), binning_(binning) {}
 
-    // Write row y of binned pixels to `out`, and mark them in `unknown`: 2 if unknown, 1 if not trusted. Returns whether any
-    // binned pixel is marked.
+    // Write row y of binned pixels to `out`, and their marks to `unknown`: 2 unknown, 1 not trusted. Returns if any is marked.
     template <class I>
     LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
         switch (frame.kind) {
@@ -101,8 +100,7 @@ class FocalReader {
         }
     }
 
-    // Mark unknown and untrusted pixels. Not compiled for each instruction set, as vectors do not accelerate a branch per
-    // pixel.
+    // Mark unknown and untrusted pixels. Compiled once, as vectors do not accelerate a branch per pixel.
     LOMMEL_NOINLINE bool look_for(const FocalFrame& frame, std::size_t y, float* unknown) const {
         bool any = false;
         for (std::size_t i = 0; i < binning_; ++i) {

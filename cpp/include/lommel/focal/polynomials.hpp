@@ -24,8 +24,8 @@ struct FocalTaps {
     float values[3];
 };
 
-// Ring buffers with the last rows of several images, filtered by the polynomial T_m of each order m. Rows have `margin` floats
-// of padding at either end.
+// Ring buffers of the last rows of several images, filtered in each order m (FocalTaps). Rows have `margin` floats on either
+// side.
 class FocalRows {
    public:
     static constexpr std::size_t margin = 32;

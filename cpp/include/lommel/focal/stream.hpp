@@ -1,5 +1,4 @@
-// Depth map and sharp images from a focal stack of frames. Rows are filtered while they are read; no memory is allocated per
-// frame.
+// Depth map and sharp images from a focal stack; rows are filtered while they are read, and no memory is allocated per frame.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +39,7 @@ struct FocalPlan {
     std::size_t ahead() const { return std::max(taps.degree * taps.reach, blur); }
 };
 
-// Processing of a focal stack: take() filters the frames and estimates depths, in parallel strips of rows; search() corrects
-// the depth map; mix() computes sharp images.
+// Processing of a focal stack: take() filters frames and estimates depths; search() corrects them; mix() computes sharp images.
 class FocalStream {
    public:
     FocalStream(const FocalPlan& plan, const FocalCandidates* candidates)
@@ -83,8 +81,7 @@ class FocalStream {
     // Filter a stack of frames, estimate the depth of each block, and keep images for mix().
     void take(const FocalFrame* frames);
 
-    // Correct the standard errors in places(), mark uncertain depths as unknown, and write filled(): the depth positions, in
-    // which unknown ones are filled from their surroundings.
+    // Correct standard errors in places(), mark uncertain depths as unknown, and write filled(), in which no depth is unknown.
     void search();
 
     // Compute a sharp image: sum of the kept images times factors[candidates][images], which are interpolated linearly at the
@@ -131,8 +128,7 @@ class FocalStream {
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;
     };
-    // Level of the image pyramid in fill(). values: depth positions in candidates; weights: 1 where the position is known, else
-    // 0.
+    // Level of the image pyramid in fill(). values: depth positions in candidates; weights: 1 where they are known, 0 elsewhere.
     struct Level {
         std::size_t height, width;
         std::vector<float> values, weights;
@@ -165,8 +161,7 @@ class FocalStream {
                     strip.rows.step(isa, m, y);
                 }
             }
-            // Running count of unknown pixels in the rows within `blur`: add the row that enters this range, subtract the one
-            // that leaves.
+            // Running count of unknown pixels in the rows within `blur`: add the row that enters, subtract the row that leaves.
             const std::size_t blur = plan_.blur, span = 2 * blur + 1;
             if (t + blur >= first + ahead && t + blur - ahead < plan_.height) {
                 count(strip, t + blur - ahead, 1);
@@ -202,7 +197,7 @@ class FocalStream {
         }
     }
 
-    // Compute row y of all residual images and kept images, and the depths of which this row is the last needed.
+    // Compute row y of all residual images and kept images, and the rows of the depth map that can now be estimated.
     template <class I>
     LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y, bool own) {
         float* lines[most_images + 2];
@@ -544,8 +539,8 @@ class FocalStream {
         }
         static_cast<void>(sizeof(V));
     }
-    // Interpolate linearly from block centres to a row of pixels; a and b are rows of blocks, mixed with the weight `part` of
-    // b.
+    // Interpolate linearly from block centres to a row of pixels; a and b are rows of blocks, with the weights 1 - part and
+    // part.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
                                      std::size_t width, float* to) {
         const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };

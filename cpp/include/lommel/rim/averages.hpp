@@ -28,20 +28,18 @@ class RimStack {
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
 
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
-    // out[pupil]: root mean square over the pupil of dbar^K P / P, P being the pupil function, dbar = d/dx + i d/dy, K =
-    // rim_orders.
+    // out[pupil]: root mean square, over the pupil, of dbar^K P / P: P pupil function, dbar = d/dx + i d/dy, K = rim_orders.
     void remainders(int threads, double* out) const;
 
    protected:
-    // Pupils first .. first + here - 1, one per vector lane; or, if `lone`, one pupil: lanes are then angles on the rim and,
-    // later, radii in the image.
+    // Pupils first .. first + here - 1, one per vector lane; or, if `lone`, one pupil, with angles or radii in the lanes.
     struct Batch {
         Level level;
         std::size_t first, here;
         bool lone;
         std::size_t lanes() const { return RimKernels::lanes(level); }
     };
-    // Division of pupils into batches that fill vectors; less than a third of a vector, at the end, is done pupil by pupil.
+    // Division of pupils into batches that fill vectors; a remainder below a third of a vector is done pupil by pupil.
     struct Batches {
         std::size_t count, together, alone;
         explicit Batches(std::size_t pupils) : count(pupils) {
@@ -56,9 +54,8 @@ class RimStack {
                                 : Batch{RimKernels::narrow(widest), count - alone + b - together, 1, true};
         }
     };
-    // Copy the Zernike coefficients of a batch, of the aperture or (`inner`) the obscuration, to
-    // scratch.coefficients[term][lane]. With `line`, also write their sums over each azimuthal order to scratch.phases, in
-    // units of ChordKernels::unit.
+    // Copy the Zernike coefficients of a batch (for the obscuration if `inner`) to scratch.coefficients[term][lane]. With
+    // `line`, also write their sums over each azimuthal order to scratch.phases, in units of ChordKernels::unit.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
         const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;

@@ -1,5 +1,4 @@
-// Choice of a box of pixels around the axis of each pupil: the averages of its pixels are computed from samples at quadrature
-// nodes, those of pixels outside from the pupil function on the rim.
+// Choice of a box of pixels for each pupil: averages in the box come from samples at nodes, those outside from the rim.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +21,7 @@ class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: nodes for the whole window
     std::vector<std::int64_t> most;  // [pupil]: largest allowed side of its box; 0: none
-    std::vector<double> remainders, tolerances;  // [pupil]: RimStack::remainders(); tolerances: allowed errors
+    std::vector<double> remainders, tolerances;  // [pupil]: RimStack::remainders(); tolerances: allowed errors of averages
 
     // `tol`: tolerance relative to the largest average, which without aberration is at least 4.4 * lowest.
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
@@ -35,9 +34,9 @@ class RimBoxes {
     // is multiplied by the root of the number of pupils, which share tables, and divided by that of the pitch.
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration, for which pixels have 3 times the weights
-    static constexpr double shortest = 48.0;  // lower limit of that diagonal, in pixels: small windows gain most
+    static constexpr double shortest = 48.0;  // lower limit of the window diagonal, in pixels: small windows gain most
     static constexpr double further = 4.0;  // minimum number of pupils assumed, as small stacks often follow one another
-    // Times in pairs of nodes: rim: of a pupil without obscuration; rims: of a pupil with one; call: of a call for a stack.
+    // Times in pairs of nodes: `rim` for a pupil without obscuration, `rims` with obscuration, `call` for a call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // minimum number of pupils with boxes of one side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
@@ -52,8 +51,7 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Times per pupil in pairs of nodes. whole(): nodes for the whole window; with_box(): nodes for a box of this side, and
-    // rims.
+    // Times per pupil in pairs of nodes. whole(): nodes for the whole window; with_box(): nodes for a box, and rims.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();

@@ -1,5 +1,4 @@
-// Intensity far from the axis, computed from the pupil function on the rims of the aperture and its obscuration, with one pupil
-// per vector lane (certificate, section 10, "From the rim").
+// Intensity far from the axis, computed from the pupil function on its rims (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -23,7 +22,7 @@ struct RimLine {
     RimTurns turns;
     std::vector<std::int32_t> orders;  // azimuthal order m of each column of `phases`
     std::vector<std::size_t> columns;  // [term]: its column in `phases`
-    Doubles phases;                    // cos or sin of m theta, [tile of angles][column][angle in the tile]
+    Doubles phases;                    // cos or sin of order times angle: [tile of angles][column][angle in the tile]
 
     RimLine(const std::vector<ZernikeTerm>& terms, const Amplitude& light, std::size_t angles)
         : slopes(terms, light, {1.0}), turns(angles, slopes.degree) {
@@ -54,10 +53,10 @@ struct RimLine {
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 };
 
-// Sums over the Fourier coefficients of dbar^k P (RimSlopes) on one rim; a lane is a pupil.
+// Sums over the Fourier coefficients, on one rim, of derivatives of order k of the pupil function; a lane is a pupil.
 struct RimSums {
-    Floats left;    // [k][lane]: sum of squared moduli of the omitted coefficients
-    Floats energy;  // [k][lane]: sum of squared moduli of all coefficients
+    Floats left;    // [k][lane]: sum of squared moduli of the omitted Fourier coefficients
+    Floats energy;  // [k][lane]: sum of squared moduli of all Fourier coefficients
     std::array<Floats, 2> size;  // [ellipse][lane]: bound on the waves at complex radii in an ellipse (section 10)
 };
 
@@ -329,8 +328,8 @@ LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const R
 struct RimLone {
     std::size_t lanes;
     RimWindow window;
-    std::vector<Floats> real[2], imaginary[2];  // of RimWaves: [rim][block], each [wave][k][lane]
-    std::vector<Floats> weights;                // of RimTable: [block], each [weight][lane]
+    std::vector<Floats> real[2], imaginary[2];  // parts of waves: [rim][block of radii], each [wave][k][lane]
+    std::vector<Floats> weights;                // [block of radii], each [weight of a pixel][lane]
 
     RimLone(const RimTable& table, std::size_t side) : lanes(side), window(table.window) {
         const std::size_t radii = table.radii(), blocks = (radii + lanes - 1) / lanes;

@@ -1,5 +1,4 @@
-// Derivatives of the phase and of the pupil function on circles, which give the field far from the axis (certificate, section
-// 10, "From the rim").
+// Derivatives of the phase and of the pupil function on circles (certificate, section 10, "From the rim").
 #pragma once
 
 #include <algorithm>
@@ -37,23 +36,23 @@ inline double rim_scale(std::size_t k) {
 // contributes to the real or the imaginary part of two coefficients E for each j.
 struct RimSlopes {
     struct Part {
-        std::size_t at, term;  // at: twice the index of the coefficient E, plus 1 for its imaginary part
+        std::size_t at, term;  // at: index of the real or imaginary part of a Fourier coefficient
     };
 
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     std::vector<double> radii;
-    std::size_t degree = 1;            // largest order j of derivatives
-    std::vector<std::int32_t> orders;  // order mu of each coefficient E
-    std::vector<std::size_t> ends;     // [j - 1]: end of the coefficients E of order j
+    std::size_t degree = 1;            // largest order of derivatives
+    std::vector<std::int32_t> orders;  // azimuthal order of each Fourier coefficient E
+    std::vector<std::size_t> ends;     // [j - 1]: end of the Fourier coefficients of the derivative of order j
     std::vector<Part> parts;
-    Floats weights;  // [circle][part]: part of E per unit of the Zernike coefficient
-    Floats fixed;    // [circle][E][re, im]: contribution of the pupil's amplitude
+    Floats weights;  // [circle][part]: contribution to a Fourier coefficient per unit of a Zernike coefficient
+    Floats fixed;    // [circle][Fourier coefficient][re, im]: contribution of the pupil's amplitude
 
     RimSlopes(const std::vector<ZernikeTerm>& list, const Amplitude& light, const std::vector<double>& circles)
         : terms(list), amplitude(light), radii(circles) {
         degree = degree_of(list, light);
-        std::vector<std::size_t> first;  // [j - 1]: index of the first E of order j, mu = -(degree - j)
+        std::vector<std::size_t> first;  // [j - 1]: index of the first Fourier coefficient of the derivative of order j
         for (std::size_t j = 1; j <= degree; ++j) {
             first.push_back(orders.size());
             const std::int32_t most = static_cast<std::int32_t>(degree - j);
@@ -107,8 +106,8 @@ struct RimSlopes {
         return degree;
     }
 
-    // Rounding, in units of roundoff, of one step from dbar^k P to dbar^(k+1) P: of sums over Zernike terms and orders, and of
-    // the step itself.
+    // Rounding, in units of roundoff, of a step from one derivative of the pupil function to the next: of the sums over Zernike
+    // terms and orders, and of the step itself.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:
@@ -168,8 +167,8 @@ constexpr std::size_t rim_side = 8;  // angles per block of RimTurns
 // Cosines and sines of mu theta, mu = 0, 1, .., degree, at the angles theta = (l + 1/2) 2 pi / count of the first half circle.
 struct RimTurns {
     std::size_t count, orders;
-    Floats turns;   // [angle][mu][cos, sin]
-    Floats beside;  // [block of angles][mu][cos, sin][angle in the block], 0 beyond the last angle
+    Floats turns;   // [angle][order mu][cos, sin] of mu times the angle
+    Floats beside;  // [block of angles][order mu][cos, sin][angle in the block], 0 beyond the last angle
 
     RimTurns(std::size_t angles, std::size_t degree)
         : count(angles), orders(degree + 1), turns(angles * (degree + 1)), beside(blocks() * 2 * orders * rim_side, 0.0f) {
@@ -327,7 +326,7 @@ LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coeffic
     }
     store(mean, all);
     store(moduli, most);
-    if constexpr (Lone) {  // lanes hold angles
+    if constexpr (Lone) {  // lanes are angles, to be summed
         mean[0] = std::accumulate(mean, mean + lanes, 0.0f);
     }
 }

@@ -41,19 +41,18 @@ struct RimWindow {
     double nearest() const { return 0.5 * static_cast<double>(box) * step; }
 };
 
-// Waves from one rim: that of the aperture (radius 1), or that of the obscuration, for which v is `radius` times the image
-// radius.
+// Waves from one rim: of the aperture (radius 1), or of the obscuration, for which v is `radius` times the image radius.
 struct RimWaves {
     double radius = 1.0, weight = 1.0;  // radius of the rim; factor of its waves
     std::size_t orders = 0;   // largest order |mu| of the Fourier coefficients in use
-    std::size_t angles = 0;   // number N of angles on the rim
-    std::size_t first = 0;    // wave i has the order nu = mu - k = i - first, i < count()
+    std::size_t angles = 0;   // number of equally spaced angles on the rim
+    std::size_t first = 0;    // wave i < count() has the azimuthal order i - first
     // Factors of the Fourier coefficients in X and in Y, v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv), U being the field:
     // [wave][tile of radii][k][radius in the tile].
     Floats real, imaginary;
-    Floats forward[4];        // cos, sin on the rim, by kind of fold(): [tile of orders][angle][order in the tile]
-    Floats back[4];           // cos, sin in the image, by kind of fold(): [tile of angles][order][angle in the tile]
-    Floats size[2];           // bound, in each ellipse, on the wave of a Fourier coefficient 1: [k][mu + orders]
+    Floats forward[4];        // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
+    Floats back[4];           // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
+    Floats size[2];           // [ellipse]: bound on the wave of a Fourier coefficient of 1, [k][mu + orders]
 
     std::size_t count() const { return 2 * orders + rim_orders; }
     // Number of even (odd = 0) or odd (odd = 1) orders n >= 0; order -n is combined with n.
@@ -146,7 +145,7 @@ class RadiusRule {
     double low;
 
     RadiusRule(double from, std::size_t points);
-    // Sum of the semi-axes of the wide (0) or narrow (1) ellipse, scaled so that the interval becomes [-1, 1].
+    // Sum of the semi-axes of the wide (0) or narrow (1) ellipse around [low, 1], scaled to the interval [-1, 1].
     double rho(std::size_t ellipse) const {
         const double c = (1.0 + low) / (1.0 - low);
         return 1.0 + (ellipse == 0 ? 0.85 : 0.6) * (c + std::sqrt(c * c - 1.0) - 1.0);
@@ -177,9 +176,8 @@ class RadiusRule {
 struct RimTable {
     RimWindow window;
     std::vector<RimWaves> rims;
-    RadiusRule rule;  // interpolation in x = window.nearest() / v
-    // around: number of polar angles on a ring (one radius); taps: number of angles that a point is interpolated from; margin:
-    // number of angles repeated at either end of a ring.
+    RadiusRule rule;  // interpolation in x = window.nearest() / v, v being the radius
+    // Numbers of angles. around: on a ring; taps: from which a point is interpolated; margin: repeated at either end of a ring.
     std::size_t around = 0, taps = 0, margin = 0;
     std::vector<RimPixels> pixels;
     std::vector<Floats> weights;  // [radius]: weights of all pixels, see RimPixels
@@ -189,7 +187,7 @@ struct RimTable {
     // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each ellipse.
     std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
-    double off_field = 1.0;  // bound on the mean of |field of dbar^K P|^2 over a pixel, over that of |dbar^K P|^2 in the pupil
+    double off_field = 1.0;  // bound on the mean square of the remaining field over a pixel, relative to RimStack::remainders()^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
 
     explicit RimTable(const RimWindow& asked);
@@ -291,7 +289,7 @@ LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
 }
 
 // Rule of fewest points that meets window.error for all pixels. The farthest pixels may be outside its interval, as their
-// intensity falls as x^3.
+// intensity falls with the cube of the distance.
 LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
     const double nearest = window.nearest(),
                  farthest = window.step * std::sqrt(2.0) * (static_cast<double>(window.reach) + 0.5);
@@ -304,8 +302,7 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated squared modulus of waves in the ellipse: about `nearest`, and more for the large phases that need a
-            // large box.
+            // Estimated squared modulus of waves in the ellipse: `nearest`, more for large phases, which need a large box.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;
@@ -545,8 +542,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             });
             product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
-            // Omit the interference rings of highest frequency whose weights sum to little; a ring is at most as large as
-            // channel 0.
+            // Omit the interference rings of highest frequency if their weights sum to little; no ring exceeds channel 0.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                 return sums[(radius * channels() + channel) * count + angle];
             };

@@ -41,7 +41,7 @@ struct AverageRequest {
 struct AverageAnswer {
     double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
     double *errors, *peaks;         // [pupil]. errors: relative to the peak; peaks: largest average (the peak)
-    double* slope_errors;           // [term][pupil], relative to the peak
+    double* slope_errors;           // errors of derivatives [term][pupil], relative to the peak
 };
 
 // Estimates for a stack of pupils; they affect the speed, and no error bound.
@@ -59,11 +59,9 @@ struct NodeQuestion {
 
 // Numbers of each pupil, from which the error bounds of its averages follow.
 struct NodeNumbers {
-    // [pupil]. error: of the field at nodes; brightest: largest intensity at nodes; largest, together: maximum and sum of
-    // averages.
+    // [pupil]. error: of the field at nodes; brightest: largest intensity at nodes; largest, together: maximum, sum of averages.
     std::vector<double> error, brightest, largest, together;
-    // [term][pupil]. slope_error: error of derivatives of the intensity at nodes; steepest: largest modulus of these
-    // derivatives.
+    // [term][pupil]. slope_error, steepest: error and largest modulus of the derivatives of the intensity at nodes.
     std::vector<double> slope_error, steepest;
     NodeNumbers(std::size_t pupils, std::size_t terms)
         : error(pupils), brightest(pupils), largest(pupils), together(pupils), slope_error(pupils * terms),
@@ -106,8 +104,7 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Disk
 LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
                                   const AverageAnswer& answer, const NodeSample& sample) {
     constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
-    // Factors on the estimated Strehl ratio: `sharp` for ratios above 0.6, `dim` for lower ones, whose estimates are often too
-    // high.
+    // Factors on the estimated Strehl ratio: `sharp` for ratios above 0.6, `dim` for lower ones, which are often too high.
     constexpr double sharp = 0.87, dim = 0.1;
     constexpr double of_response = 2e-3;  // error of the nodes' response over tolerance times least average, before `easier`
     constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio

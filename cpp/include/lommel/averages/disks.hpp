@@ -35,9 +35,9 @@ class DiskAverages {
    protected:
     using Pupils = std::vector<std::size_t>;
 
-    // Compute averages of the pixels outside boxes of `box` x `box` pixels around the axes of the pupils `which`, and copy
-    // those within boxes from answer.near. answer.numbers becomes, for each pupil, the error and the maximum of the averages
-    // outside its box. Virtual so that tests can observe the call.
+    // Compute averages of pixels outside boxes of `box` x `box` pixels around the axes of the pupils `which`, and copy those
+    // within boxes from answer.near. Write the error and the maximum of the averages outside, for each pupil, to answer.numbers.
+    // Virtual so that tests can observe the call.
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:

@@ -21,8 +21,7 @@ namespace lommel {
 //
 // The error is even or odd in w and entire of type T; all but 1e-17 of it is a polynomial of degree M = 2.36 T + 48. As a
 // function of the angle a, w = 2 cos(a), it falls from its maximum no faster than cos(M s) with the distance s (Duffin and
-// Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938). One of 2 M Chebyshev points has s <= pi / (4 M); by symmetry M of them
-// suffice.
+// Schaeffer, Bull. Amer. Math. Soc. 44, 236, 1938). One of 2 M Chebyshev points has s <= pi / (4 M); by symmetry M are enough.
 inline std::vector<double> band_points(double reach) {
     constexpr double half_pi = 1.5707963267948966;
     std::vector<double> w(static_cast<std::size_t>(std::ceil(2.36 * reach)) + 48);

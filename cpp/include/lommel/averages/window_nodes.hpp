@@ -1,13 +1,11 @@
-// Nodes of a window: few samples, shared by all pixels of the window, that give the average over each (certificate, section
-// 10).
+// Nodes of a window: few samples, shared by all of its pixels, that give the average over each (certificate, section 10).
 //
-// Pixels of pitch a, with their centres at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at the
-// nodes x_k in the window such that, at spatial frequencies |w| <= 2 (the cutoff), its response differs little from that of a
-// pixel:
-//     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j) is small.
-// The number of nodes is about the Shannon number of the window, 4 L / pi; a filter that is the same for all pixels reaches
-// beyond the window and needs more than twice as many samples. Nodes are zeros of a prolate spheroidal function of bandwidth 2
-// L (H. Xiao, V. Rokhlin and N. Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this choice.
+// Pixels of pitch a, with their centres at X_j, fill a window of half width L along an axis. Pixel j has weights c_jk at nodes
+// x_k in the window, for which the error of the frequency response is small up to the cutoff |w| = 2:
+//     r_j(w) = sum_k c_jk exp(i w x_k) - sinc(a w / 2) exp(i w X_j).
+// The number of nodes is about the Shannon number of the window, 4 L / pi; a filter that is the same for all pixels needs more
+// than twice as many samples. Nodes are zeros of a prolate spheroidal function of bandwidth 2 L (H. Xiao, V. Rokhlin and N.
+// Yarvin 2001, doi:10.1088/0266-5611/17/4/315); no bound depends on this choice.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +42,7 @@ class WindowNodes {
    public:
     std::vector<double> places;  // nodes, from the window's middle, in lambda / (2 pi NA), ascending
     std::vector<double> weights;  // [pixel][node]
-    double error;  // bound on the mean error of a pixel's response, E (1 + epsilon / 2) of certificate, section 10
+    double error;  // bound on the mean error of a pixel's frequency response (certificate, section 10)
     double gain;  // largest sum over nodes of the moduli of a pixel's weights
     double spread;  // largest ratio, over nodes, of the largest modulus of a pixel's weight to the sum of all pixels' weights
 
@@ -291,8 +289,7 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
     const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
     const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
-    // Product of the responses along both axes: one has the mean error `mean`, the other at most the error `largest`
-    // (certificate, section 10).
+    // Product of the responses along both axes: one has the mean error `mean`, the other at most the error `largest`.
     error = (1.0 + 0.5 * largest) * mean;
     spread = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -23,7 +23,7 @@ struct BesselPieces {
     static constexpr double half = 1.0, error = 96.0;  // half width of a piece; error in units of roundoff
 
     double reach;
-    Doubles rows;  // [piece][coefficient][order]
+    Doubles rows;  // polynomials: [piece][coefficient][Bessel order]
 
     explicit BesselPieces(double most);
 

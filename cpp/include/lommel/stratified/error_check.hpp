@@ -24,7 +24,7 @@ struct Judged {
     // Bounds for the azimuthal orders planes.harmonics[first .. last - 1] only.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        // `rounding` covers that of products, of Hermitian forms, and of the collected power, which is known to 1e-13.
+        // `rounding` is an allowance for products, Hermitian forms and the collected power, which is known to 1e-13.
         given =
             planes.bilinear(
                 plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +
@@ -39,8 +39,8 @@ struct Judged {
         swing += 0.5 * steady;
     }
 
-    // Bounds for a derivative of I, 2 Re of the sum of form G conj(F): F is the field, with sizes `of`, G its derivative, with
-    // `sizes` and `error`.
+    // Bounds for a derivative of the intensity, 2 Re of the sum of form G conj(F): field F (`of`), derivative G (`sizes`,
+    // `error`).
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
@@ -82,7 +82,7 @@ struct Judged {
     };
 };
 
-// Sums over the azimuthal orders of the intensity at the pixels of a centred window, with their cosines and sines in memory.
+// Sums over the azimuthal orders of the intensity at the pixels of a centred window; cosines and sines are stored.
 class Turned {
    public:
     Turned(const Planes& planes, const Layout& layout) : orders_(planes.harmonics.size()) {

@@ -24,7 +24,7 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in lambda / 
     std::size_t nodes, pieces;
     double half, error;                // half width of a piece; interpolation error of a function bounded by 1
     std::vector<std::size_t> first;    // [piece]: index of its first radius
-    std::vector<std::size_t> weight;   // [piece]: start of its weights
+    std::vector<std::size_t> weight;   // [piece]: index of its first weight
     Doubles weights;                   // [piece][tile of radii][node][radius in the tile]
 
     static std::size_t pieces_of(double reach) { return static_cast<std::size_t>(std::ceil(reach / widest)); }

@@ -21,14 +21,13 @@ constexpr std::size_t most_parts = 3;
 struct Angles {
     const double* rho;
     std::size_t count, parts;
-    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: [part][angle]; others: [angle]
+    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: amplitudes [part][angle]; others: phases [angle]
     double error;                                                   // error bound of each part of the field
-    // For derivatives by ln k, k being the wavenumber. turning: those of fixed, by_depth and by_focus, each minus a constant,
-    // [3][angle]; change: those of `part`, or null.
+    // Derivatives by ln(wavenumber). turning: of fixed, by_depth, by_focus, minus constants, [3][angle]; change: of `part`, or
+    // null.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
-    // Rounding of a sum over angles relative to the sum of magnitudes: of sum, products and Bessel functions (`of_bessel`
-    // roundoffs).
+    // Rounding of a sum over angles, of its products and of Bessel functions, relative to the sum of magnitudes.
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
 };
 
@@ -48,8 +47,7 @@ struct Derivative {
     double error;  // error bound of each part of the differentiated field
 };
 
-// Planes of a stack: depth of the emitter, stage focus and collected power of each, and the azimuthal orders of all
-// intensities.
+// Planes of a stack: depth of the emitter, stage focus and collected power, each [plane]; azimuthal orders of the intensity.
 struct Planes {
     Angles angles;
     const double *depth, *focus, *power;

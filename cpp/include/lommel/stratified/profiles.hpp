@@ -39,8 +39,7 @@ class Profiles {
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
-    // outputs(): rows per plane, the azimuthal orders of the intensity and of each derivative. kinds(): intensity and
-    // derivatives.
+    // outputs(): rows per plane: azimuthal orders of the intensity and its derivatives; kinds(): intensity and derivatives.
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
@@ -65,7 +64,8 @@ class Profiles {
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
-                // Waves and bounds are those of the field itself, as |J_m'| <= 1 for Bessel functions.
+                // The derivative by the radius has the waves and bounds of the field itself, as |J_m'| <= 1 for Bessel
+                // functions.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }

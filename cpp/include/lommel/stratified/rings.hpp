@@ -21,11 +21,11 @@ constexpr std::size_t ring_planes = fft_rows;
 // Fields on circles around the axis: azimuthal order m of field f is the sum over nodes q in the pupil of parts[m][f][q]
 // waves[q] J_|m|(v rho_q) / sqrt(power), with v the radius of the circle and rho_q that of the node.
 struct RingLight {
-    const double* bessel;  // J_|m|(v rho): [|m|][circle][node]
-    std::size_t orders, circles, nodes;  // m = 1 - orders .. orders - 1
-    const std::complex<double>* parts;   // [plane, or one for all][m][field][node]
+    const double* bessel;  // Bessel functions J_|m|(v rho): [|m|][circle][node]
+    std::size_t orders, circles, nodes;  // azimuthal orders m = 1 - orders .. orders - 1
+    const std::complex<double>* parts;   // [plane, or one for all][azimuthal order m][field][node]
     std::size_t wavefronts, fields;
-    const std::complex<double>* waves;  // [plane][node]
+    const std::complex<double>* waves;  // [plane][node in the pupil]
     const double* power;
     std::size_t planes;
 };
@@ -50,17 +50,17 @@ struct RingSteps {
     std::size_t orders;
 
     std::size_t finer() const { return 2 * angles; }
-    std::size_t row() const { return finer() + around.count + 1; }  // angles per circle, with those repeated
+    std::size_t row() const { return finer() + around.count + 1; }  // angles per circle, repeated ones included
     std::size_t before() const { return along.count / 2; }          // number of circles of negative radius
 };
 
 // Maxima over the circles of each plane, for its error bound.
 struct RingSizes {
     explicit RingSizes(std::size_t fields) : squares(fields * ring_planes) {}
-    Doubles squares;                    // squared modulus of each field: [field][plane]
-    double top[ring_planes] = {};       // intensity
-    double aliases[ring_planes] = {};   // sum of the aliasing errors of a circle's orders
-    double numbers[ring_planes] = {};   // sum of the moduli of a circle's orders
+    Doubles squares;                    // largest squared modulus of a field: [field][plane]
+    double top[ring_planes] = {};       // largest intensity
+    double aliases[ring_planes] = {};   // largest sum of the aliasing errors of a circle's azimuthal orders
+    double numbers[ring_planes] = {};   // largest sum of the moduli of a circle's azimuthal orders
 };
 
 // Intensities of eight planes on circles, filtered and interpolated to twice as many angles.

@@ -15,7 +15,7 @@
 
 namespace lommel {
 
-// Window of pixels, with a pitch of `step` distances between circles. centers[axis][row, column]: an axis per plane, or one for
+// Window of pixels; the pitch is `step` distances between circles. centers[axis][row, column]: an axis per plane, or one for
 // all.
 struct RingWindow {
     std::size_t height, width;
@@ -49,7 +49,7 @@ template <class T>
 class RingImages {
    public:
     static constexpr std::size_t side = 16;  // side of a tile in pixels, whose circles fit in a processor's cache
-    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit of the memory for circles
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit of the memory for the circles of all planes
 
     RingImages(const RingLight& light, const RingSteps& steps, const RingWindow& window, int threads)
         : light_(light), steps_(steps), window_(window), threads_(threads) {}

@@ -37,8 +37,8 @@ struct LayeredSlopes {
     double* errors = nullptr;
 };
 
-// Profiles of one plane at the radii, values[kind][order][radius]: the intensity and its derivatives. sizes: of the field and
-// its derivatives; judged: error bounds of the intensity.
+// Radial profiles of one plane, values[kind][order][radius]: intensity and derivatives; sizes of the fields; bounds of the
+// intensity.
 struct PlaneProfiles {
     const double* values;
     std::size_t stride;
@@ -120,8 +120,7 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // Derivative of the intensity I at the radii. At fixed positions in metres, v I'(v) is added for a change of the
-    // wavenumber, v being the radius; its error grows with v.
+    // Derivative of the intensity at the radii. By the wavenumber at fixed positions in metres, v I'(v) is added (v: radius).
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
@@ -153,9 +152,8 @@ class WindowSlopes {
         return {mixed.data(), all};
     }
 
-    // Derivatives by the position of the axis. Pixel averages change by the difference of averages along opposite pixel sides;
-    // samples by I' / v times the distance moved, v being the radius: I' / v is even in v, of exponential type 2, at most max
-    // |I''|.
+    // Derivatives by the axis position: of pixel averages, differences between averages along opposite pixel sides; of samples,
+    // the distance times I' / v, which is even in the radius v, of exponential type 2 and at most max |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;

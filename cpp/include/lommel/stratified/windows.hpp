@@ -30,7 +30,7 @@ struct Order {
     Judged judged;
 };
 
-// Add to `total` one azimuthal order of the intensity: `values` times the factor in the azimuth, cos or sin; for order 1, whose
+// Add to `total` one azimuthal order of the intensity: `values` times its cosine and sine in the azimuth; for order 1, whose
 // values are divided by the radius, also times the radius.
 inline void add_order(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
     const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
@@ -46,9 +46,9 @@ inline void add_order(const Harmonic& h, const PixelWindow& here, const double* 
     }
 }
 
-// Compute samples of an intensity that depends on the azimuth; returns their error bound. Its orders h_0, h_2 and h_1 / v, v
-// being the radius, are even in v and of exponential type 2. |h_1 / v| is at most max |h_1'|, which by Bernstein's inequality
-// is at most twice max |h_1| (docs/certificate.md, section 15).
+// Compute samples of an intensity that depends on the azimuth; returns their error bound. The azimuthal orders h_0, h_2 and h_1
+// / v, v being the radius, are even in v and of exponential type 2. |h_1 / v| is at most max |h_1'|, which by Bernstein's
+// inequality is at most twice max |h_1| (docs/certificate.md, section 15).
 template <class Of>
 double turned_window(const AnywhereTable& table, const Planes& planes, const PixelWindow& here, const Of& order,
                      WindowValues& made, double* total) {

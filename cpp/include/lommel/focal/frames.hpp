@@ -22,8 +22,7 @@ struct FocalFrame {
     float full;                 // values >= full are saturated, hence unknown
     float offset;               // dark level
     float gain[6];              // electrons per value: coefficients of 1, x, x^2, y, x y, y^2; x, y = -1 .. 1 over the frame
-    const std::uint8_t*
-        known;  // mask: 1 known, 0 unknown, 2 illuminated but not to be trusted; null: all pixels are known
+    const std::uint8_t* known;  // mask: 1 known, 0 unknown, 2 illuminated but not to be trusted; null: all pixels are known
     std::size_t known_stride;
 
     float value(std::size_t at) const {

@@ -82,8 +82,8 @@ class RimStack {
 // Results of RimAverages, and averages computed elsewhere for pixels in a box around each axis, which may exceed the window.
 struct RimAnswer {
     const double *remainders, *near;  // [pupil], from RimStack; near: averages in boxes, [pupil][row][column]
-    const std::int64_t* places;       // [pupil]: index of its image in `images`
-    double *images, *numbers;         // [image][row][column]; numbers: [pupil][error bound, maximum], outside the box
+    const std::int64_t* places;  // [pupil]: index of its image in `images`
+    double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum], outside the box
 };
 
 class RimAverages : RimStack {

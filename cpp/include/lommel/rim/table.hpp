@@ -50,9 +50,9 @@ struct RimWaves {
     // Factors of the Fourier coefficients in X and in Y, v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv), U being the field:
     // [wave][tile of radii][k][radius in the tile].
     Floats real, imaginary;
-    Floats forward[4];        // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
-    Floats back[4];           // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
-    Floats size[2];           // [ellipse]: bound on the wave of a Fourier coefficient of 1, [k][mu + orders]
+    Floats forward[4];  // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
+    Floats back[4];  // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
+    Floats size[2];  // [ellipse]: bound on the wave of a Fourier coefficient of 1, [k][mu + orders]
 
     std::size_t count() const { return 2 * orders + rim_orders; }
     // Number of even (odd = 0) or odd (odd = 1) orders n >= 0; order -n is combined with n.
@@ -62,9 +62,9 @@ struct RimWaves {
 // Far pixels with the same weights: those at (+-p, +-q) and (+-q, +-p) pixels from the axis, p >= q >= 0.
 struct RimPixels {
     std::size_t p, q;
-    std::size_t from, used;     // weights[radius][from ..] are [angle][channel]; used: number of channels, 1 .. 9
-    std::ptrdiff_t begin;       // index of the first angle with a weight
-    std::size_t count;          // number of angles with a weight
+    std::size_t from, used;  // weights[radius][from ..] are [angle][channel]; used: number of channels, 1 .. 9
+    std::ptrdiff_t begin;  // index of the first angle with a weight
+    std::size_t count;  // number of angles with a weight
 };
 
 // Weights of `taps` angles, `apart` rad from each other, for interpolation between the middle two: a least-squares fit to exp(i
@@ -187,7 +187,7 @@ struct RimTable {
     // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each ellipse.
     std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
-    double off_field = 1.0;  // bound on the mean square of the remaining field over a pixel, relative to RimStack::remainders()^2
+    double off_field = 1.0;  // bound on the mean square of the remaining field in a pixel, over RimStack::remainders()^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
 
     explicit RimTable(const RimWindow& asked);

@@ -106,7 +106,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
     // Factors on the estimated Strehl ratio: `sharp` for ratios above 0.6, `dim` for lower ones, which are often too high.
     constexpr double sharp = 0.87, dim = 0.1;
-    constexpr double of_response = 2e-3;  // error of the nodes' response over tolerance times least average, before `easier`
+    constexpr double of_response = 2e-3;  // allowed error of the frequency response over tolerance and least average
     constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio
     constexpr double in_single = 2e-7;  // if the field may have this error or more, samples are in single precision
     const double room = asked.before_storing(), step = asked.step;

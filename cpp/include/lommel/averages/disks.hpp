@@ -44,10 +44,10 @@ class DiskAverages {
     static constexpr int tries = 3;  // maximum number of boxes for each pupil
     static constexpr double power = 4.0;  // errors fall at least with this power of the side of a box
     static constexpr double worth = 0.9;  // fraction of the tolerance aimed at with a larger box
-    static constexpr double farthest = 16.0;  // limit of error over tolerance, by which the next box is chosen
+    static constexpr double farthest = 16.0;  // largest ratio of error to tolerance in the choice of the next box
 
     bool from_rims(const AverageAnswer& answer);
-    // Compute the averages of pupils with boxes of the same side: pixels in the box from nodes, others from rims. `stack`:
+    // Compute the averages of pupils with boxes of the same side: pixels in the box from nodes, others from the rim. `stack`:
     // pupils with axes at pixel centres. answer.errors remains infinite if the box fails.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;

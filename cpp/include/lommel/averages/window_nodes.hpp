@@ -83,7 +83,7 @@ class ChosenNodes {
     std::size_t bytes() const { return 64; }
 
    private:
-    static constexpr double largest = 450.0;  // window, in lambda / (2 pi NA), above which filters replace nodes
+    static constexpr double largest = 450.0;  // width of windows, in lambda / (2 pi NA), above which filters replace nodes
     static constexpr double enough = 2.0, highest = 5.0;  // gain at which no more nodes are tried; largest accepted gain
     static constexpr double worth = 0.85;  // two more nodes are used if they reduce the gain by this factor
     static constexpr std::size_t tried = 8;  // maximum number of trials, each with 2 more nodes

@@ -53,7 +53,7 @@ struct Vector {
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // one instruction; GCC uses two
+    if constexpr (sizeof(V) > 16 && sizeof(V) == 2 * sizeof(Narrow)) {  // converted by one instruction, where GCC uses two
         V wide;
         asm("vcvtps2pd %1, %0" : "=v"(wide) : "vm"(p));
         return wide;

@@ -119,7 +119,7 @@ class FocalSearch {
     static constexpr float wide = 1.0f;  // variance (candidates^2) above which the likelihood's second moment is used
     static constexpr float unlike = 0.4f;  // relative standard deviation of the curvature between textures
     static constexpr float drop = 9.0f, sure = 3.0f,
-                           distinct = 6.0f;  // drop, distinct: log-likelihoods; sure: standard deviations
+                           distinct = 6.0f;  // thresholds: drop, distinct in log-likelihood, sure in standard deviations
 
     std::size_t roughs() const { return (given_.count + rough_step - 1) / rough_step; }
 

@@ -24,8 +24,7 @@ struct FocalTaps {
     float values[3];
 };
 
-// Ring buffers of the last rows of several images, filtered in each order m (FocalTaps). Rows have `margin` floats on either
-// side.
+// Ring buffers of the last rows of several images in all filter orders m (FocalTaps). Rows have `margin` floats at either end.
 class FocalRows {
    public:
     static constexpr std::size_t margin = 32;

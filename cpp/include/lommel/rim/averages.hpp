@@ -28,7 +28,7 @@ class RimStack {
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
 
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
-    // out[pupil]: root mean square, over the pupil, of dbar^K P / P: P pupil function, dbar = d/dx + i d/dy, K = rim_orders.
+    // out[pupil]: root mean square over the pupil of dbar^K P / P, with pupil function P, dbar = d/dx + i d/dy, K = rim_orders.
     void remainders(int threads, double* out) const;
 
    protected:
@@ -81,7 +81,7 @@ class RimStack {
 
 // Results of RimAverages, and averages computed elsewhere for pixels in a box around each axis, which may exceed the window.
 struct RimAnswer {
-    const double *remainders, *near;  // [pupil], from RimStack; near: averages in boxes, [pupil][row][column]
+    const double *remainders, *near;  // RimStack::remainders(), [pupil]; near: averages in boxes, [pupil][row][column]
     const std::int64_t* places;  // [pupil]: index of its image in `images`
     double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum], outside the box
 };
@@ -125,9 +125,8 @@ class RimAverages : RimStack {
     // Write the image of a pupil; returns the largest average outside its box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // Bounds for the derivatives dbar^k P of the pupil function P on a rim, divided by rim_scale(k). each[k]: aliasing error of
-    // a Fourier coefficient (alpha in certificate, section 10, "Orders"); rounded[k]: sum of moduli, to which rounding is
-    // relative.
+    // Bounds for derivatives of order k of the pupil function on a rim, divided by rim_scale(k). each[k]: aliasing error of a
+    // Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: sum of moduli, to which rounding is relative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 

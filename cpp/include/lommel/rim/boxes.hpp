@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Box sizes of the least estimated time. Its unit is a pair of nodes, one node for each axis of a box or of the whole window.
+// Box sizes of the least estimated time. The unit of time is a pair of nodes, one for each axis of a box or of the whole window.
 class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: nodes for the whole window
@@ -25,24 +25,24 @@ class RimBoxes {
 
     // `tol`: tolerance relative to the largest average, which without aberration is at least 4.4 * lowest.
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Compute `sides` and `remainders`; returns whether rims are estimated to be faster than nodes for the whole window.
+    // Compute `sides` and `remainders`; returns whether far pixels from the rim are estimated faster than nodes everywhere.
     bool choose(int threads);
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Largest window diagonal, in pixels, for which rims are tried with one pupil and a pixel pitch of lambda / (2 pi NA). It
-    // is multiplied by the root of the number of pupils, which share tables, and divided by that of the pitch.
+    // Largest window diagonal, in pixels, with far pixels from the rim, for one pupil and a pixel pitch of lambda / (2 pi NA).
+    // It is multiplied by the root of the number of pupils, which share tables, and divided by that of the pitch.
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration, for which pixels have 3 times the weights
     static constexpr double shortest = 48.0;  // lower limit of the window diagonal, in pixels: small windows gain most
     static constexpr double further = 4.0;  // minimum number of pupils assumed, as small stacks often follow one another
-    // Times in pairs of nodes: `rim` for a pupil without obscuration, `rims` with obscuration, `call` for a call.
+    // Times in pairs of nodes: `rim` for the far pixels of a pupil, `rims` for those with an obscuration, `call` for each call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // minimum number of pupils with boxes of one side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
-    static constexpr double left = 0.4;  // fraction of the tolerance for the field that `remainders` bounds
-    // Rims are used if their estimated time is at most this fraction of the time of nodes for the whole window.
+    static constexpr double left = 0.4;  // fraction of the tolerance for the remainder of the field
+    // Far pixels come from the rim if this takes at most this fraction of the time of nodes for the whole window.
     static constexpr double worth = 0.85;
 
     double count() const { return static_cast<double>(stack_.count); }
@@ -51,7 +51,8 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Times per pupil in pairs of nodes. whole(): nodes for the whole window; with_box(): nodes for a box, and rims.
+    // Times per pupil in pairs of nodes. whole(): nodes for the whole window; with_box(): nodes for a box, far pixels from the
+    // rim.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
@@ -106,7 +107,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) 
     return 0;
 }
 
-// Compute `sides` and `remainders` of the pupils `which`; returns whether rims with these boxes are faster than nodes.
+// Compute `sides` and `remainders` of the pupils `which`; returns whether these boxes are faster than nodes everywhere.
 LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int threads) {
     remainders.resize(which.size());
     if (which.size() == stack_.count) {

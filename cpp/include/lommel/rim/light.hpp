@@ -57,7 +57,7 @@ struct RimLine {
 struct RimSums {
     Floats left;    // [k][lane]: sum of squared moduli of the omitted Fourier coefficients
     Floats energy;  // [k][lane]: sum of squared moduli of all Fourier coefficients
-    std::array<Floats, 2> size;  // [ellipse][lane]: bound on the waves at complex radii in an ellipse (section 10)
+    std::array<Floats, 2> size;  // [ellipse][lane]: bound on waves at complex radii in an ellipse (certificate, section 10)
 };
 
 struct RimScratch {
@@ -77,7 +77,7 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Fourier coefficients (order mu) of the derivatives dbar^k P on a rim, P being the pupil function, over rim_scale(k):
+// Fourier coefficients (order mu) of derivatives dbar^k P (RimSlopes) of the pupil function P on a rim, over rim_scale(k):
 // values[mu - k][k][re, im][lane], 0 for |mu| > rim.orders. The Zernike coefficients are in scratch.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,

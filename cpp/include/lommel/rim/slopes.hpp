@@ -22,7 +22,7 @@ constexpr std::size_t rim_orders = 8;        // K: number of partial integration
 constexpr std::size_t rim_most_degree = 16;  // largest degree of the phase and of the exponent of the amplitude
 constexpr double rim_unit = 32.0;            // scale of derivatives, so that their powers do not overflow
 
-// k! rim_unit^k, by which derivatives of order k are divided when they are stored, against overflow.
+// k! rim_unit^k, by which derivatives of order k are divided when they are stored, to avoid overflow.
 inline double rim_scale(std::size_t k) {
     double scale = 1.0;
     for (std::size_t i = 1; i <= k; ++i) {
@@ -31,12 +31,12 @@ inline double rim_scale(std::size_t k) {
     return scale;
 }
 
-// Derivatives dbar^j Phi of the phase Phi on circles, dbar = d/dx + i d/dy, which give dbar^k P = Q_k P of the pupil function P
-// = exp(i Phi). On a circle, i dbar^j Phi / ((j - 1)! rim_unit^j) is the sum over mu of E_j,mu exp(i mu theta). A Zernike term
-// contributes to the real or the imaginary part of two coefficients E for each j.
+// Derivatives dbar^j Phi of the phase Phi on circles, dbar = d/dx + i d/dy. They determine those of the pupil function P = exp(i
+// Phi), dbar^k P = Q_k P. On a circle, i dbar^j Phi / ((j - 1)! rim_unit^j) is a sum over mu of E_j,mu exp(i mu theta). A
+// Zernike term contributes to the real or the imaginary part of two coefficients E for each j.
 struct RimSlopes {
     struct Part {
-        std::size_t at, term;  // at: index of the real or imaginary part of a Fourier coefficient
+        std::size_t at, term;  // at: index of the real or imaginary part of a Fourier coefficient; term: of the Zernike term
     };
 
     std::vector<ZernikeTerm> terms;
@@ -192,9 +192,9 @@ struct RimTurns {
     }
 };
 
-// Derivatives dbar^k P / rim_scale(k), k = 1 .. Last, of the pupil function P = q[point][0] at an angle (point 0) and half a
-// turn further (point 1): q[point][k][re, im]. e: from slopes_of_circle(). Degree: bound on the degree of the phase, a constant
-// so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one pupil, with the same e in all lanes.
+// Derivatives dbar^k P / rim_scale(k) (RimSlopes), k = 1 .. Last, of the pupil function P = q[point][0] at an angle (point 0)
+// and half a turn further (point 1): q[point][k][re, im]. e: from slopes_of_circle(). Degree: constant bound on the degree of
+// the phase, so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one pupil, with the same e in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);
@@ -252,7 +252,7 @@ LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, con
     }
 }
 
-// Quadrature over the disk with nodes on circles, which is exact for |Q_K|^2, Q_K = dbar^K P / P (RimSlopes).
+// Quadrature over the disk with nodes on circles, exact for the squared modulus of Q_K = dbar^K P / P (RimSlopes).
 struct RimDisk {
     RimSlopes slopes;
     RimTurns turns;

@@ -207,8 +207,8 @@ struct RimTable {
     std::size_t channels() const { return rims.size() == 1 ? 3 : 9; }
     std::size_t radii() const { return rule.places.size(); }
     std::size_t ring() const { return around + 2 * margin; }  // number of angles, margins included
-    // Number N of angles on a rim, a multiple of 4. N > 2 (K - 1) (degree - 1), K = rim_orders, makes means of |dbar^k P|^2
-    // over the rim exact; N >= 5 m + 8, m = `orders`, makes aliases (of orders beyond N - m) small.
+    // Number N of angles on a rim, a multiple of 4. N > 2 (K - 1) (degree - 1), K = rim_orders, makes means of squared
+    // derivatives over the rim exact; N >= 5 m + 8, m = `orders`, makes aliases (of orders beyond N - m) small.
     static std::size_t angles_of(std::size_t degree, std::size_t orders) {
         return (std::max(5 * orders + 8, 2 * (rim_orders - 1) * (degree - 1) + 4) + 3) / 4 * 4;
     }
@@ -381,8 +381,8 @@ LOMMEL_ONCE void RimTable::make_waves(RimWaves& rim) const {
             }
         });
     }
-    // Bounds sup[n] on these Hankel functions in ellipses of x = R / v, R = nearest: Hankel's integral over t of the modulus of
-    // exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps of ln t, whose error the factor 1.02 covers.
+    // Bounds sup[n] on |v^(1/2) e^-iv H1_n(v)| for x = R / v in an ellipse, R = nearest: Hankel's integral over t of the modulus
+    // of exp(-t) t^(n - 1/2) (1 + i t x / (2 R))^(n - 1/2), in equal steps of ln t, whose error the factor 1.02 covers.
     for (std::size_t ellipse = 0; ellipse < 2; ++ellipse) {
         const double bend = rule.bend(rule.rho(ellipse)), largest = rule.largest(rule.rho(ellipse));
         std::vector<double> sup(most + 2, 0.0);

@@ -39,8 +39,7 @@ struct Judged {
         swing += 0.5 * steady;
     }
 
-    // Bounds for a derivative of the intensity, 2 Re of the sum of form G conj(F): field F (`of`), derivative G (`sizes`,
-    // `error`).
+    // Bounds for a derivative of the intensity, 2 Re sum of form G conj(F): field F (`of`), derivative G (`sizes`, `error`).
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);

@@ -64,8 +64,7 @@ class Profiles {
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
-                // The derivative by the radius has the waves and bounds of the field itself, as |J_m'| <= 1 for Bessel
-                // functions.
+                // Derivatives by the radius have the waves and bounds of the field itself: |J_m'| <= 1 for Bessel functions.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
                 continue;
             }

@@ -15,8 +15,7 @@
 
 namespace lommel {
 
-// Window of pixels; the pitch is `step` distances between circles. centers[axis][row, column]: an axis per plane, or one for
-// all.
+// Window of pixels with a pitch of `step` circle distances. centers[axis][row, column]: one axis per plane, or one for all.
 struct RingWindow {
     std::size_t height, width;
     const double* centers;

@@ -37,8 +37,7 @@ struct LayeredSlopes {
     double* errors = nullptr;
 };
 
-// Radial profiles of one plane, values[kind][order][radius]: intensity and derivatives; sizes of the fields; bounds of the
-// intensity.
+// Radial profiles of one plane, values[kind][order][radius]: intensity and derivatives; sizes of fields; error bounds.
 struct PlaneProfiles {
     const double* values;
     std::size_t stride;

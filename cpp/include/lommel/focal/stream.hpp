@@ -539,8 +539,7 @@ class FocalStream {
         }
         static_cast<void>(sizeof(V));
     }
-    // Interpolate linearly from block centres to a row of pixels; a and b are rows of blocks, with the weights 1 - part and
-    // part.
+    // Interpolate linearly from block centres to a row of pixels; a and b are rows of blocks, `part` is the weight of b.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
                                      std::size_t width, float* to) {
         const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };

@@ -106,8 +106,7 @@ struct RimSlopes {
         return degree;
     }
 
-    // Rounding, in units of roundoff, of a step from one derivative of the pupil function to the next: of the sums over Zernike
-    // terms and orders, and of the step itself.
+    // Rounding, in units of roundoff, of a step from one derivative of the pupil function to the next, with its sums over terms.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:

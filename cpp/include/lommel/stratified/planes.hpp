@@ -23,8 +23,7 @@ struct Angles {
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: amplitudes [part][angle]; others: phases [angle]
     double error;                                                   // error bound of each part of the field
-    // Derivatives by ln(wavenumber). turning: of fixed, by_depth, by_focus, less constants, [3][angle]; change: of part, or
-    // null.
+    // Derivatives by ln(wavenumber). turning: of fixed, by_depth, by_focus, less constants, [3][angle]; change: of `part`.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
     // Rounding of a sum over angles, of its products and of Bessel functions, relative to the sum of magnitudes.

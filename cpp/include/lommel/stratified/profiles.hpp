@@ -18,8 +18,7 @@
 
 namespace lommel {
 
-// Sizes of the parts of a plane's field, or of its derivative. found: largest squared modulus at the radii; most: bound on the
-// modulus at any radius.
+// Sizes of the parts of a plane's field or its derivative. found: largest |part|^2 at the radii; most: bound on |part| anywhere.
 struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };

@@ -29,7 +29,7 @@ class Amplitude {
 
     bool uniform() const { return terms_ == 0 && g_[0] == 0.0; }
     bool operator==(const Amplitude& other) const { return g_ == other.g_; }
-    // Highest power K with g_K != 0, and coefficient g_k.
+    // powers(): highest power K with g_K != 0; power(k): coefficient g_k.
     std::size_t powers() const { return terms_; }
     double power(std::size_t k) const { return g_[k]; }
 
@@ -43,9 +43,9 @@ class Amplitude {
         return std::exp(-sum);
     }
 
-    // Amplitude on an inner disk, as a function of the disk's own t; `area`: squared relative radius.
+    // Amplitude as a function of t / area, which is 1 at the edge of a smaller disk of this relative area.
     Amplitude scaled(double area) const { return changed(1.0, area); }
-    // A(t) to a power.
+    // A(t)^power.
     Amplitude raised(double power) const { return changed(power, 1.0); }
 
     // Bound on log A in the ellipse around [0, 1] with semi-axes c / 2 and sqrt(c^2 - 1) / 2, where |T_k(2t - 1)| <= T_k(c);
@@ -61,7 +61,7 @@ class Amplitude {
         return sum;
     }
 
-    // Rounding of the exponent in units of roundoff, from relative roundings of t and of the steps of Horner's rule.
+    // Bound on the rounding error of the exponent, in units of roundoff: t is rounded, and so is each step of Horner's rule.
     double sensitivity() const {
         double sum = 0.0;
         for (std::size_t k = 0; k <= terms_; ++k) {
@@ -93,10 +93,10 @@ class Amplitude {
         }
     }
 
-    // Bound on the modulus of the exponent on [0, 1].
+    // Bound on |g_0 + g_1 t + ... + g_K t^K| over [0, 1].
     double size() const { return growth(1.0) + a_[0] + std::abs(a_[0]); }
 
-    // Check at samples that the amplitude is at most 1 on [0, 1], up to rounding.
+    // Check at 17 samples of [0, 1] that A <= 1, up to rounding.
     bool passive() const {
         const bool falls = std::all_of(g_.begin(), g_.end(), [](double g) { return g >= 0.0; });
         for (std::size_t j = 0; j <= 16 && !falls; ++j) {
@@ -108,12 +108,11 @@ class Amplitude {
     }
 
     bool closed() const { return terms_ <= 1; }
-    // int A dt over the annulus, the unaberrated peak of |U|: exact if closed(), else an estimate by 16 Gauss-Legendre nodes.
+    // int A dt from obscuration^2 to 1, the peak of |U| without aberrations: exact if closed(), else by 16 Gauss-Legendre nodes.
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {
-            // For smaller g the quotient would be of subnormal numbers; the integral then rounds to that of uniform
-            // illumination.
+            // For |g| <= 1e-300 the quotient would lose digits to subnormal numbers; A = 1 gives the same integral.
             const double falling = std::abs(g) > 1e-300 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
             return g_[0] == 0.0 ? falling : falling * std::exp(-g_[0]);
         }

@@ -27,7 +27,7 @@ inline std::size_t rounded_size(Sum sum, double wanted) {
     return (n + step - 1) / step * step;
 }
 
-// Window of an image in v, by its sides.
+// Sides of the image in optical units v = pi distance / (lambda N).
 struct VBox {
     double left, right, top, bottom;
     VBox scaled(double by) const { return {by * left, by * right, by * top, by * bottom}; }
@@ -57,7 +57,7 @@ struct ChordLine {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // Approximate size of a sum for an error; smallest permitted size for it, above max_chords if there is none.
+    // needed(): approximate number of chords or nodes for an error; enough(): smallest permitted one, > max_chords if none is.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -87,7 +87,7 @@ class ChordBound {
             const ZernikeTerm& term = terms_.terms[j];
             size_ += std::abs(coefficients[j]);
             bent_ += std::abs(coefficients[j]) * static_cast<double>(term.n * term.n);
-            // A tilt moves the image: it is subtracted from v.
+            // A tilt (n = 1) moves the image: distances in the window are measured from there.
             (term.m > 0 ? tilt_x : tilt_y) += term.n == 1 ? coefficients[j] : 0.0;
         }
         std::fill(amplitudes_.begin(), amplitudes_.end(), 0.0);
@@ -97,12 +97,12 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // Sum over chords: both coordinates are complex; sum over nodes: only y is.
+        // The bound for chords continues x and y to complex values, the bound for nodes y alone.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // Bound on |Im(phase and kernel)| on a curve, and bound C on its second derivatives.
+    // Bound on the growth on a curve, |Im(Phi + v . rho)|.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -118,11 +118,11 @@ class ChordBound {
         return total;
     }
 
-    // Error bound from the logarithm of the integrand's maximum on a curve.
+    // Error bound of a curve on which the integrand is at most e^logarithm.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Bound from the curve with the smallest sum for `error`, if the logarithm of the integrand's maximum is multiplied by
-    // `share`. Descent finds it: the required size is convex in b.
+    // Bound of the curve that needs the fewest chords or nodes for `error`, if the growth is `share` times its bound. The number
+    // is convex in the height b of the curve, so that descent finds the minimum.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -156,19 +156,19 @@ class ChordBound {
         return unit_roundoff * static_cast<double>(2 * chords + (wider ? 1 : 2) * nodes);
     }
 
-    // Rounding of sums in single precision, with phases of `terms` terms in units of 2^-32 turns.
+    // Rounding error of U from sums in single precision, whose phases, sums of `terms` terms, are multiples of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
         return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
     }
 
-    // Additional rounding if the integrand is multiplied by a term of degree n.
+    // Further rounding error where the integrand is multiplied by a Zernike term of degree n.
     static double factor_rounding(std::size_t n, bool single) {
         const double square = static_cast<double>(n * n);
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
-    // Throw LimitExceeded, naming the size that would fit; `most_nodes`: maximum number of nodes in the tables of the whole
-    // window.
+    // Throw LimitExceeded with a message on the largest window or phase that would fit; `most_nodes`: maximum number of nodes in
+    // all tables.
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
         const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
         std::string message = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
@@ -176,7 +176,7 @@ class ChordBound {
                               (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                               std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
-        // Largest share of the window, or of phase and window, in hundredths and with a margin.
+        // Largest fraction of the window (phases: and of the phase) that max_chords suffice for, in hundredths, less a margin.
         const auto largest = [&](bool phases) {
             int hundredths = 99;
             for (; hundredths > 0; --hundredths) {
@@ -202,14 +202,14 @@ class ChordBound {
     }
 
    private:
-    // Index of the curve from which on the growth of the highest degrees is truncated; best() starts below it.
+    // First curve of the descent of best(), at most: on higher ones ChordCurves truncates sinh(n b) of the highest degrees.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }
 
     const TermPairs& terms_;
     VBox window_;
-    ChordCurves::Values still_[2];  // [sum][curve]: exponent without phase and window
+    ChordCurves::Values still_[2];  // [sum][curve]: logarithm of the bound at growth 0
     std::vector<double> amplitudes_;  // [degree]: amplitude of the terms
     double size_ = 0.0, bent_ = 0.0, variance_ = 0.0, reach_[2] = {0.0, 0.0};
     std::size_t start_[2] = {ChordCurves::count / 2, ChordCurves::count / 2};

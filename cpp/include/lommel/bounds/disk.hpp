@@ -54,11 +54,11 @@ LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(l
 }
 #endif
 
-// Grid of b, with functions of b.
+// Functions of the height b of a curve, at the 64 heights among which bounds choose.
 struct ChordCurves {
     static constexpr std::size_t count = 64;
     using Values = std::array<double, count>;
-    Values b, inverse, decay, cosh, constant, closed;  // 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
+    Values b, inverse, decay, cosh, constant, closed;  // b, 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
     std::vector<Values> growth;  // sinh(n b), for each n
 
     ChordCurves();
@@ -81,10 +81,10 @@ LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
     }
 }
 #endif
-// Constructed when the program is loaded, so that no fork finds it incomplete.
+// Constructed at load time: a static inside a function could be half built when the process forks.
 inline const ChordCurves chord_curves;
 
-// Index of the minimum: its value in eight chains, which compilers vectorise, then its index.
+// Index of the minimum. The minimum is taken in eight chains, which compilers vectorise; its index is then looked up.
 LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     std::array<double, 8> low;
     std::copy_n(values.begin(), 8, low.begin());
@@ -97,26 +97,26 @@ LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     return static_cast<std::size_t>(std::find(values.begin(), values.end() - 1, least) - values.begin());
 }
 
-// On each curve, a bound on the logarithm of a pupil function or of its means.
+// size[k]: bound on log |pupil function| on the curve at height b[k].
 struct ChordGrowth {
     ChordCurves::Values size{};
 
-    // Add a term of degree n; `amplitude` bounds cosine and sine together.
+    // Add a Zernike pair of degree n and amplitude sqrt(cosine^2 + sine^2).
     LOMMEL_INLINE void add(double amplitude, std::size_t n) {
         const ChordCurves::Values& growth = chord_curves.growth.at(n);
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
             size[k] += amplitude * growth[k];
         }
     }
-    // Add the amplitude of the pupil: on the complex chord, t = cos(phi)^2 + eta^2 sin(phi)^2 stays in the ellipse of cosh 2b
-    // around [0, 1].
+    // Add the amplitude of the pupil: on a complex chord, t = rho^2 stays in the ellipse around [0, 1] with c = cosh 2b of
+    // Amplitude::growth().
     void add(const Amplitude& light) {
         for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
             size[k] += light.growth(chord_curves.cosh[k]);
         }
     }
 
-    // Bound on the sum of the coefficients from n on, each at most e^(size - n b).
+    // Bound on the sum of all coefficients k >= n, each at most e^(size - k b).
     double tail(std::size_t n) const;
 
     // Approximate smallest n with log tail(n) <= `logarithm`.
@@ -131,21 +131,21 @@ class DiskBounds {
    public:
     DiskBounds() { chords_.size = chord_curves.constant; }
 
-    // Add a term of degree n and azimuthal order m.
+    // Add a Zernike pair of degree n, azimuthal order m and amplitude sqrt(cosine^2 + sine^2).
     void add(double amplitude, std::size_t n, std::size_t m) {
         chords_.add(amplitude, n);
         turns_.add(amplitude, m);
     }
     void add(const Amplitude& light) { chords_.add(light); }
 
-    // Bound on what the degrees from n on add to U, at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
+    // Bound on the contribution of all degrees >= n to U, at every v, since |2 (n+1) J_{n+1}(v) / v| <= 1.
     double tail(std::size_t n) const { return chords_.tail(n); }
-    // Bound on what the azimuthal orders from m on add to U: on a ring the pupil function is analytic in theta, so its Fourier
+    // Bound on the contribution of all azimuthal orders >= m to U: on a ring the pupil function is analytic in theta, its Fourier
     // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // Curve with the fewest degrees for an error, if log M were `share` times its bound by the terms.
+    // Curve that needs the fewest degrees for an error, if the logarithm of M(b) were `share` times its bound.
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -153,7 +153,7 @@ class DiskBounds {
         }
         return least_at(degrees);
     }
-    // Cheap estimates of degrees(), orders() and degree().
+    // Estimates of degrees(), orders() and degree() without a search.
     double likely_degrees(double error) const { return chords_.fewest(std::log(error)); }
     double likely_orders(double error) const { return turns_.fewest(std::log(0.5 * error)); }
     double likely_degree(double error) const {
@@ -163,11 +163,11 @@ class DiskBounds {
         }
         return n;
     }
-    // Reduce log M on a curve to a smaller proven bound.
+    // lower(): subtract `by` from the bound on log M(b) of a curve, where a smaller one is proven; size(): that bound.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
-    // Smallest numbers of degrees and orders with tails of at most `error`, and smallest degree with such a distance().
+    // degrees(): smallest number with tail() <= error; orders(): with orders_tail() <= error; degree(): with distance() <= error.
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
     std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }
@@ -217,7 +217,7 @@ LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
         }
         least = least_at(exponents);
     });
-    // Take logarithms only where they can lower the minimum, beginning at the smallest exponent.
+    // Logarithms are computed only where the result can be below the minimum so far, which begins at the smallest exponent.
     double best = 1e300;
     const auto add = [&](std::size_t k) {
         best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));

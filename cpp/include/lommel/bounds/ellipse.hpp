@@ -23,7 +23,7 @@
 
 namespace lommel {
 
-// Grid of eta, with functions of eta, and angles around each ellipse.
+// Functions of eta at the 40 ellipses among which bounds choose, and of the 97 angles at which the phase is sampled on each.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -41,7 +41,7 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
         decay[i] = std::exp(-eta[i]);
         closed[i] = -std::log(1.0 - decay[i]);
         const double both = std::log(-std::expm1(-2.0 * eta[i]));
-        // log(l / pi) <= log sqrt(2 cosh 2 eta)
+        // The perimeter l of the ellipse: log(l / pi) <= log sqrt(2 cosh 2 eta).
         perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - both;
         quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
     }
@@ -52,7 +52,7 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
 }
 #endif
 
-// Constructed when the program is loaded, so that no fork finds it incomplete.
+// Constructed at load time: a static inside a function could be half built when the process forks.
 inline const EllipseGrid ellipse_grid;
 
 // Im P_1, Im P_2, ... at the angles of each ellipse: 1 MiB, only for more than two terms.
@@ -119,8 +119,8 @@ class Ellipses {
         }
     }
 
-    // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v, by |beta_n| <= (2n+1) l M
-    // e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter (Wang and Xiang, Math. Comp. 81, 861 (2012)).
+    // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v. On an ellipse of perimeter l,
+    // where |f| <= M, |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
     double tail(std::size_t terms) const {
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         std::array<double, count> exponent;
@@ -131,7 +131,7 @@ class Ellipses {
             const double q = grid.decay[i];
             return exponent[i] + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q)));
         };
-        // The sum in whole() is at least 1, so its logarithm is needed only for small exponents, mostly for the smallest alone.
+        // whole() adds the logarithm of a sum >= 1 to an exponent: it is called only where the result can be below the minimum.
         const double rest = least([&](std::size_t i) { return exponent[i]; });
         const auto first = static_cast<std::size_t>(std::find(exponent.begin(), exponent.end() - 1, rest) - exponent.begin());
         double best = whole(first);
@@ -146,7 +146,7 @@ class Ellipses {
     // Number of terms with tail() <= `error`, close to the smallest, and that tail.
     std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
-        // Lower bound on the number of terms: the sum is at least 1 / (1 - q), the order at least 1.
+        // First number of terms to try, a lower bound: the sum over n of tail() is taken as a geometric series.
         const double needed =
             least([&](std::size_t i) { return (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0; });
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
@@ -205,8 +205,8 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// Bound on the sum over k = m, m + step, m + 2 step, ... of k^power 2 |J_k(v) / v|, for all v <= reach (certificate, section 1,
-// "By the window").
+// Bound on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|, for all v <= reach: of a series, all terms
+// that no phase can make large within the window (certificate, section 1, "By the window").
 inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
         return m > 1.0 ? 0.0 : 1.0;
@@ -226,8 +226,8 @@ inline double beyond_window(double m, double step, double power, double reach) {
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// Bound on what the terms n >= `terms` of a Legendre series, with J_{2n+1}, add to U for any pupil: |beta_n| <= sqrt(2n+1) by
-// Parseval. Then the smallest number of terms with a bound of at most `error`.
+// window_tail(): bound on the contribution of the Legendre terms n >= `terms`, with J_{2n+1}, to U at v <= reach, for any pupil,
+// since |beta_n| <= sqrt(2n+1) (Parseval). window_terms(): smallest number of terms with window_tail() <= error.
 inline double window_tail(std::size_t terms, double reach) {
     return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
 }
@@ -235,7 +235,7 @@ inline std::size_t window_terms(double reach, double error) {
     return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
 }
 
-// The same for the degrees n >= `degrees` of a Zernike series, with (n+1) J_{n+1}.
+// disk_window_tail(), disk_window_degrees(): likewise for the degrees n >= `degrees` of a Zernike series, with (n+1) J_{n+1}.
 inline double disk_window_tail(std::size_t degrees, double reach) {
     return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
 }
@@ -246,7 +246,7 @@ inline std::size_t disk_window_degrees(double reach, double error) {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
     if (terms <= 2) {
-        // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maximum is known in closed form.
+        // Of two terms a1 and a2: |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta|, whose maximum has a closed form.
         const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t i = 0; i < count; ++i) {
@@ -268,7 +268,7 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
         for (const double sum : sums) {
             top = std::max(top, std::abs(sum));
         }
-        // Bound between grid points of a trigonometric polynomial of this degree (Ehlich and Zeller, 1964).
+        // From samples to the maximum over all angles of a trigonometric polynomial of this degree (Ehlich and Zeller, 1964).
         g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }

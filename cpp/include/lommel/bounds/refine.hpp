@@ -24,13 +24,14 @@ double settle(double tol, const Attempt& attempt, const More& more) {
     }
 }
 
-// Smallest n >= `least` with enough(n), which must be monotonic; about `most` if there is no smaller one.
+// Smallest n >= `least` for which enough(n) is true, found by bisection: true for one n, it must be true for all larger. About
+// `most` if there is none below.
 template <class Enough>
 std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
     if (enough(least)) {
         return least;
     }
-    std::size_t low = least, step = 1;  // not enough
+    std::size_t low = least, step = 1;  // enough(low) is false
     while (low + step < most && !enough(low + step)) {
         low += step;
         step *= 2;

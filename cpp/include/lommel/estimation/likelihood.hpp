@@ -12,8 +12,7 @@
 
 namespace lommel {
 
-// Per pixel: counted electrons, variance of the read noise, the variance that weights are computed with, and validity (1 or
-// 0).
+// Arrays over pixels: electrons counted; variance of the read noise, as recorded and as weights assume it; 1 if valid, else 0.
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -37,7 +36,7 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
     StarLikelihood found;
     dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
-        // Number of products per tile that fit in the registers.
+        // Rows per tile, so that the sums of a tile stay in registers.
         constexpr std::size_t lanes = decltype(isa)::lanes, together = lanes == Avx512::lanes ? most_together : 3;
         constexpr std::size_t tile = together * together * lanes;
         const std::size_t across = (rows + together - 1) / together;

@@ -20,7 +20,7 @@ namespace lommel {
 // within v of that times v^2 / 2. Errors of the given values are multiplied by lebesgue().
 class MeanProfile {
    public:
-    // at(v): mean at the distance v, up to `reach`. `allowed`: error of the interpolation relative to half of the peak.
+    // at(v): mean intensity on the circle of radius v <= reach. `allowed`: interpolation error over half of the peak.
     template <class At>
     MeanProfile(double reach, double allowed, const At& at) {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
@@ -50,18 +50,18 @@ class MeanProfile {
         }
     }
 
-    // Mean intensity at v.
+    // Mean intensity on the circle of radius v around the axis.
     double mean(double v) const {
         const std::size_t s = panel(v);
         return series(&means_[s * points_], points_, place(v, s));
     }
-    // int_0^v I(s) s ds.
+    // int_0^v mean(s) s ds: the light within the circle of radius v, over 2 pi.
     double energy(double v) const {
         const std::size_t s = panel(v);
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Factor on errors of the values passed to the constructor.
+    // Factor by which errors of at() are multiplied in mean().
     double magnification() const { return lebesgue(points_); }
 
    private:
@@ -73,7 +73,7 @@ class MeanProfile {
     }
     double place(double v, std::size_t s) const { return std::min(1.0, (v - middle(s)) / half_); }
 
-    // Chebyshev series by Clenshaw's recurrence.
+    // sum of c[k] T_k(x), k < count, by Clenshaw's recurrence.
     static double series(const double* c, std::size_t count, double x) {
         double after = 0.0, here = 0.0;
         for (std::size_t k = count; --k > 0;) {

@@ -69,7 +69,7 @@ class Overlap {
         }
     }
 
-    // Rotate coordinates so that f is at this angle (radians) from the columns towards the rows.
+    // Set the direction of the frequency: its angle in radians from +x (along columns) towards +y (along rows).
     void face(double angle) {
         for (auto& row : powers_) {
             row.fill(0.0);
@@ -78,7 +78,7 @@ class Overlap {
         for (std::size_t j = 0; j < terms_.size(); ++j) {
             const int m = std::abs(terms_[j].m);
             const double c = std::cos(m * angle), s = std::sin(m * angle);
-            // cos(m (theta + angle)) and sin(m (theta + angle)), expanded.
+            // A term cos(m (theta + angle)) or sin(m (theta + angle)) as a sum of cos(m theta) and sin(m theta).
             const double cosine = terms_[j].m >= 0 ? c : s, sine = terms_[j].m >= 0 ? -s : c;
             even_ = even_ && m % 2 == 0;
             mirrored_ = mirrored_ && (m == 0 || std::abs(sine) < 1e-15);
@@ -87,8 +87,8 @@ class Overlap {
         survey();
     }
 
-    // OTF at frequency f in units of the cutoff, 0 to 1, in the current direction. `more`: additional nodes of each rule,
-    // beyond those for an error of 1e-4.
+    // OTF at frequency f in units of the cutoff, 0 to 1, in the direction of face(). `more`: nodes of each rule beyond those for
+    // an error of 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -112,10 +112,10 @@ class Overlap {
         shift();
     }
 
-    // After set_shift(): bound on the gradient of D, in radians per radius of the aperture.
+    // Bound on the gradient of D at the frequency of set_shift(), radians per radius of the aperture.
     double run() const { return std::max(across_, down_); }
 
-    // Approximate number of nodes of at().
+    // Estimated number of nodes of at(f), a measure of its time.
     double price(double f) const {
         const double across = 2.0 * std::min(steepest_, f * bend_along_), down = 2.0 * std::min(steepest_, f * bend_across_);
         const double end = std::acos(f), height = std::sqrt((1.0 - f) * (1.0 + f));
@@ -132,14 +132,14 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Phase in the rotated coordinates: coefficients [power of x][power of y], and the largest gradient.
+    // Phase in the coordinates of face(): powers()[power of x][power of y], its largest gradient, and its degree.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }
 
-    // Gauss-Legendre rule.
+    // Gauss-Legendre rule on [0, 1].
     struct Rule {
-        Doubles x, w;  // on [0, 1]; padded with weights of 0
+        Doubles x, w;  // nodes and weights, padded with weights of 0
         std::size_t nodes;
     };
     static const Rule& rule(std::size_t nodes) {
@@ -161,8 +161,8 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Call use(rule, start, length) for pieces of [0, 1], over which the phase changes by `radians` in total. Few distinct
-    // rules are used.
+    // Call use(rule, start, length) for pieces of [0, 1], each with the rule that its change of phase needs; over [0, 1] the
+    // phase changes by `radians`.
     template <class Use>
     void pieces(double radians, Use use) const {
         const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);
@@ -265,14 +265,14 @@ class Overlap {
         if (!(last > first)) {
             return;
         }
-        // Bounds per radian of theta: displacement of the ends of lines, and change of y.
+        // Bounds per radian of theta: `move` on the displacement of the ends of lines, `rise` on the change of y.
         const double move = radius * (radius == 1.0 ? std::sin(last) : 1.0), rise = radius * std::cos(first);
         pieces((last - first) * (across_ * move + down_ * rise), [&](const Rule& rule, double start, double part) {
             rows(rule, first + start * (last - first), part * (last - first), radius);
         });
     }
 
-    // Lines of one piece of the rule over theta, starting at `first`.
+    // Add the lines at the nodes of `rule` for theta from `first` to first + length.
     void rows(const Rule& rule, double first, double length, double radius) {
         for (std::size_t k = 0; k < rule.nodes; ++k) {
             const double theta = first + length * rule.x[k];
@@ -346,7 +346,7 @@ class Overlap {
     std::array<Line, size> powers_{}, shifted_{};  // of Phi and of D, [power of x or u][power of y]
     bool even_ = true, mirrored_ = true;  // symmetry under half a turn, and in y
     double steepest_ = 0.0, bend_along_ = 0.0, bend_across_ = 0.0;
-    double across_ = 0.0, down_ = 0.0;  // bounds on |dD/du| and |dD/dy|
+    double across_ = 0.0, down_ = 0.0;  // bounds on |dD/du| (across the lines y) and |dD/dy|
     double f_ = 0.0, re_ = 0.0, im_ = 0.0;
 };
 

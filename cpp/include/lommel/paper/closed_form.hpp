@@ -39,7 +39,7 @@ struct BesselExponentials {
     std::size_t count, terms;
 };
 
-// Form of the Fresnel integral: `terms` terms of a series, or a table, or, without either, to rounding.
+// Evaluation of the Fresnel integral: by a series of `terms` terms; by a table, if there is one; to rounding, if neither.
 struct FresnelForm {
     std::size_t terms;
     FresnelTable table;
@@ -49,12 +49,12 @@ struct FresnelForm {
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
-// U(v) = 2 int_0^1 exp(i Phi) J0(v R) R dR at ascending v: out[pupil * count + i].
+// U = 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` radii v in ascending order: out[pupil * count + i].
 void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 
-// U at ascending v, out[pupil * n + i], from polynomials in x, from -1 to 1, with `terms` coefficients on each of `count`
-// pieces of the v axis from `start` on.
+// U at n radii v in ascending order, out[pupil * n + i], from polynomials with `terms` coefficients on each of `count` intervals of
+// this width, the first from `start` on. The variable of a polynomial goes from -1 to 1 over its interval.
 void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
                        double start, double width, const double* v, std::size_t n, int threads, std::complex<double>* out);
 
@@ -94,7 +94,7 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // Pieces differ between lanes: step back to the first that any lane needs; the next loop runs to the last.
+            // Lanes (radii v) are on different Bessel pieces: step back to the first piece of any; the next loop runs to the last.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }
@@ -123,8 +123,8 @@ class ClosedFormField {
         Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
     };
 
-    // Add the part within the transition, by Gauss quadrature of the power series on panels of at most 4 rad or, if the phase
-    // hardly varies and the terms are few, with as many nodes as these need.
+    // Add the integral over R where v R is below the transition, by Gauss quadrature of the power series on panels of at most
+    // 4 rad, or by one rule of few nodes if the phase hardly varies and the terms are few.
     template <class I>
     LOMMEL_INLINE void add_series(I isa, double alpha, double beta, typename I::pack v, typename I::pack low,
                                   typename I::pack high, typename I::pack& re, typename I::pack& im) const {
@@ -163,7 +163,8 @@ class ClosedFormField {
         }
     }
 
-    // Add the part beyond the transition: R J0(v R) = x J0(x) / v, half of the real part from each of e^{+-i (x - pi/4)}.
+    // Add the integral over R where x = v R is above the transition: R J0(v R) = x J0(x) / v, and Re z = (z + conj z) / 2 splits
+    // x J0(x) into two waves e^{+-i (x - pi/4)}.
     template <class I>
     LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
                                  const std::complex<double>* c, typename I::pack low, typename I::pack high,
@@ -190,7 +191,7 @@ class ClosedFormField {
     const Rule<12> many_;
 };
 
-// Call use(auxiliary) with the requested form.
+// Call use(auxiliary) with the auxiliary functions of the Fresnel integral in the requested evaluation.
 template <class Use>
 void with_auxiliary(const FresnelForm& form, const Use& use) {
     if (form.table.samples > 0) {
@@ -226,7 +227,7 @@ LOMMEL_INLINE void store_lanes(typename I::pack re, typename I::pack im, std::si
 
 LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high,
                                std::size_t count, std::complex<double>* out) {
-    // Not dispatched, as images do not use it.
+    // Portable instructions only: images do not use this function.
     using I = Portable;
     with_auxiliary(form, [&](const auto& auxiliary) {
         for (std::size_t i = 0; i < count; i += I::lanes) {

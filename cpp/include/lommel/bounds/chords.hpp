@@ -102,7 +102,7 @@ class ChordBound {
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // Bound on the growth on a curve, |Im(Phi + v . rho)|.
+    // size(): bound on the growth on a curve, |Im(Phi + v . rho)|; bend(): bound on its second derivative by the angle.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {

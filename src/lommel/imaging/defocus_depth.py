@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import partial
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
+from lommel.base import options, validation
 from lommel.base.arrays import Array, Json, Values, plain
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
@@ -23,6 +23,8 @@ from lommel.imaging.defocus_verdict import DefocusVerdict, judged
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
+    DefocusKeywords,
+    DefocusOptions,
     FocalEngine,
     FocalTask,
     Registration,
@@ -140,6 +142,7 @@ class DefocusDepth:
         )
 
 
+@options.shares(DefocusKeywords, DefocusOptions)
 def depth_from_defocus(
     photographs: Sequence[ArrayLike],
     lenses: Sequence[Lens],
@@ -148,16 +151,13 @@ def depth_from_defocus(
     encoding: str,
     noise: Noise,
     between: tuple[float, float],
-    window: float = 4.0,
     candidates: int | None = None,
     wavelengths: Sequence[Spectrum] | None = None,
-    exposures: Sequence[float] | None = None,
-    magnification: str = "registered",
-    saturation: float | None = None,
     f_number_error: float = 0.0,
     focus_error: float = 0.0,
     transfer: Transfer = transfer_curve,
     progress: Callable[[int, int], object] | None = None,
+    **given: Unpack[DefocusKeywords],
 ) -> DefocusDepth:
     """Estimate a depth map from photographs of a scene that differ in focus or aperture (depth from defocus).
 
@@ -178,23 +178,12 @@ def depth_from_defocus(
         Noise of the linear photographs, whose white is 1: ``white`` is the number of electrons at white.
     between : (float, float)
         Nearest and farthest candidate distance, metres; the farthest may be infinite.
-    window : float, default 4.0
-        Rms width of the Gaussian windows in which depth is taken to be constant, pixels, 1 to 64. Larger windows are
-        more precise on flat surfaces, with less spatial resolution.
     candidates : int, optional
         Number of candidate distances, equally spaced in 1 / distance, up to three more so that it is one more than a
         multiple of four. By default 61, or more where defocus would change by more than 0.75 rad from one to the
         next. They reach a little beyond the range; depth is interpolated between them.
     wavelengths : sequence, optional
         As of :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
-    exposures : sequence of float, optional
-        Exposure of each photograph relative to the first, such as exposure time over squared f-number. By default
-        the ratio of their means.
-    magnification : {"registered", "lens"}, default "registered"
-        "registered": points are at the same pixels in all photographs. "lens": each photograph is magnified as by a
-        thin lens at its sensor distance, and is resampled to the scale of the first, about the centre.
-    saturation : float, optional
-        Stored value at which pixels saturate; saturated pixels are ignored.
     f_number_error : float, default 0.0
         Relative standard error of the f-numbers, which are all off alike, below 0.5: of a lens that is not measured
         0.05, say. Those of the pixel pitch count as much, of the focal length twice. 0 if lenses are as stated.
@@ -206,6 +195,7 @@ def depth_from_defocus(
         ``(len(vergence), *frequency.shape)``. `spectrum` has pairs of wavelengths, metres, and weights.
     progress : callable, optional
         Called as ``progress(done, bands)`` after each band of rows.
+    {options}
 
     Returns
     -------
@@ -246,17 +236,23 @@ def depth_from_defocus(
     >>> round(float(np.median(found.depth)), 2)
     1.5
     """
+    options.require_known(depth_from_defocus, given, DefocusKeywords)
+    chosen = DefocusOptions(**given)
+    exposures, saturation = chosen.exposures, chosen.saturation
+    if isinstance(exposures, str):
+        said = validation.shown(exposures)
+        raise TypeError(f'exposures must be numbers, got {said}; "smooth" ratios are those of LiveDepth')
     pitch = pixel_of(lenses, pixel)
-    given = _one_of_each(photographs, lenses)
+    photos = _one_of_each(photographs, lenses)
     noise = validation.instance("noise", noise, Noise).poisson
-    width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
+    width = validation.real("window", chosen.window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
     ends, vergence = ranged(between, lenses, pitch, candidates, _MOST)
     if saturation is not None:
         validation.real("saturation", saturation, above=0.0)
     validation.real("f_number_error", f_number_error, least=0.0, below=0.5)
     validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
-    counts = _counts(given, saturation)
+    counts = _counts(photos, saturation)
     first = counts[0].values
     if wavelengths is None and all(_is_grey(one.values) for one in counts):  # stored three times, it was counted once
         counts = [one[..., 0] for one in counts]
@@ -269,7 +265,7 @@ def depth_from_defocus(
     )
     if not valid.any():
         raise ValueError("photographs have no pixel that is known in all of them: they are NaN or saturated")
-    registered = Registration(magnification, lenses, valid.shape, processors())
+    registered = Registration(chosen.magnification, lenses, valid.shape, processors())
     for channel in images if registered else ():
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
     # Registration makes NaN of what depends on unknown pixels.

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +25,42 @@ Frame = Values
 
 MAGNIFICATIONS = ("registered", "lens")
 """How frames of different focus are magnified: alike, or as by a lens at their sensor distances."""
+
+
+class DefocusKeywords(TypedDict, total=False):
+    """Options of depth from defocus."""
+
+    exposures: Sequence[float] | str | None
+    magnification: str
+    window: float
+    saturation: float | None
+
+
+@dataclass(frozen=True)
+class DefocusOptions:
+    """Options of depth from defocus, with their defaults.
+
+    Parameters
+    ----------
+    exposures : sequence of float, optional
+        Exposure of each image relative to the first, such as exposure time over squared f-number. By default the
+        ratio of their means. "smooth", of :class:`lommel.imaging.LiveDepth` only: a ratio that changes over the image
+        as a polynomial of second order, measured in each call, for frames of different vignetting.
+    magnification : {"registered", "lens"}, default "registered"
+        "registered": points are at the same pixels in all images. "lens": each image is magnified as by a thin lens
+        at its sensor distance, and is resampled to the scale of the first, about the centre.
+    window : float, default 4.0
+        Rms width of the Gaussian windows in which depth is taken to be constant, pixels: 1 to 64, and 2 to 16 for
+        :class:`lommel.imaging.LiveDepth`. Larger windows are more precise on flat surfaces, with less spatial
+        resolution.
+    saturation : float, optional
+        Stored value from which on pixels are full, and ignored; by default the largest value of unsigned integers.
+    """
+
+    exposures: Sequence[float] | str | None = None
+    magnification: str = "registered"
+    window: float = 4.0
+    saturation: float | None = None
 
 
 def relative_exposures(given: Sequence[float], count: int) -> tuple[float, ...]:

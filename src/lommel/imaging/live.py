@@ -6,18 +6,20 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import NamedTuple
+from typing import NamedTuple, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import atomic, validation
+from lommel.base import atomic, options, validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.focal_model import FocalLight, FocalModel
 from lommel.imaging.defocus_verdict import DefocusVerdict, judged
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
+    DefocusKeywords,
+    DefocusOptions,
     FocalEngine,
     FocalTask,
     FrameForm,
@@ -219,6 +221,7 @@ class LiveDepthMap:
         )
 
 
+@options.shares(DefocusKeywords, DefocusOptions)
 class LiveDepth:
     """Depth of frames that differ in focus, block by block, at video rate.
 
@@ -241,17 +244,6 @@ class LiveDepth:
     light : float or sequence of float, optional
         Mean electrons of a pixel that tables are made for; those nearest to a frame's are used. By default 500, 5000
         and 50 000. Within a factor of three errors are hardly larger than by tables of their own.
-    exposures : sequence of float or "smooth", optional
-        Exposure of each frame relative to the first. By default the ratio of the means of what is known in all
-        frames. "smooth": a ratio that changes over the frame as a polynomial of second order, measured in each
-        call, for frames of different vignetting.
-    magnification : {"registered", "lens"}, default "registered"
-        "registered": points are at the same pixels in all frames. "lens": each frame is magnified as by a thin lens
-        at its sensor distance, and is resampled to the scale of the first, about the centre.
-    window : float, default 4.0
-        Rms width of the windows in which depth is taken to be constant, pixels, 2 to 16.
-    saturation : float, optional
-        Value from which on pixels are full, and ignored. By default the largest value of unsigned integers.
     known : array_like of bool, shape (height, width), optional
         Pixels of the sensor that are not broken.
     sharp, refocus : bool, default False
@@ -259,6 +251,7 @@ class LiveDepth:
         for.
     threads : int, optional
         Number of threads; by default the number of processors. The result does not depend on it.
+    {options}
 
     Attributes
     ----------
@@ -308,37 +301,37 @@ class LiveDepth:
         shape: tuple[int, ...],
         wavelengths: Sequence[tuple[float, float]] | None = None,
         light: float | Sequence[float] | None = None,
-        exposures: Sequence[float] | str | None = None,
-        magnification: str = "registered",
-        window: float = 4.0,
-        saturation: float | None = None,
         known: ArrayLike | None = None,
         sharp: bool = False,
         refocus: bool = False,
         threads: int | None = None,
+        **given: Unpack[DefocusKeywords],
     ) -> None:
+        options.require_known(LiveDepth, given, DefocusKeywords)
+        chosen = DefocusOptions(**given)
+        exposures = chosen.exposures
         pitch = pixel_of(lenses, pixel)
         if len(lenses) < 2:
             raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
-        self._form = form = FrameForm(shape, noise, saturation, known)
+        self._form = form = FrameForm(shape, noise, chosen.saturation, known)
         self._smooth, self._given = False, None
         if isinstance(exposures, str):
             self._smooth = validation.choice("exposures", exposures, ("smooth",)) == "smooth"
         elif exposures is not None:
             self._given = relative_exposures(exposures, len(lenses))
-        width = validation.real("window", window, least=2.0, below=16.0 + 1e-9, unit="pixels")
+        width = validation.real("window", chosen.window, least=2.0, below=16.0 + 1e-9, unit="pixels")
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
         self._between, vergence = ranged(between, lenses, pitch, None, _MOST)
         sharp, refocus = validation.truth("sharp", sharp), validation.truth("refocus", refocus)
-        self._registered = Registration(magnification, lenses, form.size, count)
+        self._registered = Registration(chosen.magnification, lenses, form.size, count)
         scales = self._registered.scales
         task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count, scales=scales)
         # Depth is found in the sum of the channels: variances of reading add.
         read = form.read * math.sqrt(form.channels)
-        given = self._given or (1.0,) * len(lenses)
+        ratios = self._given or (1.0,) * len(lenses)
         self._levels = [
-            _Level(task, FocalLight(mean, read, given, CONTRAST), form, sharp or refocus, refocus)
+            _Level(task, FocalLight(mean, read, ratios, CONTRAST), form, sharp or refocus, refocus)
             for mean in _levels(light, form.channels)
         ]
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK

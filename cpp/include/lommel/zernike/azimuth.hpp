@@ -1,7 +1,8 @@
-// Sum over azimuthal orders, U = sum over m of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight pixels at once.
+// Field as a sum over azimuthal orders m, U(v, psi) = sum of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight pixels at once.
 //
-// A_m and B_m are polynomials in v on a ring. The eight pixels that differ in the signs and the order of |x|, |y| share them,
-// and share cos(m psi), sin(m psi) up to a sign that depends on m modulo 4. The cost is 4 Degree + 10 multiply-adds per order.
+// On a ring (an interval of the radius v), A_m and B_m are polynomials. The eight pixels (+-x, +-y), (+-y, +-x) share A_m and B_m;
+// their cos(m psi), sin(m psi) differ by signs and swaps only. Each order takes 4 Degree + 10 multiply-adds, Degree coefficients
+// per polynomial.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,14 @@
 
 namespace lommel {
 
-// Orders in use, grouped by m modulo 4 and increasing.
+// Azimuthal orders in use, grouped by m modulo 4 and increasing within each group.
 struct ActiveOrders {
     struct Order {
         std::size_t m;
-        std::size_t turns;  // steps of 4 psi from the previous order
+        std::size_t turns;  // (m - m of the previous order in the group) / 4: number of rotations by 4 psi
     };
     std::array<std::vector<Order>, 4> of;
-    bool sines = false;  // some B_m is not negligible
+    bool sines = false;  // true if some sine coefficient B_m is not negligible
 
     void add(std::size_t m) {
         std::vector<Order>& list = of[m % 4];
@@ -37,15 +38,15 @@ struct ActiveOrders {
     }
 };
 
-// Intensities of Unroll vectors of pixel groups, at x (-1 to 1 across the ring) and (cos(psi), sin(psi)) = (a, b), psi in the
-// first octant: out[j][u] for the directions (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
-// Coefficients of the ring: for each order, in the sequence of ActiveOrders, re A, im A and, with Sines, re B, im B; Degree
-// coefficients each, highest power first.
+// Intensities of the eight mirrored pixels of each lane. x: position across the ring, -1 to 1; (cosine, sine) = (a, b): direction
+// of the pixel in the first octant; out[direction][vector], directions (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a),
+// (-b, a), (-b, -a); coefficients: for each order, in the sequence of ActiveOrders, Degree coefficients of re A_m, of im A_m and,
+// with Sines, of re B_m and of im B_m, highest power first.
 template <std::size_t Degree, bool Sines, std::size_t Unroll, class V, class Real>
 LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine, const V* sine,
                               V (*out)[Unroll]) {
     constexpr std::size_t parts = Sines ? 4 : 2;
-    // [m modulo 4][A cos, A sin, B cos, B sin][re, im]
+    // Partial sums over the orders: [m modulo 4][A_m cos(m psi), A_m sin(m psi), B_m cos(m psi), B_m sin(m psi)][re, im].
     V sums[4][4][2][Unroll];
     V turn_c[Unroll], turn_s[Unroll], start_c[Unroll], start_s[Unroll];
     for (std::size_t u = 0; u < Unroll; ++u) {

@@ -1,4 +1,4 @@
-// Zernike coefficients of the pupil function: P = sum over n, m of R_n^m(rho) (c cos(m theta) + s sin(m theta)).
+// Zernike coefficients c, s of the pupil function: P = sum over n, m of R_n^m(rho) (c cos(m theta) + s sin(m theta)).
 #pragma once
 
 #include <algorithm>
@@ -23,13 +23,13 @@
 
 namespace lommel {
 
-// Phase of one pupil as coefficients of Zernike terms (radians at the edge), and its amplitude.
+// Phase of one pupil as coefficients of Zernike terms (radians at the edge), and the pupil's amplitude.
 struct ZernikePhase {
     const TermPairs& list;
     const double* coefficients;
     Amplitude amplitude;
 
-    // Call f(amplitude, n, |m|) for every pair of a cosine and a sine term.
+    // Call f(amplitude, n, |m|) for each pair of a cosine and a sine term, amplitude = sqrt(cosine^2 + sine^2).
     template <class F>
     void amplitudes(const F& f) const {
         for (const TermPairs::Pair& pair : list.pairs) {
@@ -43,8 +43,7 @@ struct ZernikePhase {
         return sum;
     }
 
-    // Estimated max |U| without aberrations over max |U|. dimmest(): the same with a margin, as strong aberrations may dim an
-    // image twice as much as estimated.
+    // Estimate of max |U| without aberrations over max |U| with them, from the variance of the phase.
     double dimness() const {
         double variance = 0.0;
         amplitudes([&](double a, std::size_t n, std::size_t m) {
@@ -52,9 +51,10 @@ struct ZernikePhase {
         });
         return std::sqrt(1.0 + variance);
     }
+    // Dimness with a margin: strong aberrations may dim an image twice as much as dimness() estimates.
     double dimmest() const { return std::min(size() + 1.0, 2.5 * dimness()); }
 
-    // Error of the phase from rounding of rho and of the recurrences, in units of roundoff (docs/certificate.md, section 7).
+    // Rounding error of the pupil function in units of roundoff, from rho and recurrences (docs/certificate.md, section 7).
     double sensitivity() const {
         double sum = 0.0;
         amplitudes([&](double a, std::size_t degree, std::size_t) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
@@ -69,27 +69,27 @@ struct ZernikePhase {
     }
 };
 
-// Product rule on the disk, exact for polynomials up to `degree`: Gauss nodes in t = rho^2, and equal angles off the axes, so
-// that sums over terms in one quadrant serve all four. Cached.
+// Product quadrature on the unit disk: Gauss nodes in t = rho^2 (rings) times equally spaced angles. No angle lies on an axis, so
+// that the sums over Zernike terms in one quadrant give all four quadrants. Rules are cached.
 struct DiskRule {
-    std::size_t degree;  // exact up to this degree
-    std::size_t rings;   // a multiple of 8
-    RowFft<double> fft;  // over the angles (j + 1/2) 2 pi / n
+    std::size_t degree;  // degree of the polynomials up to which the rule is exact
+    std::size_t rings;   // number of rings, a multiple of 8
+    RowFft<double> fft;  // transform over the n angles (j + 1/2) 2 pi / n
     Doubles t, rho, weights;
-    std::vector<double> cosines, sines;  // of multiples of pi / n
+    std::vector<double> cosines, sines;  // cosines and sines of k pi / n, k < 2 n
 
     explicit DiskRule(std::size_t exact);
 
-    // Degree rounded up to the capacity of a multiple of eight rings, so that slightly stronger aberrations need no new tables.
+    // Degree that all rings of a multiple of eight can serve, so that slightly stronger aberrations need no new tables.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
 
-    // Table index of cos(m theta) and sin(m theta) at angle j.
+    // Index into `cosines` and `sines` of the angle m theta_j, theta_j = (2 j + 1) pi / n.
     std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
 
-    // Bound on the rounding of a Fourier coefficient, in units of roundoff times the mean modulus: transform, factor for the
-    // half step of the angles, and sum of the orders m and -m.
+    // Bound on the rounding error of a Fourier coefficient, in units of roundoff times the mean modulus of the samples: FFT, factor
+    // for the half step of the angles, and sum of the orders m and -m.
     double rounding() const { return fft.rounding() + 25.0; }
 
     bool is(std::size_t exact) const { return degree == exact; }
@@ -117,15 +117,15 @@ LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
 }
 #endif
 
-// Zernike coefficients of degrees n < degrees and azimuthal orders m < orders, grouped by order: n = m, m + 2, ...
+// Zernike coefficients of degrees n < degrees and azimuthal orders m < orders, grouped by order m: n = m, m + 2, ...
 struct ZernikeSeries {
     std::size_t degrees = 0, orders = 0;
-    std::vector<std::size_t> start;  // [order]: first coefficient
+    std::vector<std::size_t> start;  // [order]: index of its first coefficient
     std::vector<std::size_t> used;   // [order]: number of coefficients in use
-    std::array<Doubles, 4> parts;    // re and im of cosines, re and im of sines
+    std::array<Doubles, 4> parts;    // [re cosine, im cosine, re sine, im sine][coefficient]
 
     std::size_t count(std::size_t m) const { return (degrees - 1 - m) / 2 + 1; }
-    // Modulus of a coefficient of the cosine (sine = 0) or the sine (sine = 1).
+    // Modulus of coefficient `at`: of the cosine (sine = 0) or of the sine (sine = 1).
     double size(std::size_t at, std::size_t sine) const {
         const double re = parts[2 * sine][at], im = parts[2 * sine + 1][at];
         return std::sqrt(re * re + im * im);
@@ -148,11 +148,11 @@ struct ZernikeSeries {
     }
 };
 
-// Compute the Zernike coefficients of a pupil function: FFTs over the angles of rings, then projections onto radial
+// Compute the Zernike coefficients of a pupil function: FFTs over the angles of each ring, then projections onto the radial
 // polynomials.
 class ZernikeAnalysis {
    public:
-    // Fill `series` with the coefficients times (-1)^(n/2) (-i)^n, the factors that zernike_transforms() omits.
+    // Fill `series` with the coefficients, times -i for odd n: zernike_transforms() contains the signs of (-i)^n, not this -i.
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);
@@ -170,7 +170,7 @@ class ZernikeAnalysis {
     }
 
    private:
-    // Sum over the terms of each azimuthal order on each ring: [order][cosine, sine][ring].
+    // Radial sums of the phase, coefficients times R_n^m over n: radial_[azimuthal order][cosine, sine][ring].
     template <class I>
     LOMMEL_INLINE void prepare(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;
@@ -199,7 +199,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients of eight rings, times the ring weights: [m][cos re, cos im, sin re, sin im][ring].
+    // Azimuthal Fourier coefficients of the weighted pupil function on 8 rings: rings_[m][cos re, cos im, sin re, sin im][ring].
     template <class I>
     LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders,
                                  std::size_t first) {
@@ -225,7 +225,7 @@ class ZernikeAnalysis {
                 }
             }
             for (std::size_t m = 0; m < orders; ++m) {
-                // Coefficients of exp(-i m theta) and exp(i m theta); the first angle is half a step.
+                // Fourier coefficient l, rotated by exp(-+i m pi / n) because the first angle is half a step from 0.
                 const auto at = [&](std::size_t l, double turn) LOMMEL_INLINE_LAMBDA {
                     const double* here = x + l * fft_element + k;
                     const ComplexPack<V> found = {load<V>(here), load<V>(here + fft_rows)};
@@ -243,7 +243,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Weighted pupil function at all angles of a vector of rings; the weight is that of the ring over the number of angles.
+    // Pupil function at all angles of one vector of rings, times the ring's quadrature weight over the number of angles.
     template <class I>
     LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t k, double* out) const {
         using V = typename I::pack;
@@ -267,7 +267,7 @@ class ZernikeAnalysis {
                     odd_sin = odd_sin + s;
                 }
             }
-            // Phase at theta, -theta, pi - theta, pi + theta.
+            // Phase at the angles theta, -theta, pi - theta, pi + theta.
             const V angle[4] = {even_cos + odd_cos + even_sin + odd_sin, even_cos + odd_cos - even_sin - odd_sin,
                                 even_cos - odd_cos - even_sin + odd_sin, even_cos - odd_cos + even_sin - odd_sin};
             const std::size_t places[4] = {i, n - 1 - i, n / 2 - 1 - i, n / 2 + i};
@@ -280,12 +280,12 @@ class ZernikeAnalysis {
         }
     }
 
-    // Project onto the radial polynomials of order m.
+    // Quadrature over the rings: coefficients of R_n^m for one order m and n = m, m + 2, ...
     template <class I>
     LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t m, ZernikeSeries& series) {
         using V = typename I::pack;
         const std::size_t rings = rule.rings;
-        constexpr std::size_t most = 64;  // vectors of rings per block, with stored recurrences
+        constexpr std::size_t most = 64;  // maximum number of ring vectors per block, the arrays of the recurrence
         const double* in = &rings_[m * 4 * rings];
         const std::size_t count = series.count(m), to = series.start[m];
         for (Doubles& part : series.parts) {
@@ -308,7 +308,7 @@ class ZernikeAnalysis {
                     }
                     advance(step, x[p], before[p], here[p]);
                 }
-                // Odd orders have a factor -i.
+                // Coefficients of odd degree have the factor -i (see run()): re and im are exchanged, one with a minus sign.
                 const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
                 for (std::size_t c = 0; c < 4; ++c) {
                     series.parts[c][to + j] += (c % 2 == 0 ? norm : turned) * lane_sum(sums[c ^ m % 2]);
@@ -324,7 +324,7 @@ class ZernikeAnalysis {
         here = after;
     }
 
-    // rho^m on a vector of rings.
+    // rho^m on a vector of rings, by repeated squaring.
     template <class I>
     static LOMMEL_INLINE typename I::pack power(I, const DiskRule& rule, std::size_t k, std::size_t m) {
         using V = typename I::pack;

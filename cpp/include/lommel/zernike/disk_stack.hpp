@@ -1,4 +1,4 @@
-// Stacks of wavefronts for engines without radial symmetry: phases on the full disk and, rescaled, on the obscuration.
+// Stacks of wavefronts without radial symmetry: phases on the full disk and, with the radius rescaled, on the obscuration.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@
 
 namespace lommel {
 
-// Window of pixels at a pitch of `step` in v; the axis is at (row, column), in pixels and possibly fractional.
+// Window of pixels: pitch `step` in units of lambda / (2 pi NA); optical axis at pixel (row, column), possibly fractional.
 struct DiskWindow {
     std::size_t height, width;
     double row, column, step;
 };
 
-// Output for each pupil: image, scale of the intensity (0 on entry: divide by the maximum), error bound relative to a peak, and
-// this peak intensity.
+// Output for each pupil. images: values; scales: factor on the intensity (0 on entry: divide by the maximum); bounds: error bound
+// relative to the peak; peaks: intensity of the peak.
 template <class T>
 struct DiskAnswer {
     T* images;
     double *scales, *bounds, *peaks;
 };
 
-// Variance of a phase over the full disk (rad^2), without piston and tilt.
+// Variance of a phase over the full disk (rad^2), without piston and tilt. edge: coefficients of the terms in radians.
 inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double* edge) {
     double sum = 0.0;
     for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -39,18 +39,18 @@ inline double phase_variance(const std::vector<ZernikeTerm>& terms, const double
     return sum;
 }
 
-// Stack of wavefronts in Zernike terms, with conversion between tilt and a shift of the axis.
+// Stack of wavefronts in Zernike terms, with conversion between a tilt and a shift of the optical axis.
 struct DiskStack {
-    std::vector<ZernikeTerm> terms;  // terms that are not zero for all pupils, and those that rescaling to the obscuration adds
-    std::vector<double> outer, inner;  // [pupil][term], radians at the edge; `inner` is empty without an obscuration
-    std::vector<std::int64_t> rows, columns;  // [pupil]: pixel of the axis, set by move_axes()
-    std::vector<double> centers;  // [pupil][row, column] of the axis, set by center_axes()
-    std::vector<double> lost;  // [pupil]: bound on the error of U from rounding in these conversions
+    std::vector<ZernikeTerm> terms;  // terms that some pupil uses, and terms that rescaling to the obscuration adds
+    std::vector<double> outer, inner;  // phases on full disk and obscuration (empty if none): [pupil][term], radians
+    std::vector<std::int64_t> rows, columns;  // [pupil]: row and column of the pixel at the axis, set by move_axes()
+    std::vector<double> centers;  // [pupil][row, column]: position of the axis in pixels, set by center_axes()
+    std::vector<double> lost;  // [pupil]: bound on the error of U from rounding in the conversions below
     std::size_t count;
     double obscuration;
     Amplitude amplitude;
 
-    // From the coefficients edge[pupil][term] of the terms `given`.
+    // Construct from the coefficients edge[pupil][term] (radians at the edge) of the terms `given`; eps: obscuration ratio.
     DiskStack(const std::vector<ZernikeTerm>& given, const double* edge, std::size_t pupils, double eps, const Amplitude& light)
         : terms(given), outer(edge, edge + pupils * given.size()), lost(pupils, 0.0), count(pupils), obscuration(eps),
           amplitude(light) {
@@ -65,7 +65,7 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double before = axis == 0 ? window.row : window.column;
                 const double way = (centers[2 * p + axis] - before) * window.step;
-                // Rounding of difference, product and sum, relative to values that may cancel; |dU/dv| < 1/2.
+                // Rounding error of U from difference, product and sum in `tilt`, which may cancel; |dU/dv| < 1/2.
                 lost[p] += way == 0.0 ? 0.0 : unit_roundoff * (2.0 * std::abs(way) + std::abs(tilt));
                 tilt += way;
             }
@@ -73,8 +73,8 @@ struct DiskStack {
         trim();
     }
 
-    // Express tilt as a shift of the axis by whole pixels, to the middle of a pixel. The remainder, with that of the axis
-    // position, stays a tilt of less than a pixel.
+    // Express tilt as a shift of the axis to the middle of the nearest pixel. The distance from this pixel, a fraction of a pixel,
+    // stays a tilt.
     void move_axes(const DiskWindow& window) {
         constexpr double farthest = 1e6;
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
@@ -99,7 +99,7 @@ struct DiskStack {
         trim();
     }
 
-    // Express the whole tilt as a shift of the axis, to any position.
+    // Express the whole tilt as a shift of the axis, to any fraction of a pixel.
     void center_axes(const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         centers.clear();
@@ -115,12 +115,12 @@ struct DiskStack {
         trim();
     }
 
-    // Compute `inner`: the phase within the obscuration, with the radius in units of its own, including piston.
+    // Compute `inner`: Zernike terms, with piston, of the phase within the obscuration, the radius in units of the obscuration's.
     void shrink();
 
    private:
-    // Error of U if a tilt becomes a shift: rounding of step, quotient and sum, relative to values that may cancel; |dU/dv| <
-    // 1/2 (docs/certificate.md, section 7, "The axis").
+    // Rounding error of U if a tilt becomes a shift of the axis. The operands of the sum may cancel, so it is relative to both;
+    // |dU/dv| < 1/2 (docs/certificate.md, section 7, "The axis").
     static double rounded(double tilt, double given, double step) {
         return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);
     }
@@ -151,7 +151,7 @@ struct DiskStack {
         outer.resize(count * used.size());
     }
 
-    // Index of a term, which is appended if missing.
+    // Index of a term in `terms`; a missing term is appended with the coefficient 0.
     std::size_t place(const ZernikeTerm& term) {
         const std::size_t j = static_cast<std::size_t>(std::find(terms.begin(), terms.end(), term) - terms.begin());
         if (j == terms.size()) {
@@ -166,7 +166,7 @@ struct DiskStack {
     }
 };
 
-// Pupils as passed by callers, edge[pupil][term], with the axis of the window or an axis each.
+// Pupils as passed by callers: coefficients edge[pupil][term] in radians, the window, and optionally an axis for each pupil.
 struct DiskPupils {
     std::vector<ZernikeTerm> terms;
     const double* edge;
@@ -174,7 +174,7 @@ struct DiskPupils {
     double obscuration;
     Amplitude amplitude;
     DiskWindow window;
-    const double* centers;  // [pupil][row, column]; null for the axis of the window
+    const double* centers;  // axis of each pupil: [pupil][row, column]; null: the axis of the window
 
     DiskStack stack() const {
         DiskStack made(terms, edge, count, obscuration, amplitude);
@@ -199,7 +199,7 @@ LOMMEL_ONCE void DiskStack::shrink() {
     inner.assign(outer.size(), 0.0);
     SmallerDisk smaller;
     for (std::size_t j = 0; j < before.size(); ++j) {
-        std::vector<std::size_t> to;  // of degree n, n - 2, ...
+        std::vector<std::size_t> to;  // indices of the terms of degree n, n - 2, ... with the same m
         for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
             to.push_back(place({k, before[j].m}));
         }

@@ -10,11 +10,11 @@
 
 namespace lommel {
 
-// Preview of the intensity at increasing distances from the axis.
+// Preview of an image: intensities at some distances from the axis, in increasing order.
 struct Looks {
-    std::vector<double> v, bright;  // bright: largest sampled I at each distance
+    std::vector<double> v, bright;  // v: distance; bright: largest sampled intensity at this distance
 
-    // Largest intensity between two distances, including the next sample on either side.
+    // Largest sampled intensity between the distances `from` and `to`, including the next sample beyond each end.
     double brightest(double from, double to) const {
         double most = 0.0;
         for (std::size_t i = 0; i < v.size(); ++i) {
@@ -26,24 +26,24 @@ struct Looks {
     }
 };
 
-// Error of U that causes the error `all` of I at this intensity, if |U| may be larger by the factor `brighter`.
+// Error of U that changes I by `all`, if |U| is at most `brighter` times the root of `intensity`: solves e (2 |U| + e) = all for e.
 inline double allowed_error(double all, double intensity, double brighter) {
     const double u = brighter * std::sqrt(intensity);
     return all / (u + std::sqrt(u * u + all));
 }
 
 struct PaintedPart {
-    double error = 0.0, top = 0.0;  // error bound of U; largest computed I
+    double error = 0.0, top = 0.0;  // error: error bound of U; top: largest computed intensity
     double error_bound() const { return intensity_error(std::sqrt(top), error); }
 };
 
-// Image made of parts with separate error bounds.
+// Image made of parts, each with its own error bound and largest intensity.
 template <class Part>
 class PaintedParts {
    public:
     double peak() const { return brightest().top; }
-    double error_at_peak() const { return brightest().error; }  // error bound of U there
-    double error_bound() const {                                      // error bound of I
+    double error_at_peak() const { return brightest().error; }  // error bound of U in the brightest part
+    double error_bound() const {                                      // largest error bound of I of all parts
         double most = 0.0;
         for (const Part& part : parts_) {
             most = std::max(most, part.error_bound());

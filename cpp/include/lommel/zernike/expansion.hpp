@@ -1,4 +1,4 @@
-// Truncation of the Zernike series of a disk: degrees, orders and quadrature for a tolerance (docs/certificate.md, section 7).
+// Truncation of the Zernike series of a disk: degrees, azimuthal orders and quadrature (docs/certificate.md, section 7).
 #pragma once
 
 #include <algorithm>
@@ -17,50 +17,50 @@ namespace lommel {
 
 constexpr std::size_t max_degrees = 1600;  // maximum number of degrees of a Zernike series; n degrees take about 30 n^2 bytes
 
-// Error budget of the Zernike series: shares of errors and tolerances.
+// Error budget of the Zernike series: shares of allowed errors and of the tolerance.
 struct ZernikeBudget {
-    // Shares of the error of U for the expansions of full disk and obscuration, and for the small coefficients omitted from
-    // each.
+    // Shares of the error of U. outer, inner: expansions of the full disk and of the obscuration; small: small coefficients omitted
+    // from either expansion.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
-    // Shares of the error of a disk. `degrees`: omitted degrees, multiplied by the Lebesgue constant of Fourier sums, below
-    // `fourier`, if orders are omitted too; `orders`: omitted orders; `quadrature`: distance from polynomials, which counts
-    // twice.
+    // Shares of the error of a disk. degrees: omitted degrees (times `fourier`, an upper bound of the Lebesgue constant of Fourier
+    // sums, if orders are omitted too); orders: omitted orders; quadrature: distance of the pupil function from polynomials, which
+    // counts twice.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
-    // Shares of the error of U at the brightest point, common to all pieces: omitted coefficients of each disk, omitted orders,
-    // and interpolation across pieces.
+    // Shares of the error of U at the brightest point, common to all radial pieces. trimmed: omitted coefficients of each disk;
+    // dropped: omitted orders; pieces: interpolation across a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of the remaining error of U in a piece: orders omitted in this piece (`sines`: part of it up to which all sines
-    // are omitted), and interpolation across rings. The rest is for single precision.
+    // Shares of the error of U that is left for one piece. own_orders: orders omitted in this piece; sines: part of own_orders at
+    // which all sines are omitted; rings: interpolation across rings. The remainder is for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
-    // Minimum error of interpolation across rings, as a share of the error common to all pieces.
+    // Minimum error of interpolation across rings, as a share of the error of U that all pieces have in common.
     static constexpr double rings_least = 0.05;
-    // Shares of the tolerance: first error of U, which counts twice in I; error of a piece; error above which a piece is
-    // repeated. The rest is a margin for the estimate of the brightness.
+    // Shares of the tolerance. field: error of U of the first expansion, which counts twice in I; image: error of a piece; most:
+    // error above which a piece is repeated. The difference from 1 is a margin for the estimated brightness.
     static constexpr double field = 0.1, image = 0.5, most = 0.7;
     static_assert(2.0 * field <= image && image <= most && most <= 1.0);
-    // Share of the tolerance if values are divided by their maximum, which has an error too: a relative error r becomes
-    // 2 r / (1 - r).
+    // Share of the tolerance if values are divided by their maximum: with a relative error r of both, the quotient has an error of
+    // up to 2 r / (1 - r).
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
-    // Repetition: factors on the requested error, of the expansion and of a piece. The expansion is repeated if `blame` times
-    // its error reaches that of the piece.
+    // Factors on the allowed error when a computation is repeated. retry: expansion; piece_retry: piece. The expansion is repeated
+    // if `blame` times its error exceeds the error of the piece.
     static constexpr double retry = 0.1, piece_retry = 0.2, blame = 3.0;
 };
 
-// Expansion of a disk: degrees, orders and quadrature for a given error of U at all v up to `reach`.
+// Expansion of a disk: degrees, orders, quadrature and error bounds for an allowed error of U at all radii v up to `reach`.
 struct DiskExpansion {
     std::size_t degrees, orders;
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
     std::size_t curve;
-    double saved = 0.0;  // reduction of log M(b) on the curve by samples
+    double saved = 0.0;  // decrease by sampling of log M(b), the bound on the pupil function in bounds/disk.hpp
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // Estimated size of an expansion, without samples and tables. samples: cost of sampling, see GrowthTable::work().
+    // Size of an expansion, estimated without samples and tables. exact: degree of the quadrature; samples: time for sampling.
     struct Size {
         std::size_t degrees, orders, exact;
         double samples;
@@ -81,7 +81,7 @@ struct DiskExpansion {
         const std::size_t at = bounds.likely(error, usual_share);
         double samples = GrowthTable::work(phase.list);
         if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
-            // Estimate: amplitudes of terms add in quadrature, as if independent.
+            // Estimated result of sampling: the growth of the terms adds in quadrature, as if the terms were independent.
             double squares = 0.0, sum = 0.0;
             phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
                 const double most = amplitude * chord_curves.growth[n][at];
@@ -96,8 +96,8 @@ struct DiskExpansion {
         return {plan.degrees, plan.orders, exact, samples};
     }
 
-    // Rounding of exp(i Phi) at the nodes is not amplified in U. Each rounding of sums and recurrences is relative to its
-    // coefficient; by Cauchy's inequality over degrees^2 / 2 coefficients, together they are at most degrees / sqrt(2) times
+    // Error bound of U. Rounding of exp(i Phi) at the nodes is not amplified in U. Rounding of sums and recurrences is relative to
+    // each coefficient; by Cauchy's inequality, degrees^2 / 2 coefficients together add at most degrees / sqrt(2) times as much as
     // one.
     double error(const ZernikePhase& phase) const {
         const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
@@ -108,7 +108,7 @@ struct DiskExpansion {
    private:
     DiskExpansion() = default;
 
-    // Typical ratio of log(sampled mean) to log(product of the maxima of all terms) of a pupil function.
+    // Typical ratio for a pupil function: log(mean over samples) / log(product of the maxima of all terms).
     static constexpr double usual_share = 0.6;
 
     double less_by_samples(const ZernikePhase& phase) const {
@@ -123,7 +123,7 @@ struct DiskExpansion {
         return std::max(0.0, most);
     }
 
-    // Set degrees, orders and the truncation error; returns the degree for which the quadrature must be exact.
+    // Set `degrees`, `orders` and the error bound `truncation`; return the degree for which the quadrature must be exact.
     std::size_t count(const DiskBounds& bounds, double reach, double error) {
         const std::size_t by_phase = bounds.degrees(ZernikeBudget::degrees * error);
         const std::size_t by_window = disk_window_degrees(reach, ZernikeBudget::degrees * error);
@@ -134,7 +134,7 @@ struct DiskExpansion {
         return std::max(bounds.degree(ZernikeBudget::quadrature * error), degrees) + degrees;
     }
 
-    // Estimated cost of the expansion in vector operations.
+    // Estimated time of the expansion in vector operations. exact: degree for which the quadrature is exact.
     double work(std::size_t exact) const {
         const double rings = 0.25 * static_cast<double>(exact), n = static_cast<double>(degrees);
         return 0.5 * rings * rings * static_cast<double>(orders) + 0.2 * n * n * rings;
@@ -146,7 +146,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
     check_reach(reach);
     DiskBounds bounds = phase.bounds();
     std::size_t exact = count(bounds, reach, error);
-    // Sampling reduces the time of large expansions only.
+    // Sampling saves time in large expansions only.
     curve = bounds.likely(error, usual_share);
     if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
         saved = less_by_samples(phase);
@@ -165,7 +165,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
 }
 #endif
 
-// Truncate the series of each order so that the omitted coefficients add at most `error` to U; return a bound on what they add.
+// Omit the last coefficients of each order that together add at most `error` to U, times `weight`; return a bound on their sum.
 inline double trim(ZernikeSeries& series, double weight, double error) {
     double left = 0.0;
     const double share = error / static_cast<double>(series.orders + 1);

@@ -1,4 +1,4 @@
-// Pixel averages far from the axis, for any Zernike terms: the light there is diffracted by the edges of the aperture only.
+// Pixel averages far from the axis, for any Zernike terms: far away, only the edges of the aperture diffract light.
 #pragma once
 
 #include <algorithm>
@@ -19,23 +19,22 @@
 
 namespace lommel {
 
-// Intensity far from the axis (docs/certificate.md, section 10, "Far from the axis"). U is a sum of waves exp(+-i v) and, with
-// an obscuration, exp(+-i eps v), whose factors are series in 1 / v (Hankel's expansion) and vary slowly with the azimuth. I is
-// the smooth sum of the squared moduli of the waves plus interference rings, whose pixel averages are small and bounded.
+// Intensity I far from the axis (docs/certificate.md, section 10, "Far from the axis"). The field U is a sum of waves exp(+-i v)
+// and, with an obscuration ratio eps, exp(+-i eps v); their amplitudes are series in 1 / v (Hankel's expansion) and vary slowly
+// with the azimuth. I is the smooth sum of the squared moduli plus interference rings, whose pixel averages are small and bounded.
 class FarLight {
    public:
-    // From an expanded pupil; degrees and orders that add at most `spare` to U are omitted.
+    // Construct from an expanded pupil; degrees and orders that add at most `spare` to U are omitted.
     FarLight(const ZernikeField& field, double spare);
 
-    // Error bound of averages over pixels of width `step` that lie entirely beyond v. v must be at least that of the last
-    // fit().
+    // Error bound of the averages over pixels of width `step` (in v) that lie entirely beyond the radius of the last fit().
     double left_out(double step) const;
-    // Fit the smooth part for distances of at least v.
+    // Fit the smooth part of I for all radii of at least v.
     void fit(double v);
-    // Smallest v from which averages have an error of at most `requested`; fitted from there on. Above `most` if there is none up
-    // to it.
+    // Smallest v from which averages have an error of at most `requested`, with the smooth part fitted from v on. The result
+    // exceeds `most` if no radius up to `most` suffices.
     double nearest(double step, double requested, double most) {
-        // Lower limit: the v that the interference rings of an unaberrated pupil require.
+        // Lower limit of v: the interference rings of an unaberrated pupil, which fall as v^-3, are below `requested`.
         double rings = 0.0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
@@ -59,53 +58,53 @@ class FarLight {
         return v;
     }
 
-    // Averages of `count` pixels of a row, which is `down` pixels below the axis and begins `right` pixels to the right of it.
+    // Averages of `count` pixels of one row, which lies `down` pixels below the axis and begins `right` pixels to the right of it.
     void row(double right, double down, double step, std::size_t count, double* out) const;
 
    private:
-    // terms: number of terms of Hankel's expansion; kept: number of these that are summed, the others count as error; smooth:
-    // number of terms of the polynomial of the smooth part.
+    // terms: number of terms of Hankel's expansion; kept: number of these that are summed, the others counting as error; smooth:
+    // number of coefficients of the polynomial for the smooth part.
     static constexpr std::size_t terms = 24, kept = 12, smooth = 5;
-    // Error of the arc tangent (Abramowitz and Stegun, 4.4.49) including rounding.
+    // Error bound of the arc tangent polynomial (Abramowitz and Stegun, 4.4.49) including rounding, in radians.
     static constexpr double angle_error = 1.2e-5;
-    // Number of points at which the maximum of a polynomial is sampled (docs/certificate.md, section 10).
+    // Number of points at which a polynomial in 1 / v is sampled to bound its maximum (docs/certificate.md, section 10).
     static constexpr std::size_t points = 3 * kept;
 
-    // Wave exp(i frequency v), times a factor that depends on the azimuth and on 1 / v.
+    // Wave exp(i frequency v), times an amplitude that depends on the azimuth and is a series in 1 / v.
     struct Wave {
         double frequency;
-        std::vector<double> re, im;        // factors of v^(-3/2 - k), [k][angle]
-        std::array<double, terms> sizes;   // [k]: largest modulus
-        double largest = 0.0, slope = 0.0;  // bounds over the fitted range of v: sum of the kept terms; v times its derivative
+        std::vector<double> re, im;        // coefficients of v^(-3/2 - k), [k][angle]
+        std::array<double, terms> sizes;   // [k]: bound on the modulus at all angles
+        double largest = 0.0, slope = 0.0;  // bounds on the amplitude times v^(3/2), and on v times its derivative
     };
     struct Disk {
-        double radius, weight, factor;  // factor: of both waves of this disk
+        double radius, weight, factor;  // factor: common amplitude of both waves of this disk
         std::size_t orders;
-        std::vector<double> size;  // [degree]: sum of the moduli of its coefficients
-        std::array<double, terms> rounding;  // [k]: rounding of the sum over degrees
+        std::vector<double> size;  // [degree]: sum of the moduli of its coefficients over all orders
+        std::array<double, terms> rounding;  // [k]: rounding error of term k of the waves
     };
-    // Bounds on a trigonometric polynomial in the azimuth.
+    // Bounds on a trigonometric polynomial in the azimuth and on its derivatives.
     struct Harmonics {
         double value = 0.0, slope = 0.0, bend = 0.0;  // maximum moduli of the polynomial, its first and its second derivative
     };
 
     void choose(const ZernikeSeries& series, double weight, double spare);
     void add(const ZernikeSeries& series, double radius, double weight);
-    // Bound on the pixel average of the interference ring of two waves over their product, without the contribution of its
-    // slope.
+    // Bound on the pixel average of the interference ring of waves i and j, relative to the product of their amplitudes, which are
+    // taken as constant.
     double edges(std::size_t i, std::size_t j, double step) const {
         return std::min(1.0, 2.8284271247461903 / (step * std::abs(waves_[i].frequency - waves_[j].frequency)));
     }
-    // Bound the error of U for distances of at least v.
+    // Bound the error of U for radii of at least v.
     void prepare(double v);
 
     double base_, from_ = 1.0, off_ = 0.0, misfit_ = 0.0;
     std::size_t orders_ = 1, angles_ = 0;
-    std::vector<double> cosine_, sine_;  // cosines and sines of the sampled angles
+    std::vector<double> cosine_, sine_;  // cosines and sines of the sampled azimuths
     std::vector<Wave> waves_;
     std::vector<Disk> disks_;
     std::array<Harmonics, smooth> harmonics_{};
-    std::vector<double> table_;  // [angle][coefficient, difference to the next angle], coefficients of (from / v)^power
+    std::vector<double> table_;  // [angle][coefficient of (from / v)^power; its difference to the next angle]
 };
 
 #if defined(LOMMEL_DEFINES)
@@ -127,7 +126,7 @@ LOMMEL_ONCE FarLight::FarLight(const ZernikeField& field, double spare) : base_(
     }
 }
 
-// Choose the orders and degrees of a disk whose field has the factor `weight`.
+// Choose the orders and degrees of one disk, whose field has the factor `weight`.
 LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, double spare) {
     Disk disk{0.0, weight, 0.0, 0, std::vector<double>(series.degrees, 0.0), {}};
     std::vector<double> by_order(series.orders, 0.0);
@@ -140,7 +139,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
             }
         }
     };
-    // Bound on degree n of U: 2 |J_(n+1)(v) / v| <= 1 / (n + 1), times its size at the edge.
+    // Smallest count for which the omitted degrees or orders add at most spare / 2; their bound is added to the error of U.
     const auto fewest = [&](std::size_t count, const auto& adds) {
         for (double sum = 0.0; count > 1 && sum + adds(count - 1) <= 0.5 * spare; --count) {
             sum += adds(count - 1);
@@ -160,7 +159,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
 LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, double weight) {
     Disk& disk = disks_[waves_.size() / 2];
     const std::size_t half = angles_ / 2, degrees = disk.size.size();
-    // Hankel's coefficients a_k(n + 1).
+    // Coefficients a_k(n + 1) of Hankel's expansion of J_{n+1}: hankel[k][n].
     std::vector<double> hankel(terms * degrees);
     for (std::size_t n = 0; n < degrees; ++n) {
         double here = 1.0;
@@ -171,10 +170,10 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             here *= (order * order - odd * odd) / (8.0 * static_cast<double>(k + 1));
         }
     }
-    // D_k(psi) = sum over n of a_k(n + 1) b_n(psi), b_n the sum of the terms of degree n at the edge. Even and odd orders are
-    // separate, as they differ in sign after half a turn: [k][parity][re, im][angle].
+    // Sums D_k(psi) = sum over n of a_k(n + 1) b_n(psi), with b_n the terms of degree n at the edge of the pupil. Even and odd
+    // orders are separate, as they differ in sign after half a turn: sums[k][parity][re, im][angle].
     std::vector<double> sums(kept * 4 * half, 0.0), cosine(half, 1.0), sine(half, 0.0);
-    std::array<double, terms> largest{};  // bounds for terms from `kept` on
+    std::array<double, terms> largest{};  // [k]: bound on |D_k|, for the terms k >= kept
     for (std::size_t m = 0; m < std::min(disk.orders, degrees); ++m) {
         look();
         double at[terms][4] = {};
@@ -191,7 +190,7 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
         }
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t k = 0; k < kept; ++k) {
-                // Odd orders of the series have a factor -i.
+                // Coefficients of odd orders are stored with a factor -i (ZernikeAnalysis::run()).
                 const bool odd = m % 2 == 1;
                 const double cr = odd ? -at[k][1] : at[k][0], ci = odd ? at[k][0] : at[k][1], sr = odd ? -at[k][3] : at[k][2],
                              si = odd ? at[k][2] : at[k][3];
@@ -209,11 +208,11 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             }
         });
     }
-    // Waves exp(+-i radius v) v^(-3/2) sum over k of factor (+-i)^k D_k / (radius v)^k, with D_k at psi + pi for exp(+i radius
-    // v).
+    // Waves exp(+-i radius v) v^(-3/2) times the sum over k of factor (+-i)^k D_k / (radius v)^k. The wave exp(+i radius v) has D_k
+    // at psi + pi.
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
-    // Maximum between sampled angles: next to its maximum, a trigonometric polynomial falls no faster than a cosine.
+    // Ratio of the maximum over all angles to that over samples: near its maximum, a trigonometric polynomial falls like a cosine.
     const double between = 1.0 / std::cos(pi * static_cast<double>(orders_) / static_cast<double>(angles_));
     const double roundings = unit_roundoff * static_cast<double>(2 * degrees + 8 * orders_ + 64);
     for (const double sign : {1.0, -1.0}) {
@@ -226,7 +225,7 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
                 const double* const at = &sums[4 * k * half + l % half];
                 const double re = turned ? at[0] - at[2 * half] : at[0] + at[2 * half],
                              im = turned ? at[half] - at[3 * half] : at[half] + at[3 * half];
-                // (+-i)^k
+                // Multiplication by (+-i)^k.
                 const double turn = k % 4 < 2 ? power : -power, side = sign * turn;
                 wave.re[k * angles_ + l] = k % 2 == 0 ? turn * re : -side * im;
                 wave.im[k * angles_ + l] = k % 2 == 0 ? turn * im : side * re;
@@ -254,8 +253,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
             power /= place;
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
-            // The remainder of Hankel's series is below the first omitted term if there are at least n + 1 terms; with fewer
-            // terms, the omitted ones add up. Alternative bound: the whole field of that degree plus its terms.
+            // Remainder of Hankel's series: below the first omitted term after n + 1 terms or more, else the omitted terms up to n
+            // + 1 are added. Alternative bound: all of degree n of U plus the summed terms.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -278,7 +277,7 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
 
 LOMMEL_ONCE void FarLight::fit(double v) {
     prepare(v);
-    // Sum of the squared moduli of all waves, as a polynomial in x = from / v.
+    // Sum of the squared moduli of all waves: squares[point x = from / v][angle].
     std::vector<double> squares((points + smooth) * angles_, 0.0);
     std::array<double, points + smooth> places;
     for (std::size_t i = 0; i < points; ++i) {
@@ -288,8 +287,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
         places[points + i] = 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(smooth));
     }
     const double turn = pi * static_cast<double>(orders_) / static_cast<double>(angles_);
-    // Factors from the maximum at the points to the maximum between them (Ehlich and Zeller, 1964), for polynomials of the
-    // degree of the waves (once) and of their squares (twice).
+    // Ratios of the maximum of a polynomial to its maximum at the points (Ehlich and Zeller, 1964). once: for the degree of the
+    // waves; twice: for the degree of their squares.
     const double once = 1.0 / (std::cos(turn) * std::cos(0.5 * pi * (kept - 1.0) / points)),
                  twice = 1.0 / (std::cos(2.0 * turn) * std::cos(pi * (kept - 1.0) / points));
     std::vector<double> most(angles_);
@@ -326,7 +325,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             power /= v;
         }
     }
-    // Polynomial through the last `smooth` points, by divided differences.
+    // Coefficients of the polynomial through the last `smooth` points, by divided differences.
     const double* const at = places.data() + points;
     std::vector<double> terms_of(smooth * angles_);
     for (std::size_t l = 0; l < angles_; ++l) {
@@ -368,7 +367,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
     });
     misfit_ = *std::max_element(most.begin(), most.end());
     misfit_ *= twice;
-    // Every other angle suffices. At most 96 orders are computed; the mean square minus theirs bounds the others.
+    // Fourier coefficients over every other angle, which suffice. At most 96 orders are computed; the mean square of the samples
+    // minus that of these orders bounds the others.
     constexpr std::size_t lanes = 8;
     const std::size_t half = angles_ / 2, all = 2 * orders_, known = std::min<std::size_t>(all, 96);
     std::vector<double> rows(half * lanes, 0.0), sums(2 * lanes * known, 0.0);
@@ -430,8 +430,8 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
         const Wave& wave = waves_[i];
         size += wave.largest;
         for (std::size_t j = 0; j < i; ++j) {
-            // Pixel average of the product of two waves: flux through the edges of the pixel, and the remainder inside it from
-            // the slope of the amplitude.
+            // Pixel average of the product of two waves (interference ring): flux through the edges of the pixel, and the remainder
+            // inside it from the slopes of the amplitudes.
             const Wave& other = waves_[j];
             const double product = wave.largest * other.largest, frequency = std::abs(wave.frequency - other.frequency);
             const double sloping = wave.slope * other.largest + wave.largest * other.slope + 2.0 * product;
@@ -478,7 +478,7 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
                 for (std::size_t k = smooth; k-- > 0;) {
                     sum = sum * part + (sums[k] + way * sums[smooth + k]);
                 }
-                // Averages are not negative, and clamping to 0 does not increase the error.
+                // Averages of an intensity are not negative, and clamping to 0 does not increase the error.
                 out[first + i] = std::max(0.0, sum * cube);
             }
         }
@@ -486,9 +486,8 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
 }
 #endif
 
-// Averages over the pixels farther than `most` from the axis, and over closer ones where possible. found[pupil]: distance in
-// pixels from which averages are computed (other pixels are 0); their error bound; an estimate of the largest average; row and
-// column of the axis.
+// Averages over pixels beyond a radius as small as the tolerance permits, at most `most` in v. found[pupil]: this radius in pixels
+// (closer pixels become 0), error bound of the averages, estimate of the largest average, row and column of the axis.
 class FarAverages {
    public:
     static constexpr std::size_t numbers = 5;
@@ -505,7 +504,7 @@ class FarAverages {
    private:
     void render(std::size_t pupil);
 
-    // The mean of the pixel averages at one distance from the axis is at most the largest average.
+    // Estimate of the largest pixel average: largest mean of I over annuli as wide as a pixel.
     double likely_peak(const ZernikeField& field, double reach, double light) const {
         const double step = window_.step, spacing = std::min(3.0, 0.5 * step);
         const std::size_t across = static_cast<std::size_t>(std::ceil(step / spacing));
@@ -551,7 +550,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
     const double none[] = {far + 1.0, 0.0, 0.0, row, column};
     std::copy_n(none, numbers, found);
-    // Series in 1 / v are inaccurate where aberrated rays arrive, and up to three times that distance.
+    // Series in 1 / v are inaccurate up to three times the radius of the geometrical blur, estimated by a root sum square.
     double rays = 0.0;
     outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
         const double slope = amplitude * static_cast<double>(n * n);
@@ -573,12 +572,12 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         return;
     }
     found[0] = limit;
-    found[1] = 1.000001 * tail.left_out(step);  // the factor covers the rounding of distances
+    found[1] = 1.000001 * tail.left_out(step);  // 1.000001: rounding of distances
     for (std::size_t y = 0; y < window_.height; ++y) {
         look();
         const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;
         double* const values = image + y * window_.width;
-        // Columns [0, left) lie left of the circle of radius `limit`, those from `right` on right of it.
+        // Columns [0, left) lie left of the circle of radius `limit`, columns from `right` on lie right of it.
         const double half = rest > 0.0 ? std::sqrt(rest) : 0.0;
         const auto inside = [&](double x) { return static_cast<std::size_t>(std::clamp(x, 0.0, width)); };
         const std::size_t left = inside(std::floor(column - half) + 1.0),

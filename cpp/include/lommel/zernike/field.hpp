@@ -1,4 +1,4 @@
-// Field of a pupil without radial symmetry: polynomial coefficients of its azimuthal orders, with an error bound.
+// Field of a pupil without radial symmetry: for each azimuthal order a polynomial in the radius v, with an error bound.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace lommel {
 
 constexpr double max_coefficients = 134217728.0;  // maximum number of coefficients for all pieces of an image: 1 GiB
 
-// Sampling directions; no symmetry axis is among them.
+// Directions at which the field is sampled, equally spaced; no axis of symmetry is among them.
 struct Directions {
     static constexpr std::size_t count = 32;
     std::array<double, count> cosine, sine;
@@ -37,19 +37,19 @@ struct Directions {
 };
 inline const Directions directions;
 
-// Field U of one pupil: polynomials in v on radial pieces, for each azimuthal order of both disks.
+// Field U of one pupil: on radial pieces, a polynomial in v for each azimuthal order of the full disk and of the obscuration.
 class ZernikeField {
    public:
-    // Expand the pupil with an error `error` of U for v up to `reach`. `inner`: phase within the obscuration as a function of
-    // the radius over that of the obscuration. `lost`: error of U from rounding of both phases.
+    // Expand the pupil with an error `error` of U for v up to `reach`. inner: phase within the obscuration, a function of the
+    // radius over that of the obscuration; lost: error of U from rounding in the coefficients of both phases.
     void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
                 double lost = 0.0, int threads = 1) {
-        // An obscuration whose light is below rounding is neglected.
+        // An obscuration is neglected if its area is below rounding.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // Radius in units of a ring and step in v have three roundings each, and |U'| < 1/2.
+        // Positions have six roundings: radius in units of a ring, and step in v. |U'| < 1/2, hence 3 v units of roundoff.
         base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
@@ -58,7 +58,7 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
-    // Mean of I over all directions at the distance v, by orthogonality of the orders.
+    // Mean of I over all azimuths at the radius v; different orders are orthogonal.
     double mean(double v) const {
         const std::vector<double>& orders = all_orders(v);
         double sum = 0.0;
@@ -68,11 +68,11 @@ class ZernikeField {
         return sum;
     }
 
-    // Largest I over the sampled directions at the distance v, from Bessel functions without interpolation.
+    // Largest I over the sampled directions at the radius v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Prepare the evaluation; omissions add about `error` to U at most. Afterwards base() is the error common to all pieces.
-    // in_use(pieces): the pieces in use, in increasing order.
+    // Compute the coefficients of the pieces that in_use(number of pieces) returns, in increasing order. Omissions add about
+    // `error` to U at most; afterwards base() is the error of U that all pieces have in common.
     template <class InUse>
     void prepare(double error, int threads, const InUse& in_use) {
         orders_.measure(outer_, inner_, obscuration_);
@@ -80,7 +80,7 @@ class ZernikeField {
         base_ +=
             trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
-        // Interpolation at 8 points adds at most 2.3 (its Lebesgue constant) times the error of the piece.
+        // Interpolation on rings at 8 points multiplies the error of the piece by at most 2.3 (Lebesgue constant); 3.1 is counted.
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
             ++width;
         }
@@ -115,7 +115,7 @@ class ZernikeField {
                 inner_tables[parity] = all.get(width, within, (inner_.degrees + 2) / 2);
             }
         }
-        // By Cauchy and Parseval, sum |beta| |2 J_{n+1} / v| over all n and m is at most 1; cosines and sines double it.
+        // By Cauchy and Parseval, sum |beta_n^m 2 J_{n+1}(v) / v| over all n, m is at most 1; separate cosines and sines double it.
         const double terms = static_cast<double>(std::max(outer_.degrees, inner_.degrees));
         base_ += 2.0 * weight_ * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
         rows_.resize(pieces);
@@ -134,18 +134,18 @@ class ZernikeField {
     const ZernikeSeries& outer() const { return outer_; }
     const ZernikeSeries& inner() const { return inner_; }
 
-    // Plan of piece s with `groups` groups of pixels, for an error of U of about `error` if base() is well below it.
+    // Plan of piece s with `groups` groups of mirrored pixels, for an error of U of about `error` if base() is well below it.
     PiecePlan plan(std::size_t s, double error, std::size_t groups) const {
         PiecePlan made;
         const double spare = std::max(0.0, error - base_);
         made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
-        // If base() takes nearly all of the error, a share of base() is allowed instead, as `error` is a goal and not a limit.
+        // If base() takes nearly all of `error`, a share of base() is allowed in addition, as `error` is a goal and not a limit.
         const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::rings_least * base_);
         while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > across) {
             ++rings;
         }
-        // Rings save time if they contain enough pixels to fill vectors.
+        // Dividing a piece into rings saves time only if the rings contain enough pixels to fill vectors.
         if (obscured() || groups > 20 * rings) {
             made.rings = rings;
             made.error += ring_error(width_ / static_cast<double>(rings)) * weight_;
@@ -155,7 +155,7 @@ class ZernikeField {
         return made;
     }
 
-    // Coefficients for sum_orders<16> across piece s; only for unobscured pupils.
+    // Coefficients for sum_orders<16> across the undivided piece s; only for unobscured pupils.
     void whole(const PiecePlan& plan, std::size_t s, Doubles& out) const {
         const std::size_t parts = plan.orders.sines ? 4 : 2;
         out.resize(plan.rows.size() * parts * degree_count);
@@ -180,7 +180,7 @@ class ZernikeField {
         if (!obscured()) {
             return;
         }
-        // The obscuration has its own pieces, in v times the obscuration ratio; a ring may overlap two of them.
+        // Pieces of the obscuration divide the radius eps v, with eps the obscuration ratio; a ring may overlap two of them.
         const auto at = [&](double x) { return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         const auto piece_at = [&](double x) { return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
@@ -196,7 +196,7 @@ class ZernikeField {
     }
 
    private:
-    // Piece of the obscuration at the position `at`, in units of pieces of the full disk.
+    // Index of the obscuration's piece at the radius `at`, in units of pieces of the full disk.
     std::size_t inner_piece(double at) const {
         return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(obscuration_ * at));
     }
@@ -205,7 +205,7 @@ class ZernikeField {
 
     double expand(const ZernikePhase& phase, double reach, double error, int threads, ZernikeSeries& series);
 
-    // A_m(v) and B_m(v): [order][re A, im A, re B, im B].
+    // Factors A_m, B_m of cos(m psi), sin(m psi) in U at the radius v: [order m][re A, im A, re B, im B].
     const std::vector<double>& all_orders(double v) const {
         thread_local std::vector<double> orders;
         orders.assign(4 * std::max(outer_.orders, inner_.orders), 0.0);
@@ -216,10 +216,10 @@ class ZernikeField {
         return orders;
     }
 
-    // Add weight x (A_m(v), B_m(v)) to orders[m].
+    // Add A_m(v), B_m(v) of one disk, times `weight`, to the four numbers of each order m in `orders`.
     static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders);
 
-    // Compute the coefficients of pieces: rows[piece][order kept][re A, im A, re B, im B][power, increasing].
+    // Compute polynomial coefficients of pieces: rows[piece][order kept][re A, im A, re B, im B][power, increasing].
     void combine_all(const ZernikeSeries& series, const Tables& tables, const std::vector<std::size_t>& pieces,
                      std::vector<Doubles>& rows, int threads) const;
 
@@ -269,7 +269,7 @@ LOMMEL_ONCE double ZernikeField::look(double v) const {
 
 LOMMEL_ONCE void ZernikeField::add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
     thread_local std::vector<double> bessel, transforms[2];
-    // J_{n+1}(v) is negligible for degrees far above v.
+    // J_{n+1}(v) is negligible for degrees n far above v.
     const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
     for (std::size_t parity = 0; parity < 2; ++parity) {
         transforms[parity].assign((series.degrees + 2) / 2, 0.0);

@@ -18,8 +18,8 @@
 
 namespace lommel {
 
-// Error bound of U in single precision: rounding of coefficients, of x (its powers have a slope of up to 7), of Horner's rule,
-// of cos(m psi) and sin(m psi) (m times that of psi), and of the sum.
+// Error bound of U in single precision: rounding of the coefficients, of x (whose powers have slopes up to 7), of Horner's rule, of
+// cos(m psi) and sin(m psi) (m times the rounding of psi), and of the sum over orders.
 inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
     double sum = 0.0;
     for (const double c : coefficients) {
@@ -30,20 +30,20 @@ inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients
     return 5.97e-8 * steps * sum;
 }
 
-// Pixels within one radial piece.
+// Pixels within one radial piece, and the accuracy of their values.
 struct ZernikePart : PaintedPart {
-    std::size_t piece, first, last;  // index of the piece; range of its groups of pixels
-    double allowed = 0.0;            // requested error of U
+    std::size_t piece, first, last;  // index of the piece; range of its groups of mirrored pixels
+    double allowed = 0.0;            // allowed error of U
     bool done = false;
     ZernikePart(std::size_t s, std::size_t from, std::size_t to) : piece(s), first(from), last(to) {}
 };
 
-// Image in progress: its pixels by radial pieces, and the accuracy of each piece.
-// An error e of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). The allowed error of each piece follows
-// from a preview at some points; its error bound follows from its computed values.
+// Image in progress: its pixels by radial pieces, each with its own accuracy. An error e of U matters less where the PSF is dark:
+// |I - I_exact| <= e (2 |U| + e). A preview at some radii decides the allowed error of a piece; the computed values give its error
+// bound.
 class ZernikeImage : public PaintedParts<ZernikePart> {
    public:
-    // Begin an image of these pixels at a pitch of `step` in v. Memory is reused from image to image.
+    // Begin an image of these pixels at a pitch of `step` in v. Memory is reused by the next image.
     void begin(std::shared_ptr<const MirroredPixels> pixels, double step, int threads) {
         pixels_ = std::move(pixels);
         step_ = step;
@@ -52,13 +52,13 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
 
     ZernikeField& field() { return field_; }
 
-    // Preview the brightness of the expanded pupil, and derive from the tolerance the allowed error of each piece.
+    // Preview the brightness of the expanded pupil, and derive the allowed error of each piece from the relative tolerance `tol`.
     void prepare(double tol) {
         const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));
         Looks seen{std::vector<double>(looks), std::vector<double>(looks)};
         parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
-            // Denser near the axis, where the image is brightest.
+            // Samples are denser near the axis, where the image is brightest.
             const double x = (static_cast<double>(i) + 0.5) / looks;
             seen.v[i] = near + (reach - near) * x * std::sqrt(x);
             seen.bright[i] = field_.look(seen.v[i]);
@@ -83,8 +83,8 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Reduce the allowed error of pieces whose error of I exceeds `most`; returns false if the error of the expansion prevents
-    // it.
+    // Reduce the allowed error of all pieces whose error of I exceeds `most`; return false if the expansion, too, must become more
+    // accurate.
     bool tighten(double most) {
         bool any = false;
         for (ZernikePart& part : parts_) {
@@ -100,18 +100,18 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         return any;
     }
 
-    // Compute the pending pieces and write I times `scale`.
+    // Compute the pieces that are not done, and write I times `scale` to their pixels.
     template <class T>
     void paint(double scale, T* image);
 
    private:
-    // Callback for I of the groups first .. first + here - 1; the values of the eight pixels of a group are `stride` apart.
+    // Callback that takes I of the groups first .. first + here - 1; the values of the eight pixels of a group are `stride` apart.
     template <class Real>
     using Put = Reference<void(std::size_t first, std::size_t here, std::size_t stride, const Real* values)>;
 
     static constexpr std::size_t looks = 32;
 
-    // First group beyond ring r - 1 of `rings` in piece s, between `least` and `most`.
+    // First group of pixels beyond ring r - 1 of the `rings` rings of piece s, limited to the range least .. most.
     std::size_t boundary(std::size_t s, std::size_t r, std::size_t rings, std::size_t least, std::size_t most) const {
         const double v = field_.width() * (static_cast<double>(s) + static_cast<double>(r) / static_cast<double>(rings));
         return std::clamp(pixels_->first_at(v / step_), least, most);
@@ -168,7 +168,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Pixels of groups [first, last), with the ring coordinate x = slope r + offset.
+    // Compute the pixels of groups [first, last) in one ring; x = slope r + offset is the position in the ring at the radius r.
     template <std::size_t Degree, std::size_t Unroll, class V, class Real>
     LOMMEL_INLINE void pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
                               const Real* coefficients, const Put<Real>& put) const {
@@ -181,7 +181,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
             alignas(64) double a[at_once], b[at_once];
             for (std::size_t i = 0; i < at_once; ++i) {
                 const MirroredPixels::Group group = pixels_->groups[g + std::min(i, here - 1)];
-                // At the axis any direction is valid.
+                // At the axis any direction is valid; a > 0 avoids 0 / 0.
                 a[i] = group.a == 0 ? 1e-150 : group.a;
                 b[i] = group.b;
             }
@@ -207,7 +207,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Write values times `scale` to the pixels of some groups; `top` becomes the maximum.
+    // Write values times `scale` to the pixels of groups first .. first + count - 1; raise `top` to their maximum.
     template <class Real, class T>
     void place(std::size_t first, std::size_t count, std::size_t stride, const Real* values, double scale, T* image,
                double& top) const {

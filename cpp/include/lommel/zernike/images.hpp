@@ -20,8 +20,8 @@ namespace lommel {
 template <class T>
 class ZernikeRenderer {
    public:
-    // For a stack after move_axes() and shrink(). Peaks receive the largest I, to which error bounds are relative: in the image
-    // or, unless values are divided by their maximum, also outside of it.
+    // Render a stack after move_axes() and shrink(). answer.peaks receives the largest I, to which error bounds are relative: the
+    // maximum of the image or, unless images are divided by their maximum, a larger value outside of it.
     ZernikeRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
         : stack_(stack), height_(window.height), width_(window.width), step_(window.step), tol_(tol), threads_(threads),
           answer_(answer), within_(stack.amplitude.scaled(stack.obscuration * stack.obscuration)), terms_(stack.terms) {}
@@ -48,7 +48,7 @@ class ZernikeRenderer {
     void render(std::size_t pupil, int threads) {
         const bool divide = answer_.scales[pupil] == 0.0;
         check_phase(phase(pupil).size());
-        // Tolerance minus the error of storing.
+        // Tolerance that remains after the rounding of stored values.
         const double rest = tol_ - (1.0 + tol_) * storing<T>(divide);
         if (rest <= 0.0) {
             throw ToleranceNotMet(storing<T>(divide));
@@ -73,7 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // If all pixels are dim compared with points between them, the first allowed error is too large.
+                // A repetition reduces the tolerance, too: it is too large if all pixels are dim compared with points between them.
                 image.prepare(tol * error / first);
                 expanded = false;
             }
@@ -104,8 +104,8 @@ class ZernikeRenderer {
         }
     }
 
-    // Compute the image and its peak by interpolation between circles, if the estimated time is less. Returns the error bound,
-    // which is above the tolerance if the method does not apply.
+    // Compute the image and its peak by interpolation between circles, if that is estimated to be faster. Returns the error bound,
+    // or 1e300 if the method does not apply or misses the tolerance.
     double between_circles(const ZernikeField& field, const Tiles& tiles, double tol, bool divide, const Painting& to,
                            double& peak) const {
         if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
@@ -116,7 +116,7 @@ class ZernikeRenderer {
                                              static_cast<double>(tiles.height * tiles.width));
         image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
-        // Widely spaced pixels may all miss the peak; then repeat with the error that their own maximum requires.
+        // Widely spaced pixels may all miss the peak; the second attempt has the error that the brightest pixel requires.
         double share = 1.0;
         for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);
@@ -130,7 +130,7 @@ class ZernikeRenderer {
         return 1e300;
     }
 
-    // Search for a larger value where rays arrive, as the window may miss the peak.
+    // Search 65 x 65 points across the geometrical blur for a larger peak, as the pixels of the window may miss it.
     template <class Expand>
     void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;
@@ -155,7 +155,7 @@ class ZernikeRenderer {
     double step_, tol_;
     int threads_;
     DiskAnswer<T> answer_;
-    Amplitude within_;  // amplitude on the obscuration
+    Amplitude within_;  // amplitude within the obscuration
     TermPairs terms_;
 };
 

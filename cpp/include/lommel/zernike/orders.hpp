@@ -13,16 +13,16 @@
 
 namespace lommel {
 
-// Evaluation of a piece: orders in use, and number of rings (0: the piece is not divided).
+// Plan for the evaluation of a piece: orders in use, and number of rings (0: the piece is not divided).
 struct PiecePlan {
     ActiveOrders orders;
-    std::vector<std::size_t> rows;  // index of the coefficients of each order
+    std::vector<std::size_t> rows;  // [order in use]: index of its coefficients in the piece
     std::size_t rings = 1;
     double error = 0.0;  // bound on the error of U
 };
 
-// Bound on what an order adds to U: from |2 (n+1) J_{n+1}(v) / v| <= 1 (near) and |J_n(v)| < 0.7858 v^(-1/3) (far; Landau
-// 2000).
+// Bound on the contribution of an azimuthal order to U. near: valid at all radii v, from |2 (n+1) J_{n+1}(v) / v| <= 1; far: factor
+// of the bound that falls with v, from |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
 struct OrderSize {
     double near = 0.0, far = 0.0;
     static double fall(double v) { return v > 0.0 ? 1.572 / (v * std::cbrt(v)) : 1e200; }
@@ -30,8 +30,8 @@ struct OrderSize {
     double at(double v) const { return fallen(fall(v)); }
 };
 
-// Add the bounds of the cosines and sines of each order to sizes[2 m + sine], for a disk of relative radius `shrunk` whose
-// field has the factor `weight`. The far bound is for `shrunk` times v.
+// Add the bounds of the cosine and sine of each order m to sizes[2 m + sine]. weight: factor of the disk's field; shrunk: radius of
+// the disk relative to the full disk, so that its field depends on shrunk * v.
 inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
     const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
     for (std::size_t m = 0; m < series.orders; ++m) {
@@ -43,10 +43,10 @@ inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk,
     }
 }
 
-// Bounds of the azimuthal orders of a pupil, and the orders in use.
+// Bounds on the azimuthal orders of a pupil, and the orders that are kept for an image.
 class PupilOrders {
    public:
-    // Bounds of all orders of a pupil, sums over both disks.
+    // Compute the bounds on all orders of a pupil, as sums over full disk and obscuration.
     void measure(const ZernikeSeries& outer, const ZernikeSeries& inner, double obscuration) {
         sizes_.assign(2 * std::max(outer.orders, inner.orders), OrderSize());
         add_sizes(outer, 1.0, 1.0, sizes_);
@@ -55,7 +55,7 @@ class PupilOrders {
         }
     }
 
-    // Omit the least important orders as long as their bounds sum to at most `error`; return that sum.
+    // Keep all orders but the least important, whose bounds sum to at most `error`; return that sum.
     double keep(double error) {
         std::vector<std::size_t> rising(sizes_.size() / 2);
         const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
@@ -72,7 +72,8 @@ class PupilOrders {
         return left;
     }
 
-    // Select the orders in use up to the highest that matters from v on, with all sines or none; return a bound on the rest.
+    // Select the kept orders up to the highest that matters at radii from v on, with the sines of all or of none; return a bound on
+    // the omitted orders and sines.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {
@@ -101,11 +102,11 @@ class PupilOrders {
         return left;
     }
 
-    // Orders in use, sorted by m modulo 4.
+    // Orders kept, sorted by m modulo 4, then by m.
     const std::vector<std::size_t>& kept() const { return kept_; }
 
    private:
-    std::vector<OrderSize> sizes_;  // [2 m + sine]
+    std::vector<OrderSize> sizes_;  // [2 m + (1 for the sine of order m)]
     std::vector<std::size_t> kept_;
 };
 

@@ -12,16 +12,16 @@
 
 namespace lommel {
 
-constexpr std::size_t ring_degree = 8;  // coefficients on a ring
+constexpr std::size_t ring_degree = 8;  // number of polynomial coefficients on a ring
 
-// Error bound of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, like piece_error().
+// Error bound of interpolation at 8 Chebyshev points of a ring of this width in v, relative to sup |U|; see piece_error().
 inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
-// Width of a ring with this error bound.
+// Largest width of a ring, in v, for which ring_error() is at most `error`.
 inline double ring_width(double error) { return 4.0 * std::pow(20160.0 * error, 1.0 / ring_degree); }
 
-// Conversion of values at the 8 Chebyshev points to monomial coefficients, in double precision.
+// Matrix from values at the 8 Chebyshev points to monomial coefficients, in double precision.
 struct RingMatrix {
-    double at[ring_degree][ring_degree];  // [power][point]
+    double at[ring_degree][ring_degree];  // [power][Chebyshev point]
 
     RingMatrix() {
         const ChebyshevToMonomials<ring_degree> convert;
@@ -45,8 +45,8 @@ inline void fill_powers(double x, double* powers) {
     }
 }
 
-// Matrix onto[power][coefficient, highest first] from the 16 coefficients of a piece to those of the interpolant at 8 points of
-// a ring.
+// Matrix onto[power in the piece][power in the ring, highest first]: from the 16 coefficients of a piece to the 8 coefficients of
+// its interpolant at 8 points of a ring. powers_at(x, powers): powers of the piece's coordinate at the ring's coordinate x.
 template <class Powers>
 void resample(double* onto, const Powers& powers_at) {
     std::fill(onto, onto + degree_count * ring_degree, 0.0);
@@ -62,7 +62,7 @@ void resample(double* onto, const Powers& powers_at) {
     }
 }
 
-// Resampled coefficients of rows of a piece times `weight`, written to out[row][part][power], or with Add added to it.
+// Map the coefficients of some rows of a piece by the matrix `onto` to out[row][part][power]; with Add, add `weight` times them.
 template <bool Add, class I>
 LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
                                  std::size_t parts, double weight, double* out) {

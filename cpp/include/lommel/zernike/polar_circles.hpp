@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, field on circles: sums over degrees, then Fourier transforms over azimuthal orders (certificate, 11).
+// Polar non-uniform FFT, field on circles: sums over degrees, then FFTs over azimuthal orders (docs/certificate.md, section 11).
 #pragma once
 
 #include <algorithm>
@@ -19,19 +19,19 @@
 
 namespace lommel {
 
-// Equal angles around a circle, with the kernel of the interpolation between them.
+// Equally spaced angles around a circle, with the kernel that interpolates between them.
 struct PolarCircle : GriddingTaps {
     RowFft<float> single;
     RowFft<double> exact;
-    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on aliases
+    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on aliases, relative to the order
 
     PolarCircle(std::size_t points, std::size_t taps);
 
-    // Smallest number of points for which an eighth of a turn exceeds half the width of the kernel.
+    // Smallest number of angles for which an eighth of a turn is longer than half the kernel.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
-    // Largest factor of the gains on errors of all orders below `orders`: by Cauchy's inequality the rms gain over every other
-    // order from the highest down, which are the orders of one degree. Orders m > 0 count twice, for both signs.
+    // Factor by which the gains magnify errors of the orders below `orders`: by Cauchy's inequality, the rms gain over every other
+    // order from the highest down, as one degree has no others. Orders m > 0 count twice, for m and -m.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -60,8 +60,8 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 }
 #endif
 
-// One disk: coefficients [order][n][re cos, im cos, re sin, im sin] times the weight of the disk; transforms at sixteen
-// distances per block, table[block][n][distance], of which only the first reached[block] degrees matter.
+// One disk. parts: coefficients [order][n][re cos, im cos, re sin, im sin] times the weight of the disk; table: transforms
+// [block][n][radius] at sixteen radii per block, of which only the first reached[block] degrees matter.
 struct PolarDisk {
     const ZernikeSeries* series;
     const double* parts;
@@ -71,7 +71,7 @@ struct PolarDisk {
     const std::size_t* reached;
 };
 
-// Store a vector with conversion to another precision.
+// Store a vector at `to`, converted to the precision of `to`.
 template <std::size_t Lanes, class V, class To>
 LOMMEL_INLINE void convert(V from, To* to) {
     if constexpr (sizeof(V) == Lanes * sizeof(To)) {
@@ -83,19 +83,19 @@ LOMMEL_INLINE void convert(V from, To* to) {
     }
 }
 
-// Spectra over azimuthal orders of sixteen circles, in two groups of eight.
+// Spectra over azimuthal orders of sixteen circles, in two groups of eight; `other` is the workspace of the FFT.
 template <class Fft>
 struct PolarSpectra {
     Aligned<Fft> spectrum[2], other;
 
-    // Sum over degrees, in the precision `Sum`, to A_m and B_m; write c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2,
-    // times gains[m], for transforms of length n. For each vector of circles from `at` on, call seen(m, at, size) with upper
-    // bounds on |c_m| + |c_{-m}|.
+    // Sum over degrees in the precision `Sum`, which gives A_m and B_m of U = sum over m of A_m cos(m psi) + B_m sin(m psi). Write
+    // c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2, times gains[m], for FFTs of length n. For each vector of circles,
+    // starting at `at`, call seen(m, at, size) with size >= |c_m| + |c_{-m}|.
     template <class Sum, class I, class Seen>
     LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
         using V = typename RowPack<I, Sum>::type;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // vectors at once, whose sums fit in registers
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // vectors whose sums fit in registers
         for (auto& numbers : spectrum) {
             numbers.resize(n * fft_element);
             const auto clear = [&](std::size_t from, std::size_t to) {
@@ -174,10 +174,10 @@ struct PolarSpectra {
         convert<lanes>(im, to + fft_rows);
     }
 
-    std::vector<Aligned<float>> rounded_;  // table of a block, in single precision
+    std::vector<Aligned<float>> rounded_;  // [disk]: table of one block in single precision
 };
 
-// Block of four numbers; turn(): 4 x 4 transpose.
+// Quad: four numbers stored as a block; turn(): 4 x 4 transpose, out[i].at[k] = from[k][first + i].
 template <class Real>
 struct Quad {
     Real at[4];
@@ -202,21 +202,21 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 }
 #endif
 
-// Error contributions of interpolation around a circle, and magnitudes of its values.
+// Error contributions of one circle to U, and moduli of its values.
 struct PolarRowError {
-    double sums = 0.0;     // rounding before the transforms
-    double around = 0.0;   // aliases of the orders
-    double sum = 0.0;      // sum over orders of the moduli before the transform
-    double largest = 0.0;  // largest |re| or |im|
+    double sums = 0.0;     // rounding of the sums over degrees
+    double around = 0.0;   // aliases of the orders, from interpolation around the circle
+    double sum = 0.0;      // sum over orders of the moduli before the FFT
+    double largest = 0.0;  // largest |re U| or |im U| on the circle
 };
 
-// Field on circles, [circle][angle][re, im][eight directions], for angles from -w/2 steps to an eighth of a turn plus w/2
-// steps, w the width of the kernel. Directions differ in the signs and the order of |x|, |y|: psi + k pi/2, k = 0..3, then
-// (k+1) pi/2 - psi.
+// Field on circles, [circle][angle][re, im][direction]. Angles psi run from -w/2 steps to an eighth of a turn plus w/2 steps, with
+// w the number of taps of the kernel. Eight mirrored directions belong to each angle: psi + k pi/2, k = 0..3, then (k+1) pi/2 -
+// psi.
 template <class Real>
 class PolarRows {
    public:
-    static constexpr std::size_t directions = 16;  // values per angle
+    static constexpr std::size_t directions = 16;  // numbers per angle: re and im of eight directions
 
     void resize(const PolarCircle& circle, std::size_t count) {
         margin_ = circle.kernel.w / 2;
@@ -225,16 +225,16 @@ class PolarRows {
     }
 
     std::size_t stride() const { return angles_ * directions; }
-    // Values of circle i; angle 0 is margin() steps from the start.
+    // margin(): number of steps from the start of row(i), the values of circle i, to the angle 0.
     std::size_t margin() const { return margin_; }
     const Real* row(std::size_t i) const { return &values_[i * stride()]; }
 
-    // Transform circles 16 block .. 16 block + 15 of the tables into rows from `first` on, with orders below `orders` (at most
-    // a quarter of the points). errors: contributions of each circle.
+    // Compute circles 16 block .. 16 block + 15 of the tables into rows from `first` on, with the orders below `orders` (at most a
+    // quarter of the number of angles). errors: error contributions of each circle.
     template <class Sum, class I, class Fft>
     LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
                             std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
-        // Factor for the rounding of these sums of moduli.
+        // Factor that covers the rounding of the sums of moduli.
         const double more = 1.0 + 2.0 * roundoff<Sum> * static_cast<double>(orders + 8);
         alignas(64) Sum around[PolarTable::block] = {}, sum[PolarTable::block] = {};
         spectra.template combine<Sum>(isa, circle.points(), circle.gains.data(), disks, block, orders,
@@ -257,7 +257,7 @@ class PolarRows {
     }
 
    private:
-    // Last pass of the transform, with values stored in the layout of the directions.
+    // Last pass of the FFT: store the values in the layout [angle][re, im][direction], and set errors[circle].largest.
     template <class I, class Fft>
     LOMMEL_INLINE void scatter(I, const RowFft<Fft>& fft, const Fft* from, Real* to, PolarRowError* errors) const {
         using V = typename RowPack<I, Fft>::type;
@@ -267,7 +267,7 @@ class PolarRows {
         for (V& most : largest) {
             most = splat<V>(Fft(0));
         }
-        // U at psi_q + k pi/2 is also U at (k+1) pi/2 - psi_{quarter - q}.
+        // U at the angle psi_q + k pi/2 is also the value of the direction (k+1) pi/2 - psi at the angle psi_{quarter - q}.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {
@@ -307,7 +307,7 @@ class PolarRows {
         for (std::size_t q = eighth + margin_ + 1; q < quarter; ++q) {
             place(q, false, true);
         }
-        // Beyond either end the directions are permuted: psi_{-i} + k pi/2 = k pi/2 - psi_i.
+        // At the angles psi_{-i} before 0 the directions are permuted: psi_{-i} + k pi/2 = k pi/2 - psi_i.
         for (std::size_t row = 0; row < fft_rows; ++row) {
             Real* start = to + row * stride() + margin_ * directions;
             for (std::size_t i = 0; i <= margin_; ++i) {

@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, image: interpolation between circles, tile by tile, each with its error bound.
+// Polar non-uniform FFT, image: interpolation between circles, tile by tile, with an error bound for each tile.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace lommel {
 
-// Interpolation is tried if its estimated time is below this share of that of the series. Changed by tests only; 0: never.
+// Ratio of estimated times, interpolation to series, below which interpolation is tried. Changed by tests only; 0: never.
 inline double& interpolation_worth() {
     static double share = 1.0;
     return share;
@@ -27,21 +27,21 @@ inline double& interpolation_worth() {
 
 class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
    public:
-    // Return whether this is estimated to be faster than a sum over orders for each pixel, with tables of acceptable size. Unit
-    // of time: one order of one pixel. A pixel costs a fixed number of these, a circle costs one transform; both methods need
-    // the sums over degrees at steps of v.
+    // Return whether interpolation is estimated to be faster than a sum over orders at each pixel, with tables of acceptable size.
+    // Unit of time: one order at one pixel. Interpolation takes a fixed time per pixel and an FFT per circle; both methods need the
+    // sums over degrees at equal steps of v.
     static bool pays(const ZernikeField& field, const Tiles& tiles) {
         return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
                     static_cast<double>(tiles.height * tiles.width), field.obscured());
     }
-    // With an obscuration, the sum over orders has both disks on every ring.
+    // With an obscuration, the sum over orders interpolates both disks on every ring (factor 1.3).
     static bool pays(double reach, double orders, double degrees, double pixels, bool obscured) {
         const double sums = (obscured ? 1.3 : 1.0) * orders * pixels;
         return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * sums;
     }
     static double work(double reach, double orders, double pixels) { return 28.0 * pixels + 6.0 * orders * reach; }
 
-    // Begin an image of these pixels at a pitch of `step` in v. Memory is reused from image to image.
+    // Begin an image of these pixels at a pitch of `step` in v. Memory is reused by the next image.
     void begin(const Tiles& tiles, double step, int threads) {
         tiles_ = &tiles;
         list_ = tiles.all();
@@ -49,7 +49,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         threads_ = threads;
     }
 
-    // Compute the circles for an error of I of `tol` times the peak; returns false if that is unlikely to be met.
+    // Compute the circles for an error of I of at most `tol` times the peak; return false if they are unlikely to meet it.
     bool prepare(const PolarPupil& pupil, double tol) {
         if (!zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol, threads_)) {
             return false;
@@ -58,18 +58,18 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         return true;
     }
 
-    // Compute the image, I times `scale`.
+    // Compute I times `scale` at all pixels of the image.
     template <class T>
     void paint(double scale, T* image);
 
    private:
-    // Callback for the pixels of a line, values[pixel][direction].
+    // Callback that takes the intensities of the pixels of a line, values[pixel][direction].
     template <class Real>
     using Made = Reference<void(const Tiles::Line& line, const Real (*values)[Tiles::directions])>;
 
     void tile(std::size_t i, double scale, const Made<float>& singles, const Made<double>& doubles);
 
-    // Taps of a kernel at x, in vectors of taps.
+    // Weights of a kernel's taps, polynomials of the position x, for one vector of taps at a time.
     template <class V, class Real>
     static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -80,7 +80,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         }
     }
 
-    // Taps of two kernels of four taps each, at one position each.
+    // Weights of two kernels of four taps each: of the first at the position `first`, of the second at `second`.
     template <class V>
     static LOMMEL_INLINE void taps(const PairedTaps& polynomials, float first, float second, float* out) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(float);
@@ -95,7 +95,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         }
     }
 
-    // Number of circles of a pixel that are summed together: the largest divisor whose sums fit in registers.
+    // Number of circles that are summed together: the largest divisor of `of` up to `most`, the number whose sums fit in registers.
     static constexpr std::size_t largest_divisor(std::size_t of, std::size_t most) {
         while (of % most != 0) {
             --most;
@@ -103,7 +103,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         return most;
     }
 
-    // Compute the pixels of a tile on the given lines, in one zone.
+    // Compute the pixels of a tile in one zone, on the given lines, by Between taps between circles and Around taps around them.
     template <std::size_t Between, std::size_t Around, class Real, bool Rough = false, class I>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
                               double scale, const Made<Real>& made, PaintedPart& part) const {
@@ -113,12 +113,12 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
-        // Precision of positions.
+        // Where: precision of positions, single in rough styles.
         using Where = std::conditional_t<Rough, float, double>;
         using W = std::conditional_t<Rough, Narrow, D>;
         const Where per_row = static_cast<Where>(step_ / zone.style->step()),
                     per_angle = static_cast<Where>(static_cast<double>(zone.circle->points()) / 6.283185307179586477);
-        // Positions of the first tap.
+        // Shifts from the position of a pixel to its first tap, in circles and in angles.
         const Where row_shift = static_cast<Where>(static_cast<double>(PolarTable::before) -
                                                    static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between),
                     angle_shift = static_cast<Where>(static_cast<double>(rows.margin()) - 0.5 * Around);
@@ -132,13 +132,13 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
             const std::size_t here = static_cast<std::size_t>(line.count);
             alignas(64) Where x[2][at_once];
             alignas(64) std::conditional_t<Rough, std::int32_t, std::int64_t> place[2][at_once];
-            // The taps between circles, then those around circles.
+            // weights[pixel]: the taps between circles, then the taps around circles.
             constexpr bool paired = Between == 4;
             constexpr std::size_t most = paired ? PairedTaps::taps / 2 : Taps<Real>::taps;
             alignas(64) Real weights[at_once][2 * most], values[at_once][Tiles::directions];
             constexpr std::size_t wide = sizeof(W) / sizeof(Where);
             for (std::size_t i = 0; i < here; i += wide) {
-                // Positions beyond the end of the line are computed but not used.
+                // Positions beyond the end of the line only fill up the vector.
                 const W across = splat<W>(static_cast<Where>(line.a)),
                         along = splat<W>(static_cast<Where>(line.b + static_cast<std::int64_t>(i))) + load<W>(counting<Where>),
                         square = across * across + along * along;
@@ -156,7 +156,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
                 if constexpr (paired) {
                     taps<Narrow>(zone.both, x[0][i], x[1][i], weights[i]);
                 } else if (!Rough && std::is_same_v<Real, float> && zone.style->exact) {
-                    // Double-precision taps, rounded once.
+                    // Weights in double precision, rounded once to single precision.
                     alignas(64) double exact[2][DoubleTaps::taps];
                     taps<D>(zone.kernels->outer().doubles, static_cast<double>(x[0][i]), exact[0], most);
                     taps<D>(zone.circle->doubles, static_cast<double>(x[1][i]), exact[1], most);
@@ -234,11 +234,11 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
     template <class Real>
     static constexpr Real counting[] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-    // Split x into the next integer (place) and 2 t - 1, t in [0, 1] the distance from the integer below.
+    // Split each x into the next larger integer (place) and 2 t - 1 (rest), with t in [0, 1] the distance from the integer below.
     template <class V, class Real, class Place>
     static LOMMEL_INLINE void split(V x, Real* rest, Place* place) {
         static_assert(sizeof(Place) == sizeof(Real));
-        // As in sincos(): adding this constant puts the nearest integer into the lowest bits.
+        // Adding `number`, 1.5 times 2^52 or 2^23, puts the nearest integer into the lowest bits, as in sincos().
         constexpr Real number = sizeof(Real) == 8 ? Real(6755399441055744.0) : Real(12582912.0);
         constexpr Place bits = sizeof(Real) == 8 ? static_cast<Place>(0x4338000000000000) : static_cast<Place>(0x4B400000);
         const V magic = splat<V>(number), shifted = (x + splat<V>(Real(0.5))) + magic, next = shifted - magic;
@@ -249,7 +249,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         }
     }
 
-    // Coefficients of the power series of atan(x), highest first; single precision uses those from 1/17 on.
+    // Moduli of the coefficients of the power series of atan(x), highest power first; single precision starts at 1/17.
     template <class Real>
     static constexpr Real odd_shares[] = {Real(1.0 / 37.0), Real(1.0 / 35.0), Real(1.0 / 33.0), Real(1.0 / 31.0),
                                           Real(1.0 / 29.0), Real(1.0 / 27.0), Real(1.0 / 25.0), Real(1.0 / 23.0),

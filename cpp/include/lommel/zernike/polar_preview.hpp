@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, preview: coarse samples of the field, for its brightness and for the orders that matter.
+// Polar non-uniform FFT, preview: coarse samples of the field, for its brightness and for the moduli of its azimuthal orders.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Intensity at some distances, and moduli of the azimuthal orders there.
+// Preview of an image: largest intensity at some radii, and moduli of the azimuthal orders at these radii.
 class PolarLooks : public Looks {
    public:
     static constexpr std::size_t block = LookTable::block;
@@ -48,14 +48,14 @@ class PolarLooks : public Looks {
         for (std::size_t i = 0; i < bright.size(); ++i) {
             v.push_back(LookTable::at(i));
         }
-        // Drop distances far beyond the window, which only fill up a block.
+        // Drop radii far beyond the window, which only fill up the last block.
         while (v.size() > 2 && v[v.size() - 2] > reach) {
             v.pop_back();
         }
         bright.resize(v.size());
     }
 
-    // Estimated error contributions of circles at the distances of block b.
+    // Estimated error contributions of circles at the radii of block b.
     void rows(std::size_t b, const PolarKernels& kernels, const PolarCircle& circle, PolarRowError* out) const {
         for (std::size_t i = 0; i < block; ++i) {
             out[i] = PolarRowError();
@@ -69,8 +69,7 @@ class PolarLooks : public Looks {
             }
         }
         for (std::size_t i = 0; i < block; ++i) {
-            // The tables are divided by the transform of the kernel, which enlarges values on circles, most at the edge of the
-            // spectrum.
+            // Values on circles are divided by the transform of the kernel, which magnifies them by at most `largest`.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
             const double largest = kernels.outer().largest;
             out[i] = {0.0, largest * out[i].around, largest * out[i].sum, 1.2 * largest * circle.gains[0] * std::sqrt(i_here)};
@@ -78,7 +77,7 @@ class PolarLooks : public Looks {
     }
 
    private:
-    // Last pass of a transform, at the ends of two quadrants.
+    // Last pass of an FFT over angles: out[circle] = largest |U|^2 on each of eight circles.
     template <class I>
     static LOMMEL_INLINE void last_pass(I, const RowFft<float>& fft, const float* from, double* out) {
         using V = typename RowPack<I, float>::type;
@@ -99,10 +98,10 @@ class PolarLooks : public Looks {
     }
 
     std::size_t blocks_;
-    Aligned<float> sizes_;  // [block][order][look]
+    Aligned<float> sizes_;  // [block][order][radius]: upper bound on the modulus
 };
 
-// Bounds on what the azimuthal orders from each order on add to U.
+// Bounds on the contribution to U of all azimuthal orders from m on, for each m.
 class PolarOrders {
    public:
     explicit PolarOrders(const PolarPupil& pupil) : tails_(pupil.orders() + 1) {
@@ -116,11 +115,11 @@ class PolarOrders {
         }
     }
 
-    // Bound at distances of at least v, including aliases between circles, at most `aliases` times the values.
+    // Bound on the orders omitted from `orders` on, at radii of at least v; aliases: bound on aliases between circles over values.
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
-    // Smallest number of orders with a remainder of at most `error`.
+    // Smallest number of orders for which the omitted orders add at most `error`.
     std::size_t least(double error, double v, double aliases) const {
         const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;

@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, pupil: parameters of the interpolation between circles, and the error bound of U (certificate, 11).
+// Polar non-uniform FFT, pupil: styles of interpolation between circles, and error bound of U (docs/certificate.md, section 11).
 #pragma once
 
 #include <algorithm>
@@ -14,20 +14,20 @@
 
 namespace lommel {
 
-// Interpolation style: oversampling (circles are pi / oversampling apart in v), number of taps between circles and around them;
-// `doubles`: pixels are summed in double precision; `exact`: circles are transformed in it; `rough`: positions are computed and
-// degrees summed in single precision.
+// Style of interpolation. oversampling: circles are pi / oversampling apart in v; between, around: number of taps between circles
+// and around them; doubles: pixels are summed in double precision; exact: FFTs in double precision; rough: positions and sums over
+// degrees in single precision.
 struct PolarStyle {
     double oversampling;
     std::size_t between, around;
     bool doubles, exact, rough = false;
 
     double step() const { return pi / oversampling; }
-    // Four taps between circles: the style uses PairedTaps.
+    // Styles with four taps between circles use PairedTaps.
     bool paired() const { return between == 4; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
-// Styles from the most accurate to the cheapest.
+// Styles {oversampling, between, around, doubles, exact, rough}, from the most accurate to the cheapest.
 inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true, true},
                                                              {2.0, 12, 12, true, true},
                                                              {3.0, 10, 10, true, true},
@@ -47,16 +47,16 @@ inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true,
 struct PolarPupil {
     struct Disk {
         const ZernikeSeries* series;
-        double shrunk, weight;  // relative radius; factor of the field
-        Doubles parts;          // layout of PolarDisk::parts
+        double shrunk, weight;  // radius relative to the full disk; factor of the field
+        Doubles parts;          // coefficients times `weight`, as in PolarDisk::parts
         Aligned<float> singles;
     };
     std::vector<Disk> disks;
-    double base;  // error of U from the expansion and from rounding of positions
+    double base;  // error bound of U from the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // Positions between circles have an error below 12 units of v, those around them below 24 units of the angle; |U'| <
-        // 1/2 along any line.
+        // Rounding of positions: below 12 units of v between circles, below 24 units of the angle around them; |U'| < 1/2 along any
+        // line.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
@@ -85,14 +85,14 @@ struct PolarPupil {
 // Kernels between circles for both disks in one style, and their contributions to the error of U.
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
-    double aliasing = 0.0;  // error from aliases
-    double growth = 0.0;    // relative growth of the expansion error
+    double aliasing = 0.0;  // bound on the error of U from aliases
+    double growth = 0.0;    // largest ratio of aliases to values
 
     PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // The mean square of g is at most 1 before truncation; `growth` accounts for the error of truncation.
+            // Aliases assume chord means of the pupil function with mean square <= 1; `growth` covers the error of its truncation.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -100,20 +100,20 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding of sums over degrees and of tables, for A_m or B_m of all orders together. Cosines and sines, each by Cauchy's
-// inequality: a chain over every other degree, the degrees omitted by the table, and `each`, the rounding of its (n+1) F_n.
-// Single precision rounds both factors.
+// Rounding error of the factors A_m, B_m of all orders, for cosines and sines separately by Cauchy's inequality: a chain of sums
+// over every other degree, the degrees that the table omits, and `each`, the rounding of the table's (n+1) F_n. In single precision
+// both factors of a product are rounded.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
     return 2.0 * std::abs(disk.weight) * (chain + PolarTable::rounding(each, degrees) + PolarTable::left_out);
 }
 
-// Tables of the disks, with enough blocks for the image.
+// Tables of the transforms for both disks, with `blocks` blocks of sixteen circles.
 struct PolarTables {
     std::vector<std::shared_ptr<const PolarTable>> tables;
     std::vector<PolarDisk> disks;
-    std::vector<double> errors;  // [block]: error of U from rounding before the transform
+    std::vector<double> errors;  // [block]: error of U from rounding before the FFT
 
     PolarTables(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, std::size_t blocks)
         : errors(blocks, 0.0) {
@@ -131,26 +131,26 @@ struct PolarTables {
     }
 };
 
-// Error bound of U up to v by interpolation between circles with `orders` orders, from the error contributions `rows`; `left`:
-// bound on the omitted orders.
+// Error bound of U at pixels that use the circle of radius v, interpolated from `orders` orders. rows: error contributions of the
+// circle; left: bound on the omitted orders.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
     const double weights = kernel.weight * circle.weight,
-                 // Transform, and two roundings before it.
+                 // Rounding of the FFT, and two roundings before it.
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
-    // Exact circles use double-precision taps, rounded once.
+    // Error of a kernel's taps. Exact styles use double-precision taps, rounded once.
     const auto off = [&](const GriddingTaps& taps) {
         return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
-    // Rounding: storing the circles, a product, a chain of sums for each kernel, and four of I, which count half in U.
+    // Rounding: storing the circles, a product, a chain of sums for each kernel, and four roundings of I, which count half in U.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
-    // Rounding of positions in single precision.
+    // Rounding of single-precision positions in rough styles.
     const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);
-    // A complex number is at most sqrt(2) times the larger of |re|, |im|.
+    // A complex number is at most sqrt(2) < 1.42 times the larger of |re|, |im|.
     return (base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
            weights * (circle.growth(orders) * rows.sums + transform * rows.sum) +
            1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernel.weight) * rows.largest;

@@ -1,7 +1,5 @@
-// Polar non-uniform FFT, table: the transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v
-// (docs/certificate.md, section 11).
-//
-// The table depends only on the step and the kernel, so all pupils, wavelengths and pixels share it.
+// Polar non-uniform FFT, table: transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v (docs/certificate.md,
+// section 11). It depends only on the step and the kernel, so all pupils, wavelengths and pixel sizes share it.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +17,12 @@
 
 namespace lommel {
 
-// Kernel between circles `step` apart in v: taps, and bound on its aliases.
+// Kernel of the interpolation between circles `step` apart in v: weights of taps, and error bounds.
 struct PolarKernel : GriddingTaps {
     double step;
-    double aliases;  // bound on what aliases add to U
-    double largest;  // largest 1 / transform
-    double shares;   // mean of 2 sin(a) / transform(step cos(a))
+    double aliases;  // bound on the contribution of aliases to U
+    double largest;  // largest 1 / (transform of the kernel)
+    double shares;   // mean over the angle a of 2 sin(a) / transform(step cos(a))
 
     PolarKernel(double circle_step, std::size_t taps, double beta)
         : GriddingTaps({taps, beta}), step(circle_step), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)),
@@ -43,11 +41,12 @@ struct PolarKernel : GriddingTaps {
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
 };
 
-// F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, C = cos for even and sin for odd n, t the
-// transform of the kernel phi: but for aliases, sum_j phi(v/h - j) F_n(j) is the result of zernike_transforms().
+// Table of F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, with h the step in v, t the transform
+// of the kernel phi, C = cos for even n, sin for odd n. Except for aliases, zernike_transforms() at v are sum_j phi(v/h - j)
+// F_n(j).
 //
-// Layout [block][n][distance] with sixteen distances per block, from j = -16 on. A block depends only on its position and on
-// grade(degrees), so images do not depend on the contents of the cache.
+// Layout [block][n][j], sixteen j per block from j = -16 on. A block depends only on its index and on grade(degrees), so images do
+// not depend on the contents of the cache.
 struct PolarTable {
     static constexpr std::size_t block = 16, before = 16;
 
@@ -55,10 +54,10 @@ struct PolarTable {
     GriddingKernel kernel;
     std::size_t blocks, degrees;
     Doubles values;
-    std::vector<std::size_t> reached;  // [block]: number of degrees in use; the others add less than left_out
+    std::vector<std::size_t> reached;  // [block]: number of degrees in use; omitted degrees add less than left_out
     std::vector<double> roundings;     // [block]: bound on the rounding of (n+1) F_n
 
-    // Bound on what the degrees omitted in a block add to U, for any pupil.
+    // Bound on the contribution to U of the degrees that a block omits, for any pupil.
     static constexpr double left_out = 1e-13;
 
     PolarTable(double circle_step, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
@@ -74,7 +73,7 @@ struct PolarTable {
         }
     }
 
-    // Next power of two, or 3/2 of one.
+    // Number of degrees rounded up to a power of two, or to 3/2 of one.
     static std::size_t grade(std::size_t degrees) {
         std::size_t made = 32;
         while (made < degrees) {
@@ -83,12 +82,12 @@ struct PolarTable {
         return made;
     }
 
-    // Bound on the rounding of (n+1) F_n; `shares`: sum of the weights of the nodes. Each node adds one unit. Sines of angles
-    // have an error of 3 units, which arguments of up to v multiply by v; two more units times v are the rounding of v and of
-    // the product. 170 covers the transform of the kernel, the sines of arguments, and the rest.
+    // Bound on the rounding of (n+1) F_n at radii up to v; shares: sum of the weights of the nodes. In units of roundoff: one per
+    // node; 3 v from the sines of the nodes' angles; 2 v from rounding of v and of the argument; 170 from the transform of the
+    // kernel, the sines of arguments and the products.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
-    // Error of U from the rounding of `count` degrees: by Cauchy, as sum |beta|^2 / (n+1) is at most 1.
+    // Error of U if `count` degrees have the error `each`: by Cauchy, as the Zernike coefficients have sum |beta_n|^2 / (n+1) <= 1.
     static double rounding(double each, double count) { return each * std::sqrt(count); }
 
     bool is(double circle_step, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
@@ -101,10 +100,10 @@ struct PolarTable {
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
 
-    // Degrees needed in a block, and N / 2 for the midpoint rule of N points in a. On the strip |Im a| <= b the integrand
-    // without its leading factors is at most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), since t, whose zeros are real,
-    // is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the error of the
-    // rule is at most twice the integrand over exp(2 N b) - 1.
+    // degrees: number needed in a block; half: N / 2 for the midpoint rule of N points in a. On the strip |Im a| <= b the integrand
+    // of F_n without 2 / (pi (n+1)) is at most M = cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b): t has only real zeros, so it
+    // is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the rule has an error
+    // of at most 2 M / (exp(2 N b) - 1).
     struct Rule {
         std::size_t degrees, half;
 
@@ -130,8 +129,7 @@ struct PolarTable {
         }
     };
 
-    // Sine of i / turn turns, `turn` a multiple of 8. The error is below 3 units, as the angle is reduced to an eighth of a
-    // turn.
+    // Sine of 2 pi i / turn, `turn` a multiple of 8. Reduction to an eighth of a turn keeps the error below 3 units of roundoff.
     static double sine(std::size_t i, std::size_t turn) {
         const std::size_t quarter = turn / 4, part = i % quarter, least = std::min(part, quarter - part);
         const double angle = 6.283185307179586477 * static_cast<double>(least) / static_cast<double>(turn);
@@ -139,13 +137,13 @@ struct PolarTable {
         return i / quarter < 2 ? size : -size;
     }
 
-    // Fill a block; returns the sum of the weights of the nodes.
+    // Fill block b; return the sum of the weights of the nodes.
     template <class I>
     LOMMEL_INLINE double fill(I isa, std::size_t b, const Rule& rule) {
         using V = typename I::pack;
         constexpr std::size_t packs = block / I::lanes, together = 2;
         const std::size_t nodes = rule.half, count = rule.degrees;
-        const std::size_t turn = 8 * nodes;  // unit: half the angle between nodes, a_k = (2k + 1) units
+        const std::size_t turn = 8 * nodes;  // unit of angles: half the distance between nodes, a_k = (2k + 1) units
         std::vector<double> sines(turn);
         for (std::size_t i = 0; i < turn; ++i) {
             sines[i] = sine(i, turn);
@@ -203,7 +201,7 @@ struct PolarTable {
     }
 };
 
-// Exact transforms at `shrunk` times the sampling distances 40 sinh(k/18), for the preview of the brightness.
+// Exact transforms at the radii 40 sinh(k/18) times `shrunk`, the relative radius of a disk, for the preview of the brightness.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 
@@ -219,8 +217,8 @@ struct LookTable {
         for (std::size_t i = 0; i < blocks * block; ++i) {
             look();
             const double v = shrunk * at(i);
-            // Higher degrees are negligible. Their number depends only on v, so images do not depend on the contents of the
-            // cache.
+            // Higher degrees are negligible at this v. Their number depends only on v, so images do not depend on the contents of
+            // the cache.
             const std::size_t count = static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 15.0) / 2;
             one.resize(count);
             for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -234,7 +232,7 @@ struct LookTable {
     }
 
     static double at(std::size_t i) { return 40.0 * std::sinh(static_cast<double>(i) / 18.0); }
-    // Number of blocks up to the one with a distance of at least v.
+    // Number of blocks up to the first with a radius of at least v.
     static std::size_t blocks_to(double v) { return static_cast<std::size_t>(18.0 * std::asinh(v / 40.0) + 1.0) / block + 1; }
 
     bool is(double part, std::size_t block_count, std::size_t degree_count) const {

@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, zones: ranges of radii, each with the interpolation that the tolerance requires there
+// Polar non-uniform FFT, zones: ranges of radii, each with the interpolation that the tolerance requires at these radii
 // (docs/certificate.md, section 11).
 #pragma once
 
@@ -15,50 +15,50 @@
 
 namespace lommel {
 
-// Error budget of a polar image: shares of errors and tolerances.
+// Error budget of an image by interpolation between circles: shares of allowed errors and of the tolerance.
 struct PolarBudget {
-    // Share of the tolerance for the error of the image at its peak; factor by which |U| may exceed its estimate.
+    // image: share of the tolerance for the error at the peak; brighter: factor by which |U| may exceed its estimate.
     static constexpr double image = 0.9, brighter = 1.15;
-    // Shares of the allowed error of U: for the estimated error of a style, and for omitted orders.
+    // Shares of the allowed error of U. promise: estimated error of a style; orders: omitted azimuthal orders.
     static constexpr double promise = 0.95, orders = 0.05;
-    // Repetition: share of the error that the brightest pixel requires, for all styles.
+    // Second attempt: factor on the tolerance, beside the ratio of the tolerance to the first error bound.
     static constexpr double retry = 0.7;
 };
 
-// Zone: range of radii, style of interpolation, and circles.
+// Zone of an image: range of radii, with a style of interpolation and the circles for it.
 struct PolarZone {
     const PolarStyle* style;
-    std::int64_t low, high;   // range of squared distances of its pixels, in pixels^2
+    std::int64_t low, high;   // range of the squared distances of its pixels from the axis, in pixels^2
     std::size_t first, last;  // range of blocks of circles in the table
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
-    PairedTaps both;            // taps of both kernels, for styles with four taps
-    PolarRows<double> doubles;  // circles, in one of two precisions
+    PairedTaps both;            // weights of both kernels, for styles with four taps
+    PolarRows<double> doubles;  // field on the circles, in one of two precisions
     PolarRows<float> floats;
-    std::vector<double> errors;  // error of U, for each circle
-    double left;                 // bound on what omitted orders add to U
+    std::vector<double> errors;  // [circle]: error bound of U
+    double left;                 // bound on the contribution of omitted orders to U
 
     const PolarRows<double>& rows(double) const { return doubles; }
     const PolarRows<float>& rows(float) const { return floats; }
 };
 
-// Plan of zones for an image, and their circles.
+// Division of an image into zones, with the field on their circles.
 class PolarZones {
    public:
-    // Plan zones for pixels at a pitch of `step` in v whose squared distances, in pixels^2, are `nearest` to `farthest`, for an
-    // error of I of at most `tol` times its maximum there. Returns false if the expansion or the most accurate style is
-    // unlikely to meet it.
+    // Plan zones for pixels at a pitch of `step` in v whose squared distances from the axis, in pixels^2, are `nearest` to
+    // `farthest`, for an error of I of at most `tol` times its maximum at these pixels. Returns false if the expansion or the most
+    // accurate style is unlikely to meet this.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
 
-    // Compute all circles.
+    // Compute the field on the circles of all zones.
     void fill(const PolarPupil& pupil, int threads);
 
     std::size_t size() const { return count_; }
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
 
    private:
-    // Block with the first (side < 0) or last (side > 0) circle that pixels at v use, plus one circle for rounding.
+    // Block with the first (side < 0) or last (side > 0) circle that pixels at the radius v use, plus one circle for rounding.
     static std::size_t block_at(const PolarStyle& style, double v, double side) {
         const double taken = side * (0.5 * static_cast<double>(style.between) + 1.0);
         return static_cast<std::size_t>(v / style.step() + static_cast<double>(PolarTable::before) + taken) / PolarTable::block;
@@ -68,7 +68,7 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // Start of a style: first sample, searched backwards from `end`, from which on the style meets the allowed error.
+    // Index of the first sample, searched backwards from `end`, from which on a style meets the allowed error.
     template <class Allowed>
     static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                              const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {
@@ -99,7 +99,7 @@ class PolarZones {
         return 0;
     }
 
-    // Compute block i of the circles of a zone.
+    // Compute block i of the circles of a zone, and the error bounds of these circles.
     template <class Sum, class Fft, class Real>
     static void fill(const PolarPupil& pupil, const PolarTables& tables, PolarZone& zone, PolarRows<Real>& rows,
                      std::size_t i) {
@@ -118,7 +118,7 @@ class PolarZones {
         }
     }
 
-    std::vector<PolarZone> zones_;  // reused from image to image
+    std::vector<PolarZone> zones_;  // memory reused from image to image
     std::size_t count_ = 0;
 };
 
@@ -134,7 +134,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     std::array<double, polar_styles.size() + 1> starts;
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
     starts.back() = 1e300;
-    // From the cheapest style to the first that is accurate enough everywhere.
+    // Try styles from the cheapest on, up to the first that is accurate enough at all radii.
     std::size_t most_exact = polar_styles.size(), first = looks.v.size();
     do {
         const std::size_t s = --most_exact;
@@ -184,7 +184,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
 
 LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
     std::vector<PolarTables> tables;
-    std::vector<std::array<std::size_t, 2>> tasks;  // [task]: zone, block
+    std::vector<std::array<std::size_t, 2>> tasks;  // [task]: zone, block in this zone
     tables.reserve(count_);
     for (std::size_t z = 0; z < count_; ++z) {
         PolarZone& zone = zones_[z];

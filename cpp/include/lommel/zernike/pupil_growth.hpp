@@ -1,5 +1,5 @@
-// Mean growth of a pupil function at complex points off the chords of the disk, by samples: a smaller bound than the product of
-// the maxima of all terms (docs/certificate.md, section 7, "Means by samples").
+// Growth of a pupil function on chords of the disk continued to complex points: its mean over samples, a smaller bound than the
+// product of the maxima of all Zernike terms (docs/certificate.md, section 7, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -22,31 +22,31 @@
 
 namespace lommel {
 
-// Table for one curve: pairs of terms at samples of a quarter of the angles a and tau, at the points cos(a + ib) along xi and
-// sin(a + ib) cos(tau) along xi' (symbols as in bounds/disk.hpp); weights of the hat functions around the samples in the mean;
-// directions of xi. A sample at (x, y) also represents (+-x, +-y) and their conjugates, so half a turn of directions suffices.
+// Zernike terms at samples of one curve (one value of b): points with the component cos(a + ib) along xi and sin(a + ib) cos(tau)
+// along xi', xi and xi' orthonormal, for a quarter of a turn of a and tau. A sample (x, y) also represents (+-x, +-y) and their
+// conjugates, so half a turn of directions xi suffices.
 struct GrowthTable {
     std::vector<ZernikeTerm> terms;
     std::size_t curve, side, samples, directions;
-    std::vector<std::size_t> order;  // indices of the pairs, even azimuthal orders first
-    std::size_t even;  // number of even orders
-    Floats values;  // [sample][pair][cosine, sine]: imaginary parts
-    Floats shares;  // [sample]: weight in the mean
+    std::vector<std::size_t> order;  // indices of the pairs of terms, even azimuthal orders first
+    std::size_t even;  // number of pairs of even order
+    Floats values;  // [sample][pair][cosine, sine]: imaginary part of the term
+    Floats shares;  // [sample]: weight in the mean over the curve, from hat functions
     std::vector<double> turns;  // [pair][direction][cos(m psi), sin(m psi)]
 
     GrowthTable(const TermPairs& list, std::size_t at);
 
-    // Step between samples and between directions, in radians.
+    // Angle in radians: step(): between samples; turn(): between directions.
     double step() const { return 0.5 * pi / static_cast<double>(side - 1); }
     double turn() const { return pi / static_cast<double>(directions); }
 
-    // Estimated cost in vector operations.
+    // Estimated time of sampling, in vector operations.
     static double work(const TermPairs& list) {
         const double side = static_cast<double>(4 * list.degree + 1);
         return side * side * static_cast<double>(directions_for(list) / row_lanes) *
                (2.0 * static_cast<double>(list.pairs.size()) + 40.0);
     }
-    // Return whether the terms on this curve are well within the range of float.
+    // Return whether the terms on this curve, at most sinh(degree b), are well within the range of float.
     static bool serves(const TermPairs& list, std::size_t curve) {
         return static_cast<double>(list.degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -93,7 +93,7 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
         polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
             values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
         });
-        // Weights for uniform a and uniform eta = cos(tau). Each sample represents eight.
+        // Weights of a sample in the means over uniform a and uniform eta = cos(tau). A sample represents eight points.
         const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
         const double along = step() * static_cast<double>(q);
         const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
@@ -111,8 +111,8 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 }
 #endif
 
-// Logarithm of the mean of e^{-Im Phi} over the curve and over chords, at the worst direction: `mean` from samples; `margin`
-// for values between samples, by second derivatives of at most n^2 and m^2 times the maximum of each term, and for rounding.
+// Logarithm of the mean of e^{-Im Phi} over a curve and over chords, at the direction with the largest mean. mean: from samples;
+// margin: for values between samples (second derivatives at most n^2, m^2 times the maximum of a term) and for rounding.
 struct SampledGrowth {
     double mean, margin;
 };
@@ -140,10 +140,10 @@ LOMMEL_INLINE SampledGrowth sampled_growth(I, const GrowthTable& table, const Te
     }
     double largest = -1e300;
     for (std::size_t first = 0; first < directions; first += lanes) {
-        // Images of a sample: (x, y), (-x, -y), (x, -y), (-x, y).
+        // Im Phi at the mirror images of a sample: (x, y), (-x, -y), (x, -y), (-x, y).
         const auto images = [&](std::size_t s, V* image) LOMMEL_INLINE_LAMBDA {
             const float *value = &table.values[2 * s * pairs], *with = &given[first];
-            // Parts even and odd in x.
+            // Sums even (index 0) and odd (index 1) in x.
             V cosines[2] = {}, sines[2] = {};
             const auto add = [&](std::size_t odd, std::size_t end) LOMMEL_INLINE_LAMBDA {
                 for (; value < &table.values[2 * s * pairs] + 2 * end; value += 2, with += 2 * directions) {

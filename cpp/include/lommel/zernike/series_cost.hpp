@@ -1,4 +1,4 @@
-// Estimated time of the series of section 7, from its degrees, orders and pixels, for the choice between methods.
+// Estimated time of the Zernike series (docs/certificate.md, section 7), for the choice between methods.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 
 namespace lommel {
 
-// CPU time in nanoseconds with all tables cached, by coefficients fitted with benchmarks/choice.py.
+// CPU time of an image in nanoseconds with all tables cached, by coefficients fitted with benchmarks/choice.py.
 struct SeriesCost {
     static constexpr double least = 27000.0;     // time of the smallest image
-    static constexpr double declined = 20000.0;  // added if the chordal rule declines: time of its estimates
-    // Error of interpolation between circles for a bright image. Strong aberrations may dim the image twice as much as
+    static constexpr double declined = 20000.0;  // time of the chordal rule's estimates, added if this rule declines
+    // Relative error of interpolation between circles for a bright image. Strong aberrations may dim the image twice as much as
     // estimated.
     static constexpr double circles = 1.2e-10;
-    // Share of the allowed error for rounding of the expansion: above `rounded`, circles cannot be used and the image may have
-    // to be computed twice; above `lost`, possibly no variant meets the tolerance.
+    // Rounding of the expansion as a share of the allowed error. Above `rounded`, circles cannot be used and the image may have to
+    // be computed twice; above `lost`, possibly no method meets the tolerance.
     static constexpr double rounded = 0.17, lost = 0.25;
 
     // Estimated time of the image of one pupil.
@@ -29,7 +29,7 @@ struct SeriesCost {
         const std::size_t count = stack.terms.size();
         const auto from = stack.outer.begin() + static_cast<std::ptrdiff_t>(pupil * count);
         std::vector<double> phases(from, from + static_cast<std::ptrdiff_t>(count));
-        // Tilt moves the axis: see DiskStack::move_axes().
+        // Tilt moves the axis, as in DiskStack::move_axes().
         double at[2] = {window.row, window.column};
         for (std::size_t j = 0; j < count; ++j) {
             if (stack.terms[j].n == 1) {
@@ -51,18 +51,18 @@ struct SeriesCost {
             cost.expand(inner, stack.obscuration * reach, ZernikeBudget::inner * error / area);
         }
         const double dim = outer.dimness(), rounding = unit_roundoff * (outer.sensitivity() + cost.rounding_) * dim / tol;
-        // Groups of eight mirrored pixels, if the axis is in the window.
+        // Number of groups of eight mirrored pixels, if the axis is in the window.
         const double near = std::max(0.0, std::min(rows, columns));
         const double groups = std::min(pixels, (std::max(rows, columns) + 1.0) * (near + 1.0) - 0.5 * near * (near + 1.0));
         const double orders = cost.orders_, wide = widths();
         const bool serve = circles * (2.0 * dim - 1.0) <= tol && rounding <= rounded;
         if (serve && PolarImage::pays(reach, orders, cost.degrees_, pixels, area > 1e-18)) {
-            // The number of taps and the oversampling grow with the number of digits required.
+            // Time of interpolation: taps and oversampling grow with the number of digits required.
             const double digits = std::log10(std::max(10.0, dim / tol));
             return cost.calls_ + 24000.0 +
                    wide * (cost.sum_ + (0.1 + 0.55 * digits) * reach * orders + (3.15 + 3.04 * digits) * groups);
         }
-        // With an obscuration, both disks are interpolated on every ring.
+        // Time of rings: with an obscuration, both disks are interpolated on every ring.
         const double within = area > 1e-18 ? 18.4 / ring_width(ZernikeBudget::rings * 0.45 * tol / dim) : 0.0;
         const double each = tol >= 1e-6 ? 0.354 : 0.554;
         const double image = 9.7 * orders * cost.degrees_ + (2.63 + within) * reach * orders + (5.2 + each * orders) * groups;
@@ -70,7 +70,7 @@ struct SeriesCost {
     }
 
    private:
-    // Time with narrower vectors, relative to vectors of eight doubles.
+    // Ratio of the time on this processor to the time with vectors of eight doubles.
     static double widths() { return std::pow(0.125 * static_cast<double>(widest_lanes(processor_level())), -0.91); }
 
     void expand(const ZernikePhase& phase, double reach, double error) {

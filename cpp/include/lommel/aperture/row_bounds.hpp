@@ -1,4 +1,4 @@
-// Number of Gauss-Legendre nodes over the rows of an aperture for a proven error (docs/certificate.md, section 18).
+// Number of Gauss-Legendre nodes over and along the rows of an aperture for a proven error (docs/certificate.md, section 18).
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace lommel {
 // Modulus of a number far from overflow; faster than std::abs.
 inline double modulus(std::complex<double> z) { return std::sqrt(z.real() * z.real() + z.imag() * z.imag()); }
 
-// Disc of the complex plane that contains a number (circular arithmetic).
+// Disc of the complex plane that contains a number (circular arithmetic: centre and radius).
 struct ComplexDisc {
     std::complex<double> centre;
     double radius = 0.0;
@@ -31,7 +31,7 @@ struct ComplexDisc {
     }
     friend ComplexDisc operator*(std::complex<double> a, ComplexDisc b) { return {a * b.centre, modulus(a) * b.radius}; }
     friend ComplexDisc operator*(double a, ComplexDisc b) { return {a * b.centre, std::abs(a) * b.radius}; }
-    // Principal root; not continuous on discs that contain 0.
+    // Square roots of the disc, principal branch; not continuous on discs that contain 0.
     ComplexDisc root() const {
         if (modulus(centre) <= radius) {
             return {0.0, std::sqrt(largest())};
@@ -42,16 +42,16 @@ struct ComplexDisc {
     }
 };
 
-// Growth of polynomials that are at most 1 on the real unit disc: at complex (x, y) a polynomial of degree n is at most e^{n
-// b}, cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (Siciak's extremal function, due to Lundin). The points with b below a limit
-// form a convex set. Returns a bound on cosh 2b over discs.
+// Bound on cosh 2b over discs of x and y. A polynomial of degree n that is at most 1 on the real unit disc is at most e^{n b} at
+// complex (x, y), cosh 2b = |x|^2 + |y|^2 + |x^2 + y^2 - 1| (Siciak's extremal function, due to Lundin). The points with b below a
+// limit form a convex set.
 inline double growth_argument(ComplexDisc x, ComplexDisc y) {
     const double across = x.largest(), down = y.largest();
     const ComplexDisc rest = x * x + y * y - ComplexDisc{1.0, 0.0};
     return across * across + down * down + rest.largest();
 }
 
-// Call at() for the corners, in the upper half plane, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
+// Call at(s) for the corners s, in the upper half plane, of a polygon around the ellipse with semi-axes cosh eta and sinh eta.
 template <class At>
 void each_corner(double eta, const At& at) {
     constexpr std::size_t corners = 40;
@@ -62,11 +62,10 @@ void each_corner(double eta, const At& at) {
     }
 }
 
-// Smallest number of nodes of a Gauss rule on [-1, 1] for an error (Trefethen, Approximation Theory and Approximation Practice,
-// Theorem 19.3; valid for one node too). largest(eta, limit): bound on the logarithm of the integrand on the ellipse with
-// semi-axes cosh eta and sinh eta; 1e300 or more if there is no bound, or if the bound is certainly above the limit. `blocked`:
-// a singularity prevented larger ellipses. Descent over ln eta finds the minimum, which is unique but for the slack of the
-// bounds.
+// count: number of nodes of a Gauss rule on [-1, 1] for an error `error` (Trefethen, Approximation Theory and Approximation
+// Practice, Theorem 19.3; valid for one node too), the smallest over 16 ellipses with semi-axes cosh eta, sinh eta. Their bounds
+// have one minimum over eta up to slack, so the search descends. blocked: a singularity prevented larger ellipses. largest(eta,
+// limit): bound on the logarithm of the integrand on the ellipse; at least 1e300 if no bound exists or it exceeds `limit`.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -98,9 +97,9 @@ struct GaussNodes {
     static constexpr double none = 1e9;
 };
 
-// Bound on a function over the upper half of an ellipse around [-1, 1]; at(disc) bounds it over a disc that contains an arc.
-// The arc with the largest bound is halved until this bound is close to a value of the function, or that value exceeds the
-// limit.
+// Bound on a function over the upper half of the ellipse with semi-axes cosh eta and sinh eta; at(disc) bounds the function over a
+// disc around an arc. The arc with the largest bound is halved until this bound is close to a value of the function, or the value
+// exceeds `limit`.
 template <class At>
 double largest_on_ellipse(double eta, double limit, const At& at) {
     constexpr std::size_t first = 8, most = 96;
@@ -111,7 +110,7 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
     };
     const auto disc = [&](double from, double to) {
         const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-        // The speed along the curve is largest near its flat sides.
+        // Bound on |sin| over the arc: the speed along the ellipse is sqrt(b^2 + sin^2), largest near its flat sides.
         const double sine = std::min(1.0, std::abs(std::sin(middle)) + half);
         return ComplexDisc{{a * std::cos(middle), b * std::sin(middle)}, half * std::sqrt(b * b + sine * sine)};
     };
@@ -138,8 +137,8 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
     return arcs[0].bound;
 }
 
-// Map from s = -1 .. 1 to y over a panel: middle + half s or, if an arc begins at one end (root = -1 low, 1 high), a quadratic
-// map that removes the square root: the distance from that end is the length times the square of (1 + s) / 2.
+// Map from s in [-1, 1] to y over a panel. root = 0: linear; root = -1 or 1: an arc begins at the low or high end, and the distance
+// from this end is the panel's length times the square of (1 + s) / 2, which removes the square root of the arc.
 class PanelMap {
    public:
     PanelMap(double low, double high, int root)
@@ -162,12 +161,12 @@ class PanelMap {
         return 0.5 * length_ * (root_ == 0 ? 1.0 : (ComplexDisc{1.0, 0.0} + s).largest());
     }
 
-    // Evaluate sqrt((y - low) (high - y)) as a product of square roots of linear functions of s. Returns false if one of
-    // these vanishes on or inside the ellipse.
+    // Evaluate sqrt((y - low) (high - y)) of a side as a product of square roots of linear functions of s. Returns false if one of
+    // the linear functions vanishes on or inside the ellipse.
     bool arc(const Side& side, double eta, ComplexDisc s, ComplexDisc& value) const {
         const double near = sign_ > 0.0 ? anchor_ - side.low : side.high - anchor_;
         const double far = sign_ > 0.0 ? side.high - anchor_ : anchor_ - side.low;
-        // (near + t) (far - t), where t is the distance from the anchor.
+        // The radicand is (near + t) (far - t), with t the distance from the anchor.
         if (root_ == 0) {
             const double half = 0.5 * length_;
             return linear(-near / half, eta, s, std::sqrt(std::max(near, 0.0)), value = {1.0, 0.0}) &&
@@ -184,7 +183,7 @@ class PanelMap {
                 return false;
             }
         }
-        // far - t = far - length u^2, with the roots u = +-sqrt(far / length).
+        // The factor far - t = far - length u^2 has the roots u = +-sqrt(far / length).
         const double end = 2.0 * std::sqrt(std::max(far, 0.0) / length_);
         return linear(end - 1.0, eta, s, std::sqrt(0.25 * length_ * (end - 1.0) * (end + 1.0)), value) &&
                linear(-end - 1.0, eta, s, 1.0, value);
@@ -206,8 +205,8 @@ class PanelMap {
         const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
         return length_ * (u * u);
     }
-    // Multiply by scale sqrt(1 - s / at). This is analytic on the ellipse if `at` lies outside: the inside is convex, so 1 -
-    // s / at stays in a half plane without 0 and does not meet the negative axis.
+    // Multiply `value` by scale sqrt(1 - s / at), if the zero `at` lies outside the ellipse: the inside is convex, so 1 - s / at
+    // stays in a half plane without 0 and does not meet the negative axis, where the root is not analytic.
     static bool linear(std::complex<double> at, double eta, ComplexDisc s, double scale, ComplexDisc& value) {
         if (!(std::abs(at - 1.0) + std::abs(at + 1.0) > 2.0 * std::cosh(eta) * (1.0 + 1e-9))) {
             return false;
@@ -220,14 +219,14 @@ class PanelMap {
     double length_, anchor_, sign_;
 };
 
-// Panel of rows in which the same sides bound the same number of intervals.
+// Range of heights y, low to high, in which the clear intervals of all rows lie between the same pairs of sides.
 struct Panel {
     double low, high;
-    int root;  // end at which an arc begins: low (-1), high (1), none (0)
+    int root;  // end of the panel at which an arc begins: low (-1), high (1), none (0)
     std::vector<std::array<Side, 2>> spans;
 
-    // Bound on the logarithm of the integrand over s on an ellipse, for polynomials of this degree with modulus at most 1 on
-    // the disc.
+    // Bound on the logarithm of the integrand over s on the ellipse with semi-axes cosh eta and sinh eta, for polynomials of the
+    // degree `degree` that are at most 1 on the unit disc.
     double largest(double eta, double degree, double limit) const {
         const PanelMap map(low, high, root);
         if (straight()) {
@@ -252,8 +251,8 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // Between the sides the polynomial is bounded by the larger b of the two, as the set of points with b below a limit
-            // is convex.
+            // The points with growth b below a limit form a convex set, so b between two sides is at most the larger b of both
+            // sides.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
@@ -263,7 +262,7 @@ struct Panel {
         return root == 0 && std::all_of(spans.begin(), spans.end(),
                                         [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
-    // Sides are linear in s, so their growth and their distance have their maxima at corners of the polygon.
+    // Straight sides are linear in s, so the growth and the width of a span have their maxima at corners of the polygon.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
         double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {
@@ -283,21 +282,21 @@ struct Panel {
     }
 };
 
-// Number of nodes on a span of a row, from its position within the row's chord of the disc.
+// Number of nodes along a span (clear interval) of a row, from its position within the row's chord of the unit disc.
 class SpanNodes {
    public:
     SpanNodes(std::size_t degree, double error)
         : degree_(static_cast<double>(degree)), error_(error), known_(cells * cells, 0) {}
 
-    // Number of nodes for which the error of the mean of a polynomial over the span is at most `error`; [low, high] is within
-    // [-half, half].
+    // Number of nodes for which the mean of a polynomial over the span [low, high] has an error of at most `error`. The chord of
+    // the row is [-half, half].
     std::size_t operator()(double low, double high, double half) {
-        // Round the span outwards to a cell: the ellipses of longer spans contain those of shorter ones.
+        // Spans are rounded outwards to cells of the cache: the ellipses of longer spans contain those of shorter spans.
         const std::size_t i = cell(low / half, false), j = cell(high / half, true);
         std::size_t& known = known_[i * cells + j];
         if (known == 0) {
             const double from = place(i), to = place(j), middle = 0.5 * (from + to), reach = 0.5 * (to - from);
-            // |x - 1| + |x + 1| = 2 cosh b, b the growth off the chord, is convex and hence largest at a corner.
+            // |x - 1| + |x + 1| = 2 cosh b, with b the growth off the chord [-1, 1], is convex and hence largest at a corner.
             const GaussNodes most(error_, [&](double eta, double) {
                 double sum = 2.0;
                 each_corner(eta, [&](std::complex<double> s) {
@@ -307,7 +306,7 @@ class SpanNodes {
                 return degree_ * std::acosh(0.5 * sum) + 1e-8;
             });
             known = std::min(static_cast<std::size_t>(most.count),
-                             static_cast<std::size_t>(0.5 * degree_) + 1);  // from there on the rule is exact
+                             static_cast<std::size_t>(0.5 * degree_) + 1);  // enough for an exact rule
         }
         return known;
     }

@@ -1,5 +1,5 @@
-// Fields of an aperture of shapes from nodes along its rows, by two stages of non-uniform FFTs (docs/certificate.md, section
-// 18).
+// Field of an aperture of shapes from nodes along its rows, by non-uniform FFTs along rows and over rows (docs/certificate.md,
+// section 18).
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 
 namespace lommel {
 
-// Sums of Zernike terms at points of a row, by Jacobi's recurrence over the degrees of each azimuthal order.
+// Sum of Zernike terms at points (x, y), by Jacobi's recurrence over the degrees of each azimuthal order.
 class ZernikeSum {
    public:
     ZernikeSum(const std::vector<ZernikeTerm>& terms, const double* edge) {
@@ -57,9 +57,9 @@ class ZernikeSum {
         }
     }
 
-    double size() const { return size_; }  // bound on |sum|
-    // Rounding of the sum in units of roundoff. A term changes by at most n^2 times the distance between two points (Markov's
-    // inequality on discs); x has three roundings and y two. x^2 + y^2 and the recurrences add 0.34 n^2, by measurement.
+    double size() const { return size_; }  // bound on the modulus of the sum
+    // Rounding error of the sum in units of roundoff. x has three roundings, y two; a term of degree n changes by at most n^2 times
+    // the displacement (Markov's inequality on discs). x^2 + y^2 and the recurrence add 0.34 n^2, as measured.
     double rounding() const { return rounding_ + static_cast<double>(count_ + 2 * orders_.size()) * size_; }
 
     template <class V>
@@ -86,7 +86,7 @@ class ZernikeSum {
     }
 
    private:
-    // Term: coefficients of its cosine and sine, and of the recurrence of its radial polynomial.
+    // Coefficients of a term's cosine and sine; slope, shift, back: coefficients of the recurrence of its radial polynomial.
     struct Term {
         double cosine = 0.0, sine = 0.0, slope = 0.0, shift = 0.0, back = 0.0;
     };
@@ -98,16 +98,16 @@ class ZernikeSum {
     std::size_t count_ = 0;
 };
 
-// Rule of a region, and the phase added on it: constant, slope along x, slope along y (radians).
+// Quadrature rule of a region, and the phase added on this region: {constant, slope along x, slope along y} in radians.
 struct PhasedRule {
     const RowRule* rule;
     double phase[3];
 };
 
-// Field of one or several regions, each with an added phase, on the pixels of a window.
+// Field of one or several regions, each with an added phase, at the pixels of a window.
 class RowField {
    public:
-    // `precision`: approximate error of the wave sums relative to the sum of the weights.
+    // precision: approximate error of the wave sums, relative to the sum of the weights.
     RowField(const std::vector<PhasedRule>& regions, const DiskWindow& window, double precision) : window_(window) {
         const std::size_t longest = std::max(window.height, window.width);
         std::size_t taps = 4;
@@ -116,7 +116,7 @@ class RowField {
             across_ = std::make_unique<WaveKernel>(window.width, taps);
         } while (taps < WaveKernel::most_taps && WaveKernel(longest, taps).error(0.0) > precision);
         down_ = std::make_unique<WaveKernel>(window.height, taps);
-        // Pixel k has v = step (k - side / 2 + half).
+        // Pixel k of a row (column) has v = step (k - side / 2 + half), with half = half_x_ (half_y_).
         half_y_ = static_cast<double>(window.height / 2) - window.row;
         half_x_ = static_cast<double>(window.width / 2) - window.column;
         for (const PhasedRule& region : regions) {
@@ -141,14 +141,14 @@ class RowField {
         across_rows_ = down_->most_waves(rows_.size(), reached, [&](std::size_t i) { return window.step * rows_[i].row->y; });
     }
 
-    // Write the field of a pupil with a phase and an amplitude, times a Zernike term if `factor` is not null. Returns an error
-    // bound of the sums.
+    // Write the field of a pupil to out[pixel][re, im]; factor: Zernike term by which the pupil function is multiplied, or null.
+    // Returns an error bound of the sums.
     double sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads, Doubles& out) const;
 
    private:
     static constexpr std::size_t wide = fft_rows;
 
-    // Rule, and the phase added on it, including the shift to the middle of the window: constant, along x, along y.
+    // Rule, and the added phase including the shift to the middle of the window: {constant, slope along x, slope along y}.
     struct Turn {
         const RowRule* rule;
         double phase[3];
@@ -165,7 +165,7 @@ class RowField {
         const RowRule& rule = *turn.rule;
         const V y = splat<V>(row.y), still = splat<V>(turn.phase[0] + turn.phase[2] * row.y);
         for (std::size_t k = 0; k < row.count; k += I::lanes) {
-            // Lanes beyond the end contain nodes of the next row or zeros; their results are not used.
+            // Lanes beyond the end of the row contain nodes of the next row or zeros; their results are not used.
             const V x = load<V>(&rule.x()[row.first + k]);
             V w = load<V>(&rule.weights()[row.first + k]), sine, cosine;
             V angle = phase.at(x, y) + splat<V>(turn.phase[1]) * x + still;
@@ -200,7 +200,7 @@ class RowField {
 LOMMEL_ONCE double RowField::sum(const ZernikeSum& phase, const Amplitude& light, const ZernikeSum* factor, int threads,
                                  Doubles& out) const {
     const std::size_t count = rows_.size(), strips = (count + wide - 1) / wide, blocks = (window_.width + wide - 1) / wide;
-    // Sums along each row for each column: [group of eight columns][row][re of eight columns, im of eight columns].
+    // Sums along each row for each column of pixels: sums[group of eight columns][row][re, im][column in the group].
     Doubles sums(2 * wide * count * blocks);
     const double step = window_.step;
     parallel_for(strips, threads, [&](std::size_t, std::size_t strip) {
@@ -244,8 +244,8 @@ LOMMEL_ONCE double RowField::sum(const ZernikeSum& phase, const Amplitude& light
         });
     });
     const double first = across_->error(static_cast<double>(along_)), second = down_->error(static_cast<double>(across_rows_));
-    // Errors of phases: from terms, tilts and samples of a mask. Positions have two roundings, which change the phase of the
-    // waves, most at the corners; weights have eight; the amplitude has the error of its exponent.
+    // Error of the phases and weights in units of roundoff: Zernike terms, tilts, samples of a mask, exponent of the amplitude.
+    // Nodes have two roundings each, which matter most at the corners of the window (reach).
     const double reach = step * std::hypot(static_cast<double>(window_.height) + std::abs(half_y_),
                                            static_cast<double>(window_.width) + std::abs(half_x_));
     const double turned = phase.rounding() + 4.0 * phase.size() + 8.0 * turned_ + 4.0 * samples_ + 4.0 * reach +

@@ -1,5 +1,5 @@
-// Images of pupils on apertures of any shape, with error bounds of the field, and their derivatives with respect to Zernike
-// coefficients.
+// Images of pupils with apertures of any shape, their derivatives with respect to Zernike coefficients, and error bounds of the
+// field.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace lommel {
 
-// For each pupil, edge[pupil][term], add |U|^2 on the pixels to images[pupil], and its derivatives with respect to the
-// coefficients of `factors` to slopes[factor][pupil]. losses[pupil]: error bound of the sums in U and in its derivatives.
+// For each pupil with the coefficients edge[pupil][term], write |U|^2 at the pixels to images[pupil], and its derivatives with
+// respect to the coefficients of `factors` to slopes[factor][pupil]. losses[pupil]: error bound of the sums for U and dU/dc.
 inline void row_images(const std::vector<PhasedRule>& regions, const std::vector<ZernikeTerm>& terms, const double* edge,
                        std::size_t pupils, const Amplitude& light, const DiskWindow& window, double precision, int threads,
                        double* images, const std::vector<ZernikeTerm>& factors, double* slopes, double* losses) {
@@ -30,7 +30,7 @@ inline void row_images(const std::vector<PhasedRule>& regions, const std::vector
             const double one = 1.0;
             const ZernikeSum factor({factors[j]}, &one);
             losses[p] = std::max(losses[p], field.sum(phase, light, &factor, threads, g));
-            // dU/dc = i G, and dI/dc = 2 Re(conj(U) dU/dc).
+            // dU/dc = i G, with G the field of the pupil function times the Zernike term; dI/dc = 2 Re(conj(U) dU/dc).
             double* const slope = slopes + (j * pupils + p) * pixels;
             for (std::size_t i = 0; i < pixels; ++i) {
                 slope[i] = 2.0 * (u[2 * i + 1] * g[2 * i] - u[2 * i] * g[2 * i + 1]);

@@ -34,18 +34,18 @@ struct GaussRule {
     static constexpr std::size_t most_bytes = std::size_t{2} << 20;
 };
 
-// Quadrature over a region in the unit disc: (1/pi) int P dx dy = sum of w P(x, y), with an error of at most `error` for
-// polynomials P of the given degree with |P| <= 1 on the unit disc. Weights are positive.
+// Quadrature over a region in the unit disc: (1/pi) int P dx dy = sum over nodes of w P(x, y), with an error of at most `error` for
+// polynomials P of the given degree with |P| <= 1 on the unit disc. The weights w are positive.
 class RowRule {
    public:
-    // Row at y with `count` nodes, starting at node `first`.
+    // Row of nodes at the height y: nodes `first` to first + count - 1.
     struct Row {
         double y;
         std::size_t first, count;
     };
 
     RowRule(const Region& region, std::size_t degree, double error);
-    // From samples of a mask: y and number of samples of each row; x, weight and phase (or null) of each sample.
+    // Construct from samples of a mask. y, counts: height and number of samples of each row; x, weights, phase: of each sample.
     RowRule(const double* y, const std::int64_t* counts, std::size_t rows, const double* x, const double* weights,
             const double* phase)
         : spans_(0, 1.0) {
@@ -62,9 +62,9 @@ class RowRule {
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
     double weight() const { return weight_; }  // sum of the weights
-    // Bound on the contribution of edges displaced by rounding, for integrands of at most 1.
+    // Bound on the change of a sum by displacement of the edges in rounding, for integrands of modulus at most 1.
     double lost() const { return lost_; }
-    const Doubles& phase() const { return phase_; }  // of samples of a mask; empty if they have none
+    const Doubles& phase() const { return phase_; }  // phases of the samples of a mask, or empty
     double largest_phase() const { return largest_phase_; }
     std::size_t panels() const { return panels_; }
     std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
@@ -78,8 +78,8 @@ class RowRule {
         }
         return *rule;
     }
-    static constexpr double few = 24.0;  // panels with fewer nodes than this are not halved
-    // Number of nodes of a panel with the best change of variable.
+    static constexpr double few = 24.0;  // panels with fewer rows than this are not halved
+    // Number of rows of a panel by the best change of variable, which is written to panel.root.
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
@@ -91,7 +91,7 @@ class RowRule {
         for (const double w : weights_) {
             weight_ += w;
         }
-        // Padding, as vectors may start at the last node.
+        // Padding: vectors may start at the last node.
         for (Doubles* numbers : {&x_, &weights_, &phase_}) {
             numbers->resize(numbers->empty() ? 0 : numbers->size() + row_lanes, 0.0);
         }
@@ -105,12 +105,12 @@ class RowRule {
     SpanNodes spans_;
 };
 
-// Clear intervals of the row at y, each given by its left and right side.
+// Clear intervals of the row at the height y, each as its left and right side.
 std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
-    // End of an interval: the left or right side of a part at y.
+    // End of an interval inside a part: the part's left or right side at the height y.
     struct End {
         double x;
         std::size_t part;
@@ -146,7 +146,7 @@ LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, d
 }
 
 LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
-    // Heights that differ only by rounding are merged, which adds or drops the rows between them, at most 2 wide.
+    // Heights that differ by rounding only are merged. This adds or drops the rows between them, at most 2 wide, counted in lost_.
     constexpr double same = 4e-15;
     std::vector<double> heights;
     for (const double y : region.heights()) {
@@ -166,7 +166,7 @@ LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double er
         bool roots[2] = {false, false};
         for (auto& span : panel.spans) {
             for (Side& side : span) {
-                // An arc that begins at the end of a panel, but for rounding, is moved to begin there exactly.
+                // An arc that begins at the end of the panel up to rounding is moved to begin exactly at this end.
                 const double below = side.low - low, above = side.high - high;
                 if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
                     side.low = low;
@@ -201,7 +201,7 @@ LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error
         return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
     };
     GaussNodes best = nodes(panel.root);
-    // If an arc begins near an end but not at it, the same change of variable moves its branch point farther away.
+    // If an arc begins near an end of the panel but outside, the quadratic map of this end moves its branch point farther away.
     if (panel.root == 0 && best.blocked) {
         for (const int root : {-1, 1}) {
             const GaussNodes other = nodes(root);
@@ -235,14 +235,14 @@ LOMMEL_ONCE void RowRule::split(Panel panel, double degree, double error, int de
     fill(panel, static_cast<std::size_t>(whole.count));
 }
 
-// Bound on the displacement of a side at y, from rounding of the side itself, of y, and of the ends of the arc.
+// Bound on the displacement of a side at the height y, from rounding of the side itself, of y, and of the ends of its arc.
 LOMMEL_ONCE double RowRule::misplaced(const Side& side, double y) {
     const double below = std::max(0.0, y - side.low), above = std::max(0.0, side.high - y);
     const double root = side.k == 0.0 ? 0.0 : std::abs(side.k) * std::sqrt(below * above);
-    // Sine, cosine and their products with the axes add four roundings for a rotated ellipse.
+    // Rotated ellipses have four more roundings: sine, cosine and their products with the axes.
     const double turned = side.terms > 0.0 ? 5.0 : 1.0;
     const double off = unit_roundoff * (4.0 + turned * (std::abs(side.low) + std::abs(side.high)));
-    // |sqrt(d + off) - sqrt(d)| is at most off / sqrt(d), and at most sqrt(off).
+    // Change of a root if d is displaced by off: |sqrt(d + off) - sqrt(d)| <= off / sqrt(d), and <= sqrt(off).
     const auto moved = [&](double d, double other) {
         return std::abs(side.k) * std::sqrt(other) * std::min(std::sqrt(off), off / std::sqrt(d + 1e-300));
     };
@@ -265,7 +265,7 @@ LOMMEL_ONCE void RowRule::fill(const Panel& panel, std::size_t rows) {
             lost_ += weight * (misplaced(span[0], y) + misplaced(span[1], y));
             if (!(reach > 0.0)) {
                 lost_ -= weight * 2.0 * reach;
-                continue;  // empty but for rounding, at an end of the panel
+                continue;  // empty up to rounding, at an end of the panel
             }
             const GaussRule& inner = gauss(spans_(low, high, half));
             for (std::size_t k = 0; k < inner.x.size(); ++k) {

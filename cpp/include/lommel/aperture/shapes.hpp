@@ -19,10 +19,10 @@ struct Point {
     double x, y;
 };
 
-// Side of a part as x over y: p + q (y - origin) and, for an arc, + k sqrt((y - low) (high - y)).
+// Side of a part, x as a function of y: p + q (y - origin), and for an arc + k sqrt((y - low) (high - y)).
 struct Side {
     double p = 0.0, q = 0.0, origin = 0.0, k = 0.0, low = 0.0, high = 0.0;
-    double terms = 0.0;  // for an arc: sum of the moduli that cancel in q
+    double terms = 0.0;  // for an arc: sum of the moduli of the two terms of q, which may cancel
 
     double at(double y) const {
         const double line = p + q * (y - origin);
@@ -41,22 +41,22 @@ class Part {
     double high() const { return high_; }
     const std::vector<Point>& points() const { return points_; }
 
-    // Signed distance to the boundary, negative inside; approximate, and accurate only near the boundary.
+    // Approximate signed distance to the boundary, negative inside; accurate only near the boundary.
     double outside(Point at) const;
-    // Left and right sides where the line at y meets the part.
+    // Left and right side of the part at the height y, low() <= y <= high().
     std::array<Side, 2> sides(double y) const;
-    // Point on the boundary of an ellipse, at parameter t.
+    // Point of an ellipse's boundary at the parameter t (radians).
     Point on(double t) const {
         const double c = std::cos(t), s = std::sin(t);
         return {centre_.x + ax_ * c + bx_ * s, centre_.y + ay_ * c + by_ * s};
     }
-    // Points where sides change: the lowest and highest point of an ellipse, or the corners of a polygon.
+    // Points where the sides change: highest and lowest point of an ellipse, or corners of a polygon.
     std::vector<Point> turning() const;
     // Intersections of the boundaries of two parts.
     static std::vector<Point> crossings(const Part& a, const Part& b);
 
    private:
-    // Quadratic form of the ellipse for a vector from the centre; 1 on the boundary.
+    // Quadratic form of the ellipse at the vector (x, y) from the centre: 1 on the boundary, smaller inside.
     double square(double x, double y) const {
         const double u = (cosine_ * x + sine_ * y) / a_, v = (cosine_ * y - sine_ * x) / b_;
         return u * u + v * v;
@@ -66,13 +66,13 @@ class Part {
     static void cross_round(const Part& a, const Part& b, std::vector<Point>& found);
     static void cross_line(const Part& a, Point p, Point q, std::vector<Point>& found);
 
-    std::vector<Point> points_;  // empty for an ellipse
+    std::vector<Point> points_;  // corners of a polygon; empty for an ellipse
     Point centre_{0.0, 0.0};
     double a_ = 0.0, b_ = 0.0, cosine_ = 1.0, sine_ = 0.0, ax_ = 0.0, ay_ = 0.0, bx_ = 0.0, by_ = 0.0;
     double low_ = 0.0, high_ = 0.0;
 };
 
-// Combination of parts. `steps` is a postfix expression: the number of a part, or an operator `both`, `either` or `without`.
+// Set combination of parts. steps: postfix expression of part indices and operators both (intersection), either (union), without.
 class Region {
    public:
     enum Step : std::int32_t { both = -1, either = -2, without = -3 };
@@ -82,18 +82,19 @@ class Region {
     }
 
     const std::vector<Part>& parts() const { return parts_; }
-    // Return whether points are clear that lie in the parts with inside[part] != 0.
+    // Return whether points that lie in exactly the parts with inside[part] != 0 are clear (part of the aperture).
     bool clear(const std::vector<char>& inside) const {
         inside_ = inside;
         return clear();
     }
-    // Values of y, increasing, where the number of intervals or one of their sides changes; some may coincide.
+    // Heights y, increasing, where the number of clear intervals or one of their sides changes; some heights may coincide.
     std::vector<double> heights() const;
 
    private:
     bool clear() const;
     void require_steps();
-    // Return whether the clear region depends on both part i and part j at a point on their boundaries.
+    // Return whether a boundary of the clear region changes from part i to part j at a point on both boundaries (i = j: lies
+    // there).
     bool matters(Point at, std::size_t i, std::size_t j) const;
 
     std::vector<Part> parts_;
@@ -155,7 +156,7 @@ LOMMEL_ONCE double Part::outside(Point at) const {
 LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     std::array<Side, 2> both;
     if (round()) {
-        // y = ay cos t + by sin t; the midpoints of chords lie on a line from the lowest to the highest point.
+        // y - centre.y = ay cos t + by sin t; the midpoints of chords lie on a line from the lowest to the highest point.
         const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
         const double terms = (std::abs(ax_ * ay_) + std::abs(bx_ * by_)) / square;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -186,7 +187,7 @@ LOMMEL_ONCE std::vector<Point> Part::crossings(const Part& a, const Part& b) {
         return found;
     }
     if (a.round() && b.round()) {
-        // Parametrize the smaller ellipse: along it the quadratic form of the larger one is most accurate.
+        // The smaller ellipse is parametrized: along it, the quadratic form of the larger ellipse is most accurate.
         const bool small = std::max(a.a_, a.b_) <= std::max(b.a_, b.b_);
         cross_round(small ? a : b, small ? b : a, found);
     } else if (a.round() || b.round()) {
@@ -217,7 +218,7 @@ LOMMEL_ONCE void Part::cross_line(const Part& a, Point p, Point q, std::vector<P
     const double dx = q.x - p.x, dy = q.y - p.y, x = p.x - a.centre_.x, y = p.y - a.centre_.y;
     const double u = (a.cosine_ * x + a.sine_ * y) / a.a_, du = (a.cosine_ * dx + a.sine_ * dy) / a.a_;
     const double v = (a.cosine_ * y - a.sine_ * x) / a.b_, dv = (a.cosine_ * dy - a.sine_ * dx) / a.b_;
-    // Minimum of the quadratic form along the line, without cancellation.
+    // Minimum of the ellipse's quadratic form along the line through p and q, without cancellation.
     const double two = du * du + dv * dv, one = u * du + v * dv, across = (x * dy - y * dx) / (a.a_ * a.b_);
     const double least = across * across / two;
     if (least > 1.0) {
@@ -233,7 +234,7 @@ LOMMEL_ONCE void Part::cross_line(const Part& a, Point p, Point q, std::vector<P
 }
 
 LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Point>& found) {
-    // Along the boundary of a, the quadratic form of b is a trigonometric polynomial of degree 2.
+    // On the boundary of a, the quadratic form of b less 1 is a trigonometric polynomial c0 + 2 Re(c1 e^{it} + c2 e^{2it}).
     using Complex = std::complex<double>;
     Complex c[3] = {};
     for (std::size_t i = 0; i < 8; ++i) {
@@ -245,16 +246,15 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
     const double size = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) + 1.0;
     std::vector<double> angles;
     if (std::abs(c[2]) < 1e-14 * size) {
-        // c0 + 2 |c1| cos(t + arg c1). Circles that touch but for rounding count as touching: without a height there, the
-        // panel would be examined in its middle, where the arcs on either side coincide.
+        // Zeros of c0 + 2 |c1| cos(t + arg c1). Circles that touch up to rounding count as touching: otherwise the panel would have
+        // no height here, and would be examined in its middle, where the arcs on either side coincide.
         if (std::abs(c[1]) > 1e-14 * size && std::abs(c[0].real()) <= 2.0 * std::abs(c[1]) + 1e-14 * size) {
             const double cosine = -0.5 * c[0].real() / std::abs(c[1]), middle = -std::arg(c[1]);
             const double turn = std::acos(std::min(1.0, std::max(-1.0, cosine)));
             angles = {middle + turn, middle - turn};
         }
     } else {
-        // Times z^2 it is a polynomial of degree 4 in z = e^{it}, all of whose roots are found by the Durand-Kerner
-        // iteration.
+        // Times z^2, z = e^{it}, the trigonometric polynomial has degree 4 in z; the Durand-Kerner iteration finds all its roots.
         const Complex p[5] = {std::conj(c[2]), std::conj(c[1]), c[0], c[1], c[2]};
         Complex z[4] = {{1.0, 0.1}, {-0.3, 1.1}, {-1.0, -0.2}, {0.2, -0.9}};
         for (int step = 0; step < 200; ++step) {
@@ -276,8 +276,7 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
             }
         }
         for (const Complex& root : z) {
-            // Nearly multiple roots may be found off the unit circle, hence the wide margin; an additional point does no
-            // harm.
+            // Nearly multiple roots may be computed off the unit circle, hence the wide margin; an additional point does no harm.
             if (std::abs(std::abs(root) - 1.0) < 1e-2) {
                 double t = std::arg(root);
                 for (int step = 0; step < 4; ++step) {

@@ -48,7 +48,7 @@ struct PolarPupil {
     struct Disk {
         const ZernikeSeries* series;
         double shrunk, weight;  // radius relative to the full disk; factor of the field
-        Doubles parts;          // coefficients times `weight`, as in PolarDisk::parts
+        Doubles parts;  // coefficients times `weight`, as in PolarDisk::parts
         Aligned<float> singles;
     };
     std::vector<Disk> disks;
@@ -86,7 +86,7 @@ struct PolarPupil {
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
     double aliasing = 0.0;  // bound on the error of U from aliases
-    double growth = 0.0;    // largest ratio of aliases to values
+    double growth = 0.0;  // largest ratio of aliases to values
 
     PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
         const GriddingKernel kernel = style.kernel();

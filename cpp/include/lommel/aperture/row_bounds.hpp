@@ -63,9 +63,9 @@ void each_corner(double eta, const At& at) {
 }
 
 // count: number of nodes of a Gauss rule on [-1, 1] for an error `error` (Trefethen, Approximation Theory and Approximation
-// Practice, Theorem 19.3; valid for one node too), the smallest over 16 ellipses with semi-axes cosh eta, sinh eta. Their bounds
-// have one minimum over eta up to slack, so the search descends. blocked: a singularity prevented larger ellipses. largest(eta,
-// limit): bound on the logarithm of the integrand on the ellipse; at least 1e300 if no bound exists or it exceeds `limit`.
+// Practice, Theorem 19.3; valid for one node too), the smallest found for ellipses with semi-axes cosh eta, sinh eta. The search
+// descends, as the number has one minimum over eta. blocked: a singularity prevented larger ellipses. largest(eta, limit): bound on
+// the logarithm of the integrand on the ellipse; at least 1e300 without a bound, or above `limit`.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -183,7 +183,7 @@ class PanelMap {
                 return false;
             }
         }
-        // The factor far - t = far - length u^2 has the roots u = +-sqrt(far / length).
+        // The factor far - t = far - length u^2, u = (1 + s) / 2, has the roots u = +-sqrt(far / length).
         const double end = 2.0 * std::sqrt(std::max(far, 0.0) / length_);
         return linear(end - 1.0, eta, s, std::sqrt(0.25 * length_ * (end - 1.0) * (end + 1.0)), value) &&
                linear(-end - 1.0, eta, s, 1.0, value);
@@ -262,7 +262,8 @@ struct Panel {
         return root == 0 && std::all_of(spans.begin(), spans.end(),
                                         [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
-    // Straight sides are linear in s, so the growth and the width of a span have their maxima at corners of the polygon.
+    // Straight sides are linear in s, so the growth and the width of a span are largest at corners of the polygon around the
+    // ellipse.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
         double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {

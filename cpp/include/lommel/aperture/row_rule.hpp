@@ -62,9 +62,9 @@ class RowRule {
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
     double weight() const { return weight_; }  // sum of the weights
-    // Bound on the change of a sum by displacement of the edges in rounding, for integrands of modulus at most 1.
+    // Bound on the change of a sum if rounding displaces the edges, for integrands of modulus at most 1.
     double lost() const { return lost_; }
-    const Doubles& phase() const { return phase_; }  // phases of the samples of a mask, or empty
+    const Doubles& phase() const { return phase_; }  // phases in radians of the samples of a mask, or empty
     double largest_phase() const { return largest_phase_; }
     std::size_t panels() const { return panels_; }
     std::size_t bytes() const { return sizeof(Row) * rows_.capacity() + 8 * (x_.capacity() + weights_.capacity()); }
@@ -201,7 +201,7 @@ LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error
         return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
     };
     GaussNodes best = nodes(panel.root);
-    // If an arc begins near an end of the panel but outside, the quadratic map of this end moves its branch point farther away.
+    // If an arc begins near an end of the panel, outside of it, the quadratic map of this end moves its branch point farther away.
     if (panel.root == 0 && best.blocked) {
         for (const int root : {-1, 1}) {
             const GaussNodes other = nodes(root);

@@ -93,8 +93,7 @@ class Region {
    private:
     bool clear() const;
     void require_steps();
-    // Return whether a boundary of the clear region changes from part i to part j at a point on both boundaries (i = j: lies
-    // there).
+    // Return whether the clear region near a point on the boundaries of parts i and j depends on both parts (i = j: on this part).
     bool matters(Point at, std::size_t i, std::size_t j) const;
 
     std::vector<Part> parts_;
@@ -156,7 +155,8 @@ LOMMEL_ONCE double Part::outside(Point at) const {
 LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     std::array<Side, 2> both;
     if (round()) {
-        // y - centre.y = ay cos t + by sin t; the midpoints of chords lie on a line from the lowest to the highest point.
+        // On the boundary y - centre.y = ay cos t + by sin t; the midpoints of chords lie on a line from the lowest to the highest
+        // point.
         const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
         const double terms = (std::abs(ax_ * ay_) + std::abs(bx_ * by_)) / square;
         for (std::size_t i = 0; i < 2; ++i) {

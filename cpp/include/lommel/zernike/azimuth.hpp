@@ -1,8 +1,9 @@
-// Field as a sum over azimuthal orders m, U(v, psi) = sum of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight pixels at once.
+// Field in polar coordinates v, psi as a sum over azimuthal orders m, U = sum of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight
+// pixels at once.
 //
 // On a ring (an interval of the radius v), A_m and B_m are polynomials. The eight pixels (+-x, +-y), (+-y, +-x) share A_m and B_m;
-// their cos(m psi), sin(m psi) differ by signs and swaps only. Each order takes 4 Degree + 10 multiply-adds, Degree coefficients
-// per polynomial.
+// their cos(m psi), sin(m psi) differ by signs and swaps only. With D coefficients per polynomial, an order takes 4 D + 10
+// multiply-adds.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace lommel {
 struct ActiveOrders {
     struct Order {
         std::size_t m;
-        std::size_t turns;  // (m - m of the previous order in the group) / 4: number of rotations by 4 psi
+        std::size_t turns;  // number of rotations by 4 psi that lead from the previous order of the group to m
     };
     std::array<std::vector<Order>, 4> of;
     bool sines = false;  // true if some sine coefficient B_m is not negligible

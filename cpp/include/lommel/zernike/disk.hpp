@@ -80,7 +80,7 @@ struct DiskRule {
 
     explicit DiskRule(std::size_t exact);
 
-    // Degree that all rings of a multiple of eight can serve, so that slightly stronger aberrations need no new tables.
+    // rounded: degree that the next multiple of eight rings allows, so that slightly stronger aberrations need no new tables.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
@@ -152,7 +152,8 @@ struct ZernikeSeries {
 // polynomials.
 class ZernikeAnalysis {
    public:
-    // Fill `series` with the coefficients, times -i for odd n: zernike_transforms() contains the signs of (-i)^n, not this -i.
+    // Fill `series` with the Zernike coefficients, times -i for odd degrees; zernike_transforms() has the signs that complete
+    // (-i)^n.
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);
@@ -170,7 +171,7 @@ class ZernikeAnalysis {
     }
 
    private:
-    // Radial sums of the phase, coefficients times R_n^m over n: radial_[azimuthal order][cosine, sine][ring].
+    // Phase by azimuthal orders, sums over n of coefficients times R_n^m: radial_[index of the order][cosine, sine][ring].
     template <class I>
     LOMMEL_INLINE void prepare(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;
@@ -285,7 +286,7 @@ class ZernikeAnalysis {
     LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t m, ZernikeSeries& series) {
         using V = typename I::pack;
         const std::size_t rings = rule.rings;
-        constexpr std::size_t most = 64;  // maximum number of ring vectors per block, the arrays of the recurrence
+        constexpr std::size_t most = 64;  // ring vectors per block, and so the size of the arrays below
         const double* in = &rings_[m * 4 * rings];
         const std::size_t count = series.count(m), to = series.start[m];
         for (Doubles& part : series.parts) {

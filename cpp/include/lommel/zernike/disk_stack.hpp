@@ -65,7 +65,7 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double before = axis == 0 ? window.row : window.column;
                 const double way = (centers[2 * p + axis] - before) * window.step;
-                // Rounding error of U from difference, product and sum in `tilt`, which may cancel; |dU/dv| < 1/2.
+                // Rounding error of U: `tilt` has a rounded difference, product and sum, and |dU/dv| < 1/2.
                 lost[p] += way == 0.0 ? 0.0 : unit_roundoff * (2.0 * std::abs(way) + std::abs(tilt));
                 tilt += way;
             }
@@ -115,11 +115,11 @@ struct DiskStack {
         trim();
     }
 
-    // Compute `inner`: Zernike terms, with piston, of the phase within the obscuration, the radius in units of the obscuration's.
+    // Compute `inner`: Zernike terms, with piston, of the phase within the obscuration, whose edge becomes rho = 1.
     void shrink();
 
    private:
-    // Rounding error of U if a tilt becomes a shift of the axis. The operands of the sum may cancel, so it is relative to both;
+    // Rounding error of U if a tilt becomes a shift of the axis. Shift and position may cancel, so the error is relative to both;
     // |dU/dv| < 1/2 (docs/certificate.md, section 7, "The axis").
     static double rounded(double tilt, double given, double step) {
         return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);

@@ -31,8 +31,8 @@ struct ZernikeBudget {
     // dropped: omitted orders; pieces: interpolation across a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of the error of U that is left for one piece. own_orders: orders omitted in this piece; sines: part of own_orders at
-    // which all sines are omitted; rings: interpolation across rings. The remainder is for single precision.
+    // Shares of the error of U that is left for one radial piece. own_orders: orders omitted in this piece; sines: part of
+    // own_orders below which all sines are omitted; rings: interpolation across rings. The remainder is for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Minimum error of interpolation across rings, as a share of the error of U that all pieces have in common.
@@ -46,7 +46,7 @@ struct ZernikeBudget {
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
     // Factors on the allowed error when a computation is repeated. retry: expansion; piece_retry: piece. The expansion is repeated
-    // if `blame` times its error exceeds the error of the piece.
+    // if `blame` times the expansion's error exceeds the error of the piece.
     static constexpr double retry = 0.1, piece_retry = 0.2, blame = 3.0;
 };
 
@@ -56,7 +56,7 @@ struct DiskExpansion {
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
     std::size_t curve;
-    double saved = 0.0;  // decrease by sampling of log M(b), the bound on the pupil function in bounds/disk.hpp
+    double saved = 0.0;  // decrease by samples of log M(b), M(b) the bound on the pupil function in bounds/disk.hpp
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
@@ -81,7 +81,7 @@ struct DiskExpansion {
         const std::size_t at = bounds.likely(error, usual_share);
         double samples = GrowthTable::work(phase.list);
         if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
-            // Estimated result of sampling: the growth of the terms adds in quadrature, as if the terms were independent.
+            // Estimated result of sampling: the exponents of the terms add in quadrature, as if the terms were independent.
             double squares = 0.0, sum = 0.0;
             phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
                 const double most = amplitude * chord_curves.growth[n][at];
@@ -108,7 +108,8 @@ struct DiskExpansion {
    private:
     DiskExpansion() = default;
 
-    // Typical ratio for a pupil function: log(mean over samples) / log(product of the maxima of all terms).
+    // Typical log M(b) from samples over log M(b) from the maxima of all terms, M(b) the growth of a pupil function
+    // (bounds/disk.hpp).
     static constexpr double usual_share = 0.6;
 
     double less_by_samples(const ZernikePhase& phase) const {
@@ -165,7 +166,8 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
 }
 #endif
 
-// Omit the last coefficients of each order that together add at most `error` to U, times `weight`; return a bound on their sum.
+// Omit the highest coefficients of each order, which together add at most `error` to U, and return a bound on their sum. weight:
+// factor of the disk's field.
 inline double trim(ZernikeSeries& series, double weight, double error) {
     double left = 0.0;
     const double share = error / static_cast<double>(series.orders + 1);

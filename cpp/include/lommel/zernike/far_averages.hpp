@@ -74,11 +74,11 @@ class FarLight {
     struct Wave {
         double frequency;
         std::vector<double> re, im;        // coefficients of v^(-3/2 - k), [k][angle]
-        std::array<double, terms> sizes;   // [k]: bound on the modulus at all angles
-        double largest = 0.0, slope = 0.0;  // bounds on the amplitude times v^(3/2), and on v times its derivative
+        std::array<double, terms> sizes;   // [k]: bound on the modulus of coefficient k at all angles
+        double largest = 0.0, slope = 0.0;  // largest: bound on the amplitude times v^(3/2); slope: on v times its derivative
     };
     struct Disk {
-        double radius, weight, factor;  // factor: common amplitude of both waves of this disk
+        double radius, weight, factor;  // relative radius; factor of the field; common factor of both waves of the disk
         std::size_t orders;
         std::vector<double> size;  // [degree]: sum of the moduli of its coefficients over all orders
         std::array<double, terms> rounding;  // [k]: rounding error of term k of the waves
@@ -95,7 +95,7 @@ class FarLight {
     double edges(std::size_t i, std::size_t j, double step) const {
         return std::min(1.0, 2.8284271247461903 / (step * std::abs(waves_[i].frequency - waves_[j].frequency)));
     }
-    // Bound the error of U for radii of at least v.
+    // Set off_, the error bound of U for radii of at least v.
     void prepare(double v);
 
     double base_, from_ = 1.0, off_ = 0.0, misfit_ = 0.0;
@@ -139,7 +139,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
             }
         }
     };
-    // Smallest count for which the omitted degrees or orders add at most spare / 2; their bound is added to the error of U.
+    // Reduce `count`, of orders or degrees, while the omitted ones add at most spare / 2 to U; base_ receives their bound.
     const auto fewest = [&](std::size_t count, const auto& adds) {
         for (double sum = 0.0; count > 1 && sum + adds(count - 1) <= 0.5 * spare; --count) {
             sum += adds(count - 1);
@@ -253,8 +253,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
             power /= place;
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
-            // Remainder of Hankel's series: below the first omitted term after n + 1 terms or more, else the omitted terms up to n
-            // + 1 are added. Alternative bound: all of degree n of U plus the summed terms.
+            // Remainder of Hankel's series for degree n: below the first omitted term after at least n + 1 terms; with fewer, the
+            // terms up to n + 1 are added. Another bound: the field of degree n plus the summed terms.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -277,7 +277,7 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
 
 LOMMEL_ONCE void FarLight::fit(double v) {
     prepare(v);
-    // Sum of the squared moduli of all waves: squares[point x = from / v][angle].
+    // Sum of the squared moduli of all waves at samples of x = from / v: squares[sample][angle].
     std::vector<double> squares((points + smooth) * angles_, 0.0);
     std::array<double, points + smooth> places;
     for (std::size_t i = 0; i < points; ++i) {
@@ -287,7 +287,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
         places[points + i] = 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(smooth));
     }
     const double turn = pi * static_cast<double>(orders_) / static_cast<double>(angles_);
-    // Ratios of the maximum of a polynomial to its maximum at the points (Ehlich and Zeller, 1964). once: for the degree of the
+    // Ratios of the maximum of a polynomial to its maximum at the samples (Ehlich and Zeller, 1964). once: for the degree of the
     // waves; twice: for the degree of their squares.
     const double once = 1.0 / (std::cos(turn) * std::cos(0.5 * pi * (kept - 1.0) / points)),
                  twice = 1.0 / (std::cos(2.0 * turn) * std::cos(pi * (kept - 1.0) / points));
@@ -325,7 +325,7 @@ LOMMEL_ONCE void FarLight::fit(double v) {
             power /= v;
         }
     }
-    // Coefficients of the polynomial through the last `smooth` points, by divided differences.
+    // Coefficients of the polynomial in x through the last `smooth` samples, by divided differences.
     const double* const at = places.data() + points;
     std::vector<double> terms_of(smooth * angles_);
     for (std::size_t l = 0; l < angles_; ++l) {
@@ -508,7 +508,7 @@ class FarAverages {
     double likely_peak(const ZernikeField& field, double reach, double light) const {
         const double step = window_.step, spacing = std::min(3.0, 0.5 * step);
         const std::size_t across = static_cast<std::size_t>(std::ceil(step / spacing));
-        std::vector<double> within{0.0};  // encircled energy over 2 pi
+        std::vector<double> within{0.0};  // encircled energy divided by 2 pi
         double most = 0.0;
         for (std::size_t i = 0; i < 96 && spacing * static_cast<double>(i) < reach; ++i) {
             const double v = spacing * (static_cast<double>(i) + 0.5);
@@ -572,7 +572,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         return;
     }
     found[0] = limit;
-    found[1] = 1.000001 * tail.left_out(step);  // 1.000001: rounding of distances
+    found[1] = 1.000001 * tail.left_out(step);  // the factor covers the rounding of distances
     for (std::size_t y = 0; y < window_.height; ++y) {
         look();
         const double down = static_cast<double>(y) - row, rest = limit * limit - down * down;

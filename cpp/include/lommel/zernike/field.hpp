@@ -71,8 +71,8 @@ class ZernikeField {
     // Largest I over the sampled directions at the radius v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Compute the coefficients of the pieces that in_use(number of pieces) returns, in increasing order. Omissions add about
-    // `error` to U at most; afterwards base() is the error of U that all pieces have in common.
+    // Compute the coefficients of the pieces in_use(number of pieces), in increasing order. Omitted orders and interpolation add
+    // about `error` to U at most; afterwards base() is the error of U that all pieces have in common.
     template <class InUse>
     void prepare(double error, int threads, const InUse& in_use) {
         orders_.measure(outer_, inner_, obscuration_);
@@ -134,13 +134,13 @@ class ZernikeField {
     const ZernikeSeries& outer() const { return outer_; }
     const ZernikeSeries& inner() const { return inner_; }
 
-    // Plan of piece s with `groups` groups of mirrored pixels, for an error of U of about `error` if base() is well below it.
+    // Plan the evaluation of piece s with `groups` groups of mirrored pixels, for an error of U of about `error`.
     PiecePlan plan(std::size_t s, double error, std::size_t groups) const {
         PiecePlan made;
         const double spare = std::max(0.0, error - base_);
         made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
-        // If base() takes nearly all of `error`, a share of base() is allowed in addition, as `error` is a goal and not a limit.
+        // If base() takes nearly all of `error`, rings are allowed a share of base() instead, as `error` is a goal and not a limit.
         const double across = std::max(ZernikeBudget::rings * spare, ZernikeBudget::rings_least * base_);
         while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > across) {
             ++rings;

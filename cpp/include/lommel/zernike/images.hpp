@@ -73,7 +73,8 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // A repetition reduces the tolerance, too: it is too large if all pixels are dim compared with points between them.
+                // A smaller `error` reduces the tolerance, too, as a first allowed error is too large if all pixels are dimmer than
+                // points between.
                 image.prepare(tol * error / first);
                 expanded = false;
             }

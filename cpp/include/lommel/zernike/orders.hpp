@@ -22,7 +22,7 @@ struct PiecePlan {
 };
 
 // Bound on the contribution of an azimuthal order to U. near: valid at all radii v, from |2 (n+1) J_{n+1}(v) / v| <= 1; far: factor
-// of the bound that falls with v, from |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
+// of a bound that falls as v^(-4/3), from |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
 struct OrderSize {
     double near = 0.0, far = 0.0;
     static double fall(double v) { return v > 0.0 ? 1.572 / (v * std::cbrt(v)) : 1e200; }
@@ -106,7 +106,7 @@ class PupilOrders {
     const std::vector<std::size_t>& kept() const { return kept_; }
 
    private:
-    std::vector<OrderSize> sizes_;  // [2 m + (1 for the sine of order m)]
+    std::vector<OrderSize> sizes_;  // [2 m]: cosine of order m; [2 m + 1]: sine
     std::vector<std::size_t> kept_;
 };
 

@@ -23,7 +23,7 @@ namespace lommel {
 struct PolarCircle : GriddingTaps {
     RowFft<float> single;
     RowFft<double> exact;
-    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on aliases, relative to the order
+    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on aliases over the order's modulus
 
     PolarCircle(std::size_t points, std::size_t taps);
 
@@ -31,7 +31,7 @@ struct PolarCircle : GriddingTaps {
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
     // Factor by which the gains magnify errors of the orders below `orders`: by Cauchy's inequality, the rms gain over every other
-    // order from the highest down, as one degree has no others. Orders m > 0 count twice, for m and -m.
+    // order from the highest down, the orders of one degree. Orders m > 0 count twice, for m and -m.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -60,8 +60,8 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 }
 #endif
 
-// One disk. parts: coefficients [order][n][re cos, im cos, re sin, im sin] times the weight of the disk; table: transforms
-// [block][n][radius] at sixteen radii per block, of which only the first reached[block] degrees matter.
+// One disk. parts: coefficients [order][degree][re cos, im cos, re sin, im sin] times the weight of the disk; table: transforms
+// [block][degree][radius] at sixteen radii per block, of which only the first reached[block] degrees matter.
 struct PolarDisk {
     const ZernikeSeries* series;
     const double* parts;
@@ -267,7 +267,8 @@ class PolarRows {
         for (V& most : largest) {
             most = splat<V>(Fft(0));
         }
-        // U at the angle psi_q + k pi/2 is also the value of the direction (k+1) pi/2 - psi at the angle psi_{quarter - q}.
+        // U at psi_q + k pi/2, psi_q the angle number q, is also the value in the direction (k+1) pi/2 - psi at psi = psi_{quarter
+        // - q}.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {

@@ -25,7 +25,7 @@ inline double& interpolation_worth() {
     return share;
 }
 
-class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
+class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in one zone
    public:
     // Return whether interpolation is estimated to be faster than a sum over orders at each pixel, with tables of acceptable size.
     // Unit of time: one order at one pixel. Interpolation takes a fixed time per pixel and an FFT per circle; both methods need the
@@ -95,7 +95,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // parts: tiles in zones
         }
     }
 
-    // Number of circles that are summed together: the largest divisor of `of` up to `most`, the number whose sums fit in registers.
+    // Number of circles summed at a time: the largest divisor of `of` that is at most `most`, so that the sums fit in registers.
     static constexpr std::size_t largest_divisor(std::size_t of, std::size_t most) {
         while (of % most != 0) {
             --most;

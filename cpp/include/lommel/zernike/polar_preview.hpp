@@ -98,7 +98,7 @@ class PolarLooks : public Looks {
     }
 
     std::size_t blocks_;
-    Aligned<float> sizes_;  // [block][order][radius]: upper bound on the modulus
+    Aligned<float> sizes_;  // [block][order][radius]: upper bound on the modulus of the order
 };
 
 // Bounds on the contribution to U of all azimuthal orders from m on, for each m.
@@ -115,11 +115,11 @@ class PolarOrders {
         }
     }
 
-    // Bound on the orders omitted from `orders` on, at radii of at least v; aliases: bound on aliases between circles over values.
+    // Bound on the orders from `orders` on, at radii of at least v; aliases: bound on aliases between circles, relative to values.
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
-    // Smallest number of orders for which the omitted orders add at most `error`.
+    // Smallest number of orders to keep, so that the omitted orders add at most `error` to U.
     std::size_t least(double error, double v, double aliases) const {
         const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;

@@ -15,8 +15,8 @@
 namespace lommel {
 
 // Style of interpolation. oversampling: circles are pi / oversampling apart in v; between, around: number of taps between circles
-// and around them; doubles: pixels are summed in double precision; exact: FFTs in double precision; rough: positions and sums over
-// degrees in single precision.
+// and around them; doubles: pixels are summed in double precision; exact: FFTs are in double precision; rough: positions and sums
+// over degrees are in single precision.
 struct PolarStyle {
     double oversampling;
     std::size_t between, around;
@@ -55,8 +55,8 @@ struct PolarPupil {
     double base;  // error bound of U from the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // Rounding of positions: below 12 units of v between circles, below 24 units of the angle around them; |U'| < 1/2 along any
-        // line.
+        // Rounding of positions, in units of roundoff: below 12 v between circles, below 24 times the angle around them; |U'| < 1/2
+        // along any line.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
@@ -86,13 +86,13 @@ struct PolarPupil {
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
     double aliasing = 0.0;  // bound on the error of U from aliases
-    double growth = 0.0;  // largest ratio of aliases to values
+    double growth = 0.0;  // relative growth of the expansion's error by aliases
 
     PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // Aliases assume chord means of the pupil function with mean square <= 1; `growth` covers the error of its truncation.
+            // `aliases` holds for chord means of the pupil function with a mean square <= 1; `growth` covers the truncation error.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -100,9 +100,9 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding error of the factors A_m, B_m of all orders, for cosines and sines separately by Cauchy's inequality: a chain of sums
-// over every other degree, the degrees that the table omits, and `each`, the rounding of the table's (n+1) F_n. In single precision
-// both factors of a product are rounded.
+// Rounding error of U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: sums over every other degree
+// (single precision rounds both factors); each: rounding of (n + 1) times the table's values of degree n; left_out: degrees that
+// the table omits.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
@@ -137,7 +137,7 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
                           const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
     const double weights = kernel.weight * circle.weight,
-                 // Rounding of the FFT, and two roundings before it.
+                 // Rounding of the FFT and of two operations before it.
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;

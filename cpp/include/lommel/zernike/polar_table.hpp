@@ -22,7 +22,7 @@ struct PolarKernel : GriddingTaps {
     double step;
     double aliases;  // bound on the contribution of aliases to U
     double largest;  // largest 1 / (transform of the kernel)
-    double shares;   // mean over the angle a of 2 sin(a) / transform(step cos(a))
+    double shares;   // mean over 0 <= a <= pi/2 of 2 sin(a) / transform(step cos(a))
 
     PolarKernel(double circle_step, std::size_t taps, double beta)
         : GriddingTaps({taps, beta}), step(circle_step), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)),
@@ -42,8 +42,8 @@ struct PolarKernel : GriddingTaps {
 };
 
 // Table of F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, with h the step in v, t the transform
-// of the kernel phi, C = cos for even n, sin for odd n. Except for aliases, zernike_transforms() at v are sum_j phi(v/h - j)
-// F_n(j).
+// of the kernel phi, C = cos for even n, sin for odd n. Except for aliases, sum_j phi(v/h - j) F_n(j) is 2 J_{n+1}(v) / v up to a
+// sign.
 //
 // Layout [block][n][j], sixteen j per block from j = -16 on. A block depends only on its index and on grade(degrees), so images do
 // not depend on the contents of the cache.
@@ -55,7 +55,7 @@ struct PolarTable {
     std::size_t blocks, degrees;
     Doubles values;
     std::vector<std::size_t> reached;  // [block]: number of degrees in use; omitted degrees add less than left_out
-    std::vector<double> roundings;     // [block]: bound on the rounding of (n+1) F_n
+    std::vector<double> roundings;     // [block]: bound on the rounding of (n + 1) times the values of degree n
 
     // Bound on the contribution to U of the degrees that a block omits, for any pupil.
     static constexpr double left_out = 1e-13;
@@ -73,7 +73,7 @@ struct PolarTable {
         }
     }
 
-    // Number of degrees rounded up to a power of two, or to 3/2 of one.
+    // Number of degrees rounded up to a power of two, or to 3/2 times a power of two.
     static std::size_t grade(std::size_t degrees) {
         std::size_t made = 32;
         while (made < degrees) {
@@ -82,9 +82,9 @@ struct PolarTable {
         return made;
     }
 
-    // Bound on the rounding of (n+1) F_n at radii up to v; shares: sum of the weights of the nodes. In units of roundoff: one per
-    // node; 3 v from the sines of the nodes' angles; 2 v from rounding of v and of the argument; 170 from the transform of the
-    // kernel, the sines of arguments and the products.
+    // Bound on the rounding of (n + 1) times the values of degree n at radii up to v; shares: sum of the weights of the nodes. In
+    // units of roundoff: one per node; 3 v from the sines of the nodes' angles; 2 v from v and the argument v cos(a); 170 from the
+    // kernel's transform, the sines of arguments and the products.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
     // Error of U if `count` degrees have the error `each`: by Cauchy, as the Zernike coefficients have sum |beta_n|^2 / (n+1) <= 1.
@@ -100,10 +100,10 @@ struct PolarTable {
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
 
-    // degrees: number needed in a block; half: N / 2 for the midpoint rule of N points in a. On the strip |Im a| <= b the integrand
-    // of F_n without 2 / (pi (n+1)) is at most M = cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b): t has only real zeros, so it
-    // is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the rule has an error
-    // of at most 2 M / (exp(2 N b) - 1).
+    // degrees: number needed in a block; half: N / 2 for the midpoint rule of N points for F_n. On the strip |Im a| <= b its
+    // integrand without 2 / (pi (n+1)) is at most M = cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b): t has only real zeros, so
+    // t is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the rule has an
+    // error of at most 2 M / (exp(2 N b) - 1).
     struct Rule {
         std::size_t degrees, half;
 
@@ -201,7 +201,8 @@ struct PolarTable {
     }
 };
 
-// Exact transforms at the radii 40 sinh(k/18) times `shrunk`, the relative radius of a disk, for the preview of the brightness.
+// Exact transforms of Zernike polynomials at the radii 40 sinh(k/18) times `shrunk`, the relative radius of a disk, for the
+// preview.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 

@@ -21,7 +21,7 @@ struct PolarBudget {
     static constexpr double image = 0.9, brighter = 1.15;
     // Shares of the allowed error of U. promise: estimated error of a style; orders: omitted azimuthal orders.
     static constexpr double promise = 0.95, orders = 0.05;
-    // Second attempt: factor on the tolerance, beside the ratio of the tolerance to the first error bound.
+    // Factor on the tolerance in a second attempt, in addition to the ratio of the tolerance to the first error bound.
     static constexpr double retry = 0.7;
 };
 
@@ -33,7 +33,7 @@ struct PolarZone {
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
-    PairedTaps both;            // weights of both kernels, for styles with four taps
+    PairedTaps both;            // taps of both kernels in one vector, for styles with four taps
     PolarRows<double> doubles;  // field on the circles, in one of two precisions
     PolarRows<float> floats;
     std::vector<double> errors;  // [circle]: error bound of U
@@ -86,7 +86,7 @@ class PolarZones {
             PolarRowError& row = rows[i % block];
             for (std::size_t d = 0; d < pupil.disks.size(); ++d) {
                 const PolarKernel& kernel = *kernels.disks[d];
-                // Estimated number of nodes of the rule for the table.
+                // Estimated number of nodes of the table's quadrature rule.
                 const double v = pupil.disks[d].shrunk * looks.v[i],
                              nodes = v + static_cast<double>(pupil.disks[d].series->degrees) + 40.0;
                 row.sums += polar_rounding(pupil.disks[d], style, kernel, PolarTable::rounding(kernel.shares, nodes, v));

@@ -111,8 +111,8 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 }
 #endif
 
-// Logarithm of the mean of e^{-Im Phi} over a curve and over chords, at the direction with the largest mean. mean: from samples;
-// margin: for values between samples (second derivatives at most n^2, m^2 times the maximum of a term) and for rounding.
+// Logarithm of the mean of e^{-Im Phi}, Phi the phase, over a curve and over chords, at the direction with the largest mean. mean:
+// from samples; margin: for values between samples (second derivatives at most n^2, m^2 times a term's maximum) and for rounding.
 struct SampledGrowth {
     double mean, margin;
 };
@@ -140,7 +140,7 @@ LOMMEL_INLINE SampledGrowth sampled_growth(I, const GrowthTable& table, const Te
     }
     double largest = -1e300;
     for (std::size_t first = 0; first < directions; first += lanes) {
-        // Im Phi at the mirror images of a sample: (x, y), (-x, -y), (x, -y), (-x, y).
+        // Im Phi, Phi the phase, at the mirror images of a sample: (x, y), (-x, -y), (x, -y), (-x, y).
         const auto images = [&](std::size_t s, V* image) LOMMEL_INLINE_LAMBDA {
             const float *value = &table.values[2 * s * pairs], *with = &given[first];
             // Sums even (index 0) and odd (index 1) in x.

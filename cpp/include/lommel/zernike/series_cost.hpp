@@ -23,7 +23,7 @@ struct SeriesCost {
     // be computed twice; above `lost`, possibly no method meets the tolerance.
     static constexpr double rounded = 0.17, lost = 0.25;
 
-    // Estimated time of the image of one pupil.
+    // Estimated time for the image of one pupil of the stack, by interpolation between circles or on rings.
     static double nanoseconds(const DiskStack& stack, const DiskWindow& window, std::size_t pupil, double tol) {
         const TermPairs terms(stack.terms);
         const std::size_t count = stack.terms.size();

@@ -251,8 +251,7 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // The points with growth b below a limit form a convex set, so b between two sides is at most the larger b of both
-            // sides.
+            // The points with growth b below a limit form a convex set, so b between two sides is at most the larger of their b.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
@@ -262,8 +261,7 @@ struct Panel {
         return root == 0 && std::all_of(spans.begin(), spans.end(),
                                         [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
-    // Straight sides are linear in s, so the growth and the width of a span are largest at corners of the polygon around the
-    // ellipse.
+    // Straight sides are linear in s, so growth and width of a span are largest at corners of the polygon around the ellipse.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
         double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {

@@ -1,9 +1,7 @@
-// Field in polar coordinates v, psi as a sum over azimuthal orders m, U = sum of A_m(v) cos(m psi) + B_m(v) sin(m psi), for eight
-// pixels at once.
+// Field in polar coordinates as a sum over azimuthal orders, U(v, psi) = sum over m of A_m(v) cos(m psi) + B_m(v) sin(m psi).
 //
-// On a ring (an interval of the radius v), A_m and B_m are polynomials. The eight pixels (+-x, +-y), (+-y, +-x) share A_m and B_m;
-// their cos(m psi), sin(m psi) differ by signs and swaps only. With D coefficients per polynomial, an order takes 4 D + 10
-// multiply-adds.
+// On a ring (an interval of the radius v), A_m and B_m are polynomials with D coefficients. The eight pixels (+-x, +-y), (+-y, +-x)
+// share A_m and B_m; their cos(m psi), sin(m psi) differ by signs and swaps only. An order takes 4 D + 10 multiply-adds.
 #pragma once
 
 #include <algorithm>

@@ -152,8 +152,7 @@ struct ZernikeSeries {
 // polynomials.
 class ZernikeAnalysis {
    public:
-    // Fill `series` with the Zernike coefficients, times -i for odd degrees; zernike_transforms() has the signs that complete
-    // (-i)^n.
+    // Fill `series` with the Zernike coefficients, times -i for odd degrees (zernike_transforms() has the signs of (-i)^n).
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);

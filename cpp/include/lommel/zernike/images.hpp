@@ -73,8 +73,8 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // A smaller `error` reduces the tolerance, too, as a first allowed error is too large if all pixels are dimmer than
-                // points between.
+                // A smaller `error` reduces the tolerance, too: the first is too large if all pixels are dimmer than points between
+                // them.
                 image.prepare(tol * error / first);
                 expanded = false;
             }

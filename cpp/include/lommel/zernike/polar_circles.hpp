@@ -210,9 +210,8 @@ struct PolarRowError {
     double largest = 0.0;  // largest |re U| or |im U| on the circle
 };
 
-// Field on circles, [circle][angle][re, im][direction]. Angles psi run from -w/2 steps to an eighth of a turn plus w/2 steps, with
-// w the number of taps of the kernel. Eight mirrored directions belong to each angle: psi + k pi/2, k = 0..3, then (k+1) pi/2 -
-// psi.
+// Field on circles, [circle][angle][re, im][direction]. Angles psi run from -w/2 steps to an eighth of a turn plus w/2 steps, w the
+// number of taps of the kernel. Each angle has eight mirrored directions: psi + k pi/2, k = 0..3, then (k+1) pi/2 - psi.
 template <class Real>
 class PolarRows {
    public:
@@ -267,8 +266,7 @@ class PolarRows {
         for (V& most : largest) {
             most = splat<V>(Fft(0));
         }
-        // U at psi_q + k pi/2, psi_q the angle number q, is also the value in the direction (k+1) pi/2 - psi at psi = psi_{quarter
-        // - q}.
+        // With psi_q the angle number q: U at psi_q + k pi/2 is also the value of direction (k+1) pi/2 - psi at the angle n/4 - q.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {

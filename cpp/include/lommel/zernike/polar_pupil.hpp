@@ -55,8 +55,7 @@ struct PolarPupil {
     double base;  // error bound of U from the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // Rounding of positions, in units of roundoff: below 12 v between circles, below 24 times the angle around them; |U'| < 1/2
-        // along any line.
+        // Rounding of positions in units of roundoff: below 12 v between circles, below 24 times the angle around them; |U'| < 1/2.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
@@ -101,8 +100,7 @@ struct PolarKernels {
 };
 
 // Rounding error of U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: sums over every other degree
-// (single precision rounds both factors); each: rounding of (n + 1) times the table's values of degree n; left_out: degrees that
-// the table omits.
+// (single precision rounds both factors); each: rounding of (n + 1) times the table's degree n; left_out: degrees not in the table.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;

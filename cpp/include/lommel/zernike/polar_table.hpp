@@ -201,8 +201,7 @@ struct PolarTable {
     }
 };
 
-// Exact transforms of Zernike polynomials at the radii 40 sinh(k/18) times `shrunk`, the relative radius of a disk, for the
-// preview.
+// Exact transforms of Zernike polynomials at the radii 40 sinh(k/18) times `shrunk`, the relative radius of a disk, for previews.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 

@@ -155,8 +155,7 @@ LOMMEL_ONCE double Part::outside(Point at) const {
 LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     std::array<Side, 2> both;
     if (round()) {
-        // On the boundary y - centre.y = ay cos t + by sin t; midpoints of chords lie on a line from the lowest to the highest
-        // point.
+        // On the boundary y - centre.y = ay cos t + by sin t; midpoints of chords lie on a line through the highest point.
         const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
         const double terms = (std::abs(ax_ * ay_) + std::abs(bx_ * by_)) / square;
         for (std::size_t i = 0; i < 2; ++i) {

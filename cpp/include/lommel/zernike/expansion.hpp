@@ -23,7 +23,7 @@ struct ZernikeBudget {
     // from either expansion.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
     // Shares of the error of a disk. degrees: omitted degrees (times `fourier`, which bounds the Lebesgue constant of Fourier sums,
-    // if orders are omitted too); orders: omitted orders; quadrature: twice the distance of the pupil function from polynomials.
+    // if orders are omitted too); orders: omitted orders; quadrature: distance of the pupil from polynomials, counted twice.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
     // Shares of the error of U at the brightest point, common to all radial pieces. trimmed: omitted coefficients of each disk;
@@ -96,8 +96,7 @@ struct DiskExpansion {
     }
 
     // Error bound of U. Rounding of exp(i Phi) at the nodes is not amplified in U. Rounding of sums and recurrences is relative to
-    // each of degrees^2 / 2 coefficients; by Cauchy's inequality, together they add at most degrees / sqrt(2) times as much as one
-    // coefficient.
+    // each of degrees^2 / 2 coefficients; by Cauchy's inequality, all together add at most degrees / sqrt(2) times as much as one.
     double error(const ZernikePhase& phase) const {
         const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;

@@ -73,8 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // A smaller `error` reduces the tolerance, too: the first is too large if all pixels are dimmer than points between
-                // them.
+                // A smaller `error` reduces the tolerance, too, as all pixels may be dimmer than points between them.
                 image.prepare(tol * error / first);
                 expanded = false;
             }

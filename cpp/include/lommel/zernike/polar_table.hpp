@@ -100,10 +100,10 @@ struct PolarTable {
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
 
-    // degrees: number needed in a block; half: N / 2 for the midpoint rule of N points for F_n. On the strip |Im a| <= b its
-    // integrand without 2 / (pi (n+1)) is at most M = cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b): t has only real zeros, so
-    // t is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the rule has an
-    // error of at most 2 M / (exp(2 N b) - 1).
+    // degrees: number needed in a block; half: N / 2 for the midpoint rule of N points over the angle a in F_n. For |Im a| <= w the
+    // integrand without 2 / (pi (n+1)) is at most M = cosh(w) cosh((n+1) w) exp(v sinh w) / t(h cosh w), with h the step and t the
+    // kernel's transform, which has only real zeros and so is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(w) exp(v sinh
+    // w - (n+1) w) / t(h cosh w), and the rule's error is at most 2 M / (exp(2 N w) - 1).
     struct Rule {
         std::size_t degrees, half;
 

@@ -1,4 +1,4 @@
-"""Pictures and outputs of pages, from the code and commands above them; run as a script, the figure of README.md."""
+"""Pictures and outputs of pages, from the code and commands above them; run as a script, those kept with the pages."""
 
 from __future__ import annotations
 
@@ -18,16 +18,19 @@ from typing import Any
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
+from PIL import Image
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE / "pictures.md"
 # Pages whose code and commands run from top to bottom in an empty folder.
 TUTORIALS = [HERE / f"start{field}.md" for field in ("", "-camera", "-class", "-depth", "-microscope", "-telescope")]
 TUTORIALS.append(HERE / "apertures.md")
+# Pictures kept beside the pages, for readers of the repository: pages name them in this folder.
+KEPT = HERE / "start"
 # A block of code, of commands or of a file named in its first line; a picture or a printed text that the build makes.
 _PARTS = re.compile(
     r"^```(?P<language>python|sh|toml)\n(?P<code>.*?)^```"
-    r"|_generated/pictures/(?P<picture>[\w-]+)\.png"
+    r"|(?:_generated/pictures|\(start)/(?P<picture>[\w-]+)\.png"
     r"|_generated/output/(?P<output>[\w-]+)\.txt",
     re.MULTILINE | re.DOTALL,
 )
@@ -118,13 +121,39 @@ def write(folder: Path, pages: list[Path] | None = None) -> None:
             for name, made in parts(page):
                 if isinstance(made, str):
                     (folder / "output" / f"{name}.txt").write_text(made, encoding="utf-8")
-                elif isinstance(made, Path):
-                    shutil.copy(made, folder / "pictures")
-                else:
-                    made.savefig(folder / "pictures" / f"{name}.png", dpi=110)
+                elif name not in kept(page):
+                    save(made, folder / "pictures" / f"{name}.png")
+
+
+def kept(page: Path) -> list[str]:
+    """Return the names of the pictures of a page that are kept beside it."""
+    return re.findall(r"\(start/([\w-]+)\.png\)", page.read_text(encoding="utf-8"))
+
+
+def save(made: Figure | Path, path: Path) -> None:
+    """Write a figure, or copy the file of a picture."""
+    if isinstance(made, Path):
+        shutil.copy(made, path)
+    else:
+        made.savefig(path, dpi=110)
+
+
+def write_kept() -> None:
+    """Draw the pictures kept beside the pages anew, with 256 colours."""
+    KEPT.mkdir(exist_ok=True)
+    for page in TUTORIALS:
+        if names := kept(page):
+            with tempfile.TemporaryDirectory() as empty, chdir(empty):
+                for name, made in parts(page):
+                    if name in names and not isinstance(made, str):
+                        save(made, KEPT / f"{name}.png")
+                        with Image.open(KEPT / f"{name}.png") as picture:
+                            few = picture.convert("RGB").quantize(256, dither=Image.Dither.NONE)
+                        few.save(KEPT / f"{name}.png", optimize=True)
 
 
 if __name__ == "__main__":
     figure = first_psf()
     figure.set_size_inches(5.4, 4.0)
     figure.savefig(HERE / "first-psf.png", dpi=100)
+    write_kept()

@@ -131,7 +131,9 @@ _HEAD = """# Benchmarks
 
 ## In short
 
-Time of the other over that of lommel, one thread each, for new pupils in a window that is known.
+Time of the other over that of lommel, one thread each. Pupils are new in every call; the window, its size and pixels,
+is that of a call before, which made the tables. lommel meets the tolerance that is stated; an FFT is the transform
+alone, whatever the error of an image by it, and SciPy's is not the fastest ([ducc0's](#all-rows) is faster).
 
 {short}
 
@@ -218,20 +220,20 @@ def _with_second(table: dict[str, Any], second: dict[str, Any] | None) -> dict[s
     return table | {"columns": columns, "rows": rows}
 
 
-# Questions of users: the words of the page, the table and the beginning of the row that answer them, and which of the
-# row's ratios.
+# Questions of users: the words of the page, the table and the beginning of the rows that answer them, of
+# which the least favourable counts, and which of the row's ratios.
 IN_SHORT = [
     ("512² samples, defocus and spherical aberration, to 1e-6", "SciPy's FFT of 1024², complex128", "targets",
      "512², float32, tol 1e-6, abs(C_d), abs(C_s) ≤ 50", 0),
-    ("these with coma, astigmatism and trefoil, up to 10 rad each", "SciPy's FFT of 1024², complex128", "targets",
-     "512², float32, tol 1e-6, pixels of 0.5 λN, coma, astigmatism, trefoil", 0),
+    ("512² samples, coma, astigmatism and trefoil of up to 10 rad each, the worst of three pixel sizes, to 1e-6",
+     "SciPy's FFT of 1024², complex128", "targets", "512², float32, tol 1e-6, pixels of", 0),
     ("1000 of 33² samples, 15 Zernike terms of 1 rad rms together, to 1e-4", "SciPy's FFT of 128² each", "targets",
      "1000 of 33², 15 Zernike terms of 1 rad rms together, float32, tol 1e-4", 0),
     ("1000 of 33² camera pixels (4 µm, f/2.8), averaged, 12 terms of 0.1 waves rms, to 1e-4",
      "SciPy's FFT of 128² each", "camera", "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs", 0),
-    ("these of 0.2 waves rms", "SciPy's FFT of 128² each", "camera",
+    ("the same, 12 terms of 0.2 waves rms", "SciPy's FFT of 128² each", "camera",
      "f/2.8, 4 µm (2.6 λN), 0.2 waves rms, 1000 PSFs", 0),
-    ("those of 0.1 waves rms", "the smallest FFT method in complex64 within 1e-4", "camera",
+    ("the same, 12 terms of 0.1 waves rms", "the smallest FFT method in complex64 within 1e-4", "camera",
      "f/2.8, 4 µm (2.6 λN), 0.1 waves rms, 1000 PSFs", 1),
     ("64 planes of 64² of a microscope, NA 1.4, oil, to 1e-6", "psfmodels", "microscopes", "64 planes of 64²", 1),
 ]  # fmt: skip
@@ -242,10 +244,9 @@ def in_short(results: dict[str, Any]) -> list[float | None]:
     tables = {table["key"]: table["rows"] for table in results["tables"]}
     found: list[float | None] = []
     for _, _, key, words, which in IN_SHORT:
-        rows = (row for row in tables.get(key, ()) if next(iter(row.values())).startswith(words))
-        row = next(rows, {})
-        medians = [value["median"] for value in row.values() if isinstance(value, dict)]
-        found.append(medians[which] if medians else None)
+        rows = [row for row in tables.get(key, ()) if next(iter(row.values())).startswith(words)]
+        medians = [[value["median"] for value in row.values() if isinstance(value, dict)] for row in rows]
+        found.append(min((each[which] for each in medians if each), default=None))
     return found
 
 

@@ -1,4 +1,4 @@
-"""Pictures and outputs of pages, from the code and commands above them; run as a script, those kept with the pages."""
+"""Pictures and outputs of pages, from the code and commands above them; as a script, draw those kept with them."""
 
 from __future__ import annotations
 

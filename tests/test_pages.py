@@ -539,6 +539,27 @@ def test_the_speeds_of_the_readme_are_those_of_the_results():
                 assert float(row[column]) == pytest.approx(value, abs=0.05, rel=0.005), row
 
 
+def test_what_the_readme_says_of_ffts_pairs_of_frames_and_fits_is_that_of_the_pages():
+    readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    pages = {name: (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8") for name in ("live-depth", "trust")}
+    (took,) = re.findall(r"ducc0's took ([\d.]+) \(complex128\)", results_of("results")["tables"][0]["about"])
+    assert f"ducc0's took {took} of its time (2024)" in readme
+    # Pairs a second in the table of three lenses, the sharp image included.
+    rows = re.findall(r"^\| \d+ mm f/[\d.]+ \| \d+ rad \|(?:[^|]+\|){3} (\d+) \|", pages["live-depth"], re.MULTILINE)
+    assert len(rows) == 3
+    assert f"{min(map(int, rows))} to {max(map(int, rows))} pairs of 640×480 a second" in readme
+    runs = [[cell.strip() for cell in line.split("|")[1:-1]] for line in pages["trust"].splitlines() if "|" in line]
+    runs = [cells for cells in runs if cells[2] in ("right", "told", "right or told", "named")]
+    good, named, wrong = (
+        sum(int(cells[column]) for cells in runs if (cells[2] == "named") in kinds)
+        for column, kinds in ((4, (False,)), (4, (True,)), (6, (False, True)))
+    )
+    assert sum(int(cells[3]) for cells in runs) == int(
+        re.findall(r"^(\d+) results of", pages["trust"], re.MULTILINE)[0]
+    )
+    assert f"{wrong} of {good} [results called good](docs/trust.md) were wrong; {named} more name" in readme
+
+
 def test_the_page_of_benchmarks_is_that_of_the_results():
     page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
     assert page == report.write(results_of("results"), results_of("second"))

@@ -27,11 +27,10 @@ TUTORIALS = [HERE / f"start{field}.md" for field in ("", "-camera", "-class", "-
 TUTORIALS.append(HERE / "apertures.md")
 # Pictures kept beside the pages, for readers of the repository: pages name them in this folder.
 KEPT = HERE / "start"
-# A block of code, of commands or of a file named in its first line; a picture or a printed text that the build makes.
+# A block of code, of commands, of a file named in its first line or of what was printed; a picture.
 _PARTS = re.compile(
-    r"^```(?P<language>python|sh|toml)\n(?P<code>.*?)^```"
-    r"|(?:_generated/pictures|\(start)/(?P<picture>[\w-]+)\.png"
-    r"|_generated/output/(?P<output>[\w-]+)\.txt",
+    r"^```(?P<language>python|sh|toml|text)\n(?P<code>.*?)^```"
+    r"|(?:_generated/pictures|\(start)/(?P<picture>[\w-]+)\.png",
     re.MULTILINE | re.DOTALL,
 )
 # The numbers that a comment begins with.
@@ -41,9 +40,10 @@ Made = Figure | Path | str
 
 
 def parts(page: Path, text: str | None = None) -> Iterator[tuple[str, Made]]:
-    """Run the code and commands of a page in the current folder; yield each picture and printed text with its name.
+    """Run the code and commands of a page in the current folder; yield pictures with their names, and printed texts.
 
-    A picture is the file of its name, where a command wrote one, or else the last figure that code drew.
+    A picture is the file of its name, where a command wrote one, or else the last figure that code drew. What was
+    printed comes with the text that the page shows.
     """
     names: dict[str, Any] = {}
     printed = ""
@@ -59,10 +59,10 @@ def parts(page: Path, text: str | None = None) -> Iterator[tuple[str, Made]]:
         elif part["language"] == "toml":
             first = part["code"].partition("\n")[0]
             Path(first.removeprefix("# ")).write_text(part["code"], encoding="utf-8")  # a file that the reader saves
-        elif name := part["output"]:
+        elif part["language"] == "text":
             if not printed:
-                raise ValueError(f"{page.name}: nothing above {name}.txt prints")
-            yield name, printed
+                raise ValueError(f"{page.name}: no code above prints {part['code']}")
+            yield part["code"], printed
         else:
             name, written = part["picture"], Path(f"{part['picture']}.png")
             if not (written.exists() or plt.get_fignums()):
@@ -113,15 +113,12 @@ def first_psf() -> Figure:
 
 
 def write(folder: Path, pages: list[Path] | None = None) -> None:
-    """Write what pages, by default pictures.md and the tutorials, show into `pictures` and `output` in a folder."""
-    for kind in ("pictures", "output"):
-        (folder / kind).mkdir(parents=True, exist_ok=True)
+    """Write the pictures of pages, by default pictures.md and the tutorials, into `pictures` in a folder."""
+    (folder / "pictures").mkdir(parents=True, exist_ok=True)
     for page in pages or [PAGE, *TUTORIALS]:
         with tempfile.TemporaryDirectory() as empty, chdir(empty):
             for name, made in parts(page):
-                if isinstance(made, str):
-                    (folder / "output" / f"{name}.txt").write_text(made, encoding="utf-8")
-                elif name not in kept(page):
+                if not isinstance(made, str) and name not in kept(page):
                     save(made, folder / "pictures" / f"{name}.png")
 
 
@@ -139,17 +136,36 @@ def save(made: Figure | Path, path: Path) -> None:
 
 
 def write_kept() -> None:
-    """Draw the pictures kept beside the pages anew, with 256 colours."""
+    """Draw the pictures kept beside the tutorials anew, with 256 colours, and print what these show."""
     KEPT.mkdir(exist_ok=True)
     for page in TUTORIALS:
-        if names := kept(page):
-            with tempfile.TemporaryDirectory() as empty, chdir(empty):
-                for name, made in parts(page):
-                    if name in names and not isinstance(made, str):
-                        save(made, KEPT / f"{name}.png")
-                        with Image.open(KEPT / f"{name}.png") as picture:
-                            few = picture.convert("RGB").quantize(256, dither=Image.Dither.NONE)
-                        few.save(KEPT / f"{name}.png", optimize=True)
+        text, names = page.read_text(encoding="utf-8"), kept(page)
+        with tempfile.TemporaryDirectory() as empty, chdir(empty):
+            for name, made in parts(page, text):
+                if isinstance(made, str):
+                    text = text.replace(f"```text\n{name}```", f"```text\n{beginning(made, name)}```")
+                elif name in names:
+                    save(made, KEPT / f"{name}.png")
+                    with Image.open(KEPT / f"{name}.png") as picture:
+                        few = picture.convert("RGB").quantize(256, dither=Image.Dither.NONE)
+                    few.save(KEPT / f"{name}.png", optimize=True)
+        page.write_text(text, encoding="utf-8")
+
+
+def beginning(printed: str, shown: str) -> str:
+    """Return as many lines of a printed text as are shown, if these end with a line of three dots."""
+    lines = shown.splitlines()
+    return "\n".join([*printed.splitlines()[: len(lines) - 1], "...", ""]) if lines[-1] == "..." else printed
+
+
+def same(shown: str, printed: str) -> bool:
+    """Return whether a printed text is the one shown, but for times and small differences of numbers."""
+    printed = beginning(printed, shown)
+    number = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?"
+    texts = [" ".join(re.sub(r"[\d.]+ m?s\b", "", text).split()) for text in (shown, printed)]
+    words, others = (re.sub(number, "#", text) for text in texts)
+    values, found = (np.array(re.findall(number, text), dtype=float) for text in texts)
+    return words == others and bool(np.allclose(values, found, rtol=0.02, atol=1e-3))
 
 
 if __name__ == "__main__":

@@ -317,7 +317,9 @@ def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_dr
         assert much in text
         text = text.replace(much, little)
     made = dict(drawn.parts(path, text))
-    assert list(made) == re.findall(r"(?:_generated/(?:pictures|output)|\(start)/([\w-]+)\.", text)
+    shown = [code.lstrip("\n") for code, _ in blocks(path, "text")]
+    assert [name for name, each in made.items() if isinstance(each, str)] == shown
+    assert set(made) - set(shown) == set(re.findall(r"(?:_generated/pictures|\(start)/([\w-]+)\.", text))
     for name in drawn.kept(path):
         # Drawn anew the picture is that beside the page, but for how versions of Matplotlib set type.
         drawn.save(made[name], tmp_path / f"{name}-again.png")
@@ -327,9 +329,9 @@ def test_code_and_commands_of_a_tutorial_run_in_an_empty_folder_and_print_and_dr
             assert np.abs(np.subtract(old.size, new.size)).max() <= 0.05 * max(old.size)
             small = [np.asarray(each.convert("RGB").resize((96, 96)), dtype=float) for each in (old, new)]
         assert np.abs(small[0] - small[1]).mean() < 2.0
-    for each in made.values():
+    for name, each in made.items():
         if isinstance(each, str):
-            assert len(each.splitlines()) > 1 or "median error" in each
+            assert drawn.same(name, each), each
         elif isinstance(each, Path):
             assert each.stat().st_size > 1000
 

@@ -10,11 +10,11 @@
 
 namespace lommel {
 
-// J_0(v) and J_1(v) for vectors with v >= 100, by Hankel's expansion (DLMF 10.17.3), whose terms fall below 1e-17; from the
-// cosine, sine and square root of v.
+// J_0(v) and J_1(v) by Hankel's expansion (DLMF 10.17.3), from the cosine, sine and square root of v; for v >= 100 in all
+// lanes, where the omitted terms are below 1e-17.
 template <class V>
 LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& first) {
-    V parts[2][2];  // P and Q of both orders
+    V parts[2][2];  // [order][sum over even k, sum over odd k]
     const V turn = splat<V>(0.125) / v;
     for (int order = 0; order < 2; ++order) {
         const double mu = 4.0 * order;
@@ -33,20 +33,20 @@ LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& fir
     first = scale * (parts[1][0] * (sine - cosine) + parts[1][1] * (sine + cosine));
 }
 
-// Number of orders, from 0 on, computed from the first two by the upward recurrence, which is stable for orders well below v.
+// Number of orders, from J_0 on, that the upward recurrence from J_0 and J_1 can compute: it is stable for orders well below v.
 inline std::size_t rising(double v) { return v >= 100.0 ? static_cast<std::size_t>(0.5 * v) : 0; }
 
-// Starting order of the backward recurrence: beyond v + O(v^(1/3)) the functions decay faster than any power of the order, so
-// the arbitrary initial values do not matter.
+// Starting order of Miller's backward recurrence. Beyond order v + O(v^(1/3)), J_n(v) falls faster than any power of n, so the
+// arbitrary initial values do not affect the result.
 inline std::size_t bessel_start(double v, std::size_t count) {
     const double reach = std::max(v, static_cast<double>(count));
     const std::size_t start = static_cast<std::size_t>(reach + 12.0 * std::cbrt(reach + 1.0) + 40.0);
     return start + start % 2;
 }
 
-// J_0(v) .. J_{count-1}(v) for v >= 0, with an absolute error of a few units of 2^-53. Orders well below v come from the first
-// two by the upward recurrence, stable there, in about `count` steps; the others from Miller's backward recurrence (DLMF
-// 3.6(vi)), normalised with J_0 + 2 (J_2 + J_4 + ...) = 1 (DLMF 10.12.4), in about v + count steps.
+// J_0(v) .. J_{count-1}(v) for v >= 0, with an absolute error of a few units of 2^-53. If all orders are well below v: upward
+// recurrence from J_0 and J_1, `count` steps. Otherwise: Miller's backward recurrence (DLMF 3.6(vi)), normalised with J_0 + 2
+// (J_2 + J_4 + ...) = 1 (DLMF 10.12.4), about v + count steps.
 inline void bessel_sequence(double v, std::size_t count, double* out) {
     if (count == 0) {
         return;
@@ -106,8 +106,9 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
     }
 }
 
-// 2 (-1)^k J_{2k+1+parity}(v) / v for k = 0 .. terms-1: transforms of the radial Zernike polynomials of degrees 2k + parity, of
-// any azimuthal order; for parity 0 also of the Legendre polynomials P_k(2t - 1). `scratch` is reused from call to call.
+// 2 (-1)^k J_{2k+1+parity}(v) / v for k = 0 .. terms-1: twice the Hankel transforms, up to the sign, of the Zernike radial
+// polynomials of degree 2k + parity; for parity 0 also of the Legendre polynomials P_k(2t - 1), t = radius^2. `scratch`: reused
+// memory.
 inline void zernike_transforms(std::size_t parity, double v, std::size_t terms, double* out, std::vector<double>& scratch) {
     if (v < 1e-150) {
         std::fill(out, out + terms, 0.0);

@@ -1,6 +1,6 @@
-// Common table of 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends only on the width of the pieces,
-// so one table serves all pupils, wavelengths and pixels. A second table, of 2 (-1)^n J_{2n+2}(v) / v, serves the odd azimuthal
-// orders of pupils without radial symmetry.
+// Table of the Bessel functions 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the axis of v, the radius in units of
+// lambda / (2 pi NA). It depends only on the width of the pieces, so one table serves all pupils, wavelengths and pixels. A
+// second table, of 2 (-1)^n J_{2n+2}(v) / v, serves the odd azimuthal orders of pupils without radial symmetry.
 #pragma once
 
 #include <algorithm>
@@ -18,30 +18,31 @@
 
 namespace lommel {
 
-// Permitted widths of pieces. With the width, both the interpolation error relative to sup|U| and the size of the coefficients,
-// which amplifies rounding, increase.
+// Permitted widths of pieces in v. On wider pieces the interpolation error is larger, and so are the coefficients, which
+// amplify rounding.
 constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
 
-// Error bound of a piece relative to sup|U|: U is of exponential type 1, so |U^(16)| <= sup|U| (Bernstein), and interpolation
-// at Chebyshev points has an error of at most 2 (H/4)^16 / 16! times that.
+// Interpolation error of the field U on a piece of width H, relative to sup|U|: U is of exponential type 1, so its 16th
+// derivative is at most sup|U| (Bernstein), and interpolation at 16 Chebyshev points errs by at most 2 (H/4)^16 / 16! times
+// that.
 inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
 
 struct PieceTable {
     double width = 0.0;
-    std::size_t terms = 0;  // rows of each piece, unless it needs fewer
-    // Maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2), C_nk the coefficient of x^k in row n. As U = sum_n beta_n row_n
-    // with sum |beta_n|^2 / (2n+1) <= 1 (certificate, identity A), it bounds the sum of the moduli of all summands of U, hence
-    // the rounding.
+    std::size_t terms = 0;  // number of orders n in each piece; fewer where the piece needs fewer
+    // Bound on the sum of the moduli of all summands of the field U, hence on its rounding: maximum over pieces of sum_k
+    // sqrt(sum_n (2n+1) C_nk^2), C_nk the coefficient of x^k in row n. U = sum_n beta_n row_n with pupil coefficients beta_n
+    // that satisfy sum |beta_n|^2 / (2n+1) <= 1 (certificate, identity A).
     double magnitude = 0.0;
-    // Like magnitude, for all azimuthal orders together: maximum of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
+    // The same bound for pupils without radial symmetry: maximum of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the Zernike degree.
     double azimuthal = 0.0;
-    std::vector<std::shared_ptr<const Piece>> pieces;  // [piece]; null if never requested
-    std::size_t leading = 0;  // number of first pieces, all of which exist
+    std::vector<std::shared_ptr<const Piece>> pieces;  // [index of the piece along v]; null if never requested
+    std::size_t leading = 0;  // number of pieces before the first null
 
     bool has(std::size_t s) const { return s < pieces.size() && pieces[s] != nullptr; }
 };
 
-// Requested pieces: all below `leading`, and some beyond, ascending.
+// Indices of the requested pieces: 0 .. leading - 1, and `others`, which are larger and ascending.
 struct WantedPieces {
     std::size_t leading = 0;
     std::vector<std::size_t> others;
@@ -52,8 +53,8 @@ class PieceTables final : Shared {
    public:
     explicit PieceTables(std::size_t parity) : parity_(parity) {}
 
-    // Return a table with at least these pieces and rows. Missing pieces are computed, shared by all threads, and kept until
-    // all pieces of their parity exceed the limit.
+    // Return a table with at least the wanted pieces and `terms` rows. Missing pieces are computed once for all threads and
+    // kept; all pieces are dropped when together they exceed `most_bytes`.
     std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
         if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
             return found;
@@ -119,11 +120,11 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
                                                                     const WantedPieces& wanted, std::size_t terms) {
     auto table = std::make_shared<PieceTable>();
     table->width = width;
-    // Rounded up, so that slightly more defocus needs no new table.
+    // Number of rows rounded up, so that slightly more defocus needs no new table.
     table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
     table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
     const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
-    // Previous pieces with enough rows are reused: all of them, unless the number of terms has grown.
+    // Reuse the old table's pieces that have enough rows: all of them, unless the number of terms has grown.
     for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
         if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
             table->pieces[s] = old->pieces[s];
@@ -156,8 +157,8 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);
 
-// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Its speed is
-// limited by reading the table, once.
+// The 16 complex coefficients, in powers of x, of the field U on one piece: sum over n < terms of the pupil coefficient beta_n
+// times table row first + n. Speed is limited by reading the table, which is read once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
                            double* im, std::size_t first = 0) {

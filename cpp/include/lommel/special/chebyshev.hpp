@@ -1,4 +1,4 @@
-// Polynomials from values at Chebyshev points.
+// Polynomial interpolation at Chebyshev points.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,9 @@ Real chebyshev_point(std::size_t j, std::size_t count) {
     return std::cos(std::acos(Real(-1)) * (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(count));
 }
 
-// The `count` + 2 Chebyshev coefficients of the integral over r = middle + half x of r times a Chebyshev series of `count`
-// terms, with the value `before` at x = -1. `moment` has room for count + 3 numbers. Returns the integral at x = 1.
+// Integral of r f(r) dr, r = middle + half x, for a Chebyshev series f of `count` terms in x. `out`: count + 2 Chebyshev
+// coefficients of the integral, which is `before` at x = -1. `moment`: scratch of count + 3 numbers. Returns the integral at x
+// = 1.
 inline double integrate_moment(double half, double middle, const double* series, std::size_t count, double before,
                                double* moment, double* out) {
     std::fill_n(moment, count + 3, 0.0);
@@ -38,8 +39,9 @@ inline double integrate_moment(double half, double middle, const double* series,
     return out[0] + end;
 }
 
-// Map from values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ..., by way of those of T_0, T_1, ...: the
-// second step, by integers, leaves their errors unchanged; a single matrix would lose five digits in double.
+// Conversion of values at `Count` Chebyshev points to Chebyshev coefficients, and of these to coefficients of 1, x, x^2, ....
+// The matrix of the second step has integer entries and adds no error of its own; one matrix for both steps would lose five
+// digits in double.
 template <std::size_t Count, class Real = wide>
 class ChebyshevToMonomials {
    public:
@@ -57,7 +59,8 @@ class ChebyshevToMonomials {
             }
         }
     }
-    // Keep the coefficients of the first `kept` T_k; return the sum of the moduli of the others.
+    // Write the monomial coefficients of the series truncated to its first `kept` Chebyshev terms. Returns the sum of the
+    // moduli of the dropped Chebyshev coefficients.
     template <class In, class Out>
     Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
         std::array<Real, Count> sums{};

@@ -15,12 +15,12 @@ struct ChirpMoments {
     typename I::pack re[3], im[3];
 };
 
-// If a (high - low)^2 / 4 is smaller, the error functions would cancel: the chirp is expanded as a wave times powers of its
-// curvature.
+// Threshold of the curvature a (high - low)^2 / 4 (rad) of a chirp exp(i (a R^2 + b R)) on [low, high]. Below it the difference
+// of two Fresnel integrals loses digits, and the moments are expanded in powers of a.
 constexpr double nearly_linear = 0.025;
 
-// int_{-1}^1 x^k e^{iqx} dx, k = 0 .. 16, for several q at once; real for even k, without a factor i for odd k. By partial
-// integration: upwards from q = 2 on, where no error grows; for smaller q downwards from 0 at k = 24.
+// moments[k] = int_{-1}^1 x^k exp(i q x) dx, k = 0 .. 16, for several q at once; divided by i for odd k, so that all are real.
+// The recurrence by partial integration runs upwards if |q| >= 2, where no error grows, otherwise downwards from 0 at k = 24.
 template <class I, std::size_t count>
 LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typename I::pack (&moments)[17][count]) {
     using V = typename I::pack;
@@ -36,7 +36,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
             (size[n][i] < 2.0 ? slow : fast) = true;
         }
     }
-    // Each step is a multiply-add that depends on the previous one.
+    // All q advance together, as each step of the recurrence waits for the result of the previous one.
     if (fast) {
         V turn[count], s[count], c[count];
         for (std::size_t n = 0; n < count; ++n) {
@@ -80,7 +80,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
     }
 }
 
-// Moments for several slopes b at once, by powers of the curvature.
+// Moments of chirps of small curvature a on [middle - half, middle + half], for several slopes b at once: expansion in a.
 template <class I, std::size_t count>
 LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[count], typename I::pack middle,
                                 typename I::pack half, ChirpMoments<I> (&out)[count]) {
@@ -92,8 +92,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
     wave_moments(isa, q, waves);
     for (std::size_t n = 0; n < count; ++n) {
-        // int x^m e^{i (p x^2 + q x)} dx by the powers p^0 to p^7, |p| <= nearly_linear; for m = 1 divided by i, like waves[]
-        // of odd index.
+        // re + i im = int_{-1}^1 x^m exp(i (p x^2 + q x)) dx, expanded up to p^7 for |p| <= nearly_linear; divided by i for m =
+        // 1, as `waves` of odd index are.
         V sine, cosine, re[3], im[3], power = splat<V>(1.0);
         for (int m = 0; m < 3; ++m) {
             re[m] = im[m] = splat<V>(0.0);
@@ -106,7 +106,7 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
             }
             power = power * p * splat<V>(1.0 / (j + 1));
         }
-        // R = middle + half x
+        // Change of variable from x to R = middle + half x.
         sincos(isa, (rate + b[n]) * middle, sine, cosine);
         const V c = half * cosine, s = half * sine;
         const V parts[3][2] = {{re[0], im[0]},
@@ -120,8 +120,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
 }
 
-// Moments for several slopes b at once and positive curvature, by the error function at their ends. Only its non-oscillating
-// part is used, so that the phase b^2 / 4a of a distant stationary point does not appear.
+// Moments of chirps of curvature a > 0 on [low, high], for several slopes b at once, by Fresnel integrals at both ends. Only
+// their non-oscillating factor is used, so that the large phase b^2 / 4a of a distant stationary point does not appear.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, const typename I::pack (&b)[count],
                                 typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
@@ -147,7 +147,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
         for (std::size_t i = 0; i < I::lanes; ++i) {
             inside = inside || (place[2 * n][i] < 0.0 && place[2 * n + 1][i] >= 0.0);
         }
-        if (inside) {  // the stationary point is inside
+        if (inside) {  // the phase is stationary within [low, high]
             V sine, cosine;
             sincos(isa, splat<V>(0.5) * b[n] * shift, sine, cosine);
             const V whole = below(place[2 * n], zero, below(place[2 * n + 1], zero, zero, splat<V>(2.0 * half_fresnel)), zero);
@@ -159,7 +159,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
         ChirpMoments<I>& m = out[n];
         m.re[0] = x;
         m.im[0] = y;
-        // By partial integration, with 1 / (2 i a) = i by.
+        // Moments 1 and 2 follow from moment 0 by partial integration; 1 / (2 i a) = i by.
         m.re[1] = zero - by * (s[1] - s[0]) - shift * x;
         m.im[1] = by * (c[1] - c[0]) - shift * y;
         m.re[2] = zero - by * (high * s[1] - low * s[0] - y) - shift * m.re[1];
@@ -167,12 +167,13 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
     }
 }
 
-// Moments of chirps of one curvature on [low, high]. M_2 loses digits in proportion to (b / 2a)^2.
+// Moments int_low^high R^m exp(i (curvature R^2 + slope R)) dR, m = 0, 1, 2, for several slopes at once. The moment of m = 2
+// loses digits in proportion to (slope / (2 curvature))^2.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void chirp_moments(I isa, const Auxiliary& auxiliary, double curvature, const typename I::pack (&slope)[count],
                                  typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
     using V = typename I::pack;
-    // Chirps of the opposite phase have the complex conjugate moments.
+    // A chirp of negative curvature: its moments are the complex conjugates of those of the opposite phase.
     const double sign = curvature < 0.0 ? -1.0 : 1.0, a = sign * curvature;
     const V half = splat<V>(0.5) * (high - low), middle = splat<V>(0.5) * (high + low), bend = splat<V>(a) * half * half;
     V b[count];

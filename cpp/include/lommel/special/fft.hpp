@@ -1,7 +1,6 @@
 // Fourier transforms of lengths 2^a 3^b for eight sequences at once.
 //
-// Elements of the eight sequences are interleaved: [element][eight real parts, eight imaginary parts]. Limited by loads and
-// stores, at best two passes of four multiply-adds per byte.
+// Layout: [element][eight real parts, eight imaginary parts]. Speed is limited by loads and stores.
 #pragma once
 
 #include <cmath>
@@ -13,9 +12,9 @@
 namespace lommel {
 
 constexpr std::size_t fft_rows = 8;
-constexpr std::size_t fft_element = 2 * fft_rows;  // numbers per element
+constexpr std::size_t fft_element = 2 * fft_rows;  // floating-point numbers per element
 
-// Vectors of Real, of at most eight lanes.
+// Vector type of Real on instruction set I, of at most eight lanes.
 template <class I, class Real>
 struct RowPack;
 template <class I>
@@ -36,8 +35,8 @@ struct ComplexPack {
     LOMMEL_INLINE ComplexPack times(V c, V s) const { return {re * c - im * s, im * c + re * s}; }
 };
 
-// X_l = sum over j of x_j exp(2 pi i j l / n), by Stockham's passes: after a pass of radix r, there are r times as many
-// transforms, r times as short. The first and the last pass have radix 4.
+// Fourier transform X_l = sum_j x_j exp(2 pi i j l / n) of length n by Stockham's algorithm: a pass of radix r splits each
+// transform into r transforms, r times as short. The first and the last pass have radix 4.
 template <class Real>
 class RowFft {
    public:
@@ -63,7 +62,7 @@ class RowFft {
         }
     }
 
-    // Smallest supported length of at least `least`.
+    // Smallest length 16 x 2^a x 3^b that is not below `least`.
     static std::size_t length(std::size_t least) {
         std::size_t best = 16;
         while (best < least) {
@@ -79,9 +78,9 @@ class RowFft {
 
     const std::size_t n;
 
-    // Error bound of any X_l, in units of roundoff times sum |x_j|: one unit for a sum of complex numbers, sqrt(5) for a
-    // product, one for a tabulated root of unity and, in double precision, three of its angle; radix 3 has one more sum and two
-    // more products, for its two rotated terms.
+    // Rounding bound of any output X_l, in units of roundoff times sum |x_j|. Contributions: 1 for a complex sum, sqrt(5) for a
+    // complex product, 1 for a tabulated root of unity and, in double precision, three units of its angle. A pass of radix 3
+    // has one more sum and two more products.
     double rounding() const {
         constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
         double units = 2.0;
@@ -91,8 +90,8 @@ class RowFft {
         return units;
     }
 
-    // Run all passes but the last; return the result y, in x or `other`. `Sparse`: only the first and the last quarter of x are
-    // read, the rest being 0.
+    // Run all passes but the last. Returns the array of the result, x or `other`, between which the passes alternate. `Sparse`:
+    // the two middle quarters of x are zero and are not read.
     template <bool Sparse = true, class I>
     LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
         using V = typename RowPack<I, Real>::type;
@@ -118,7 +117,8 @@ class RowFft {
         return x;
     }
 
-    // Run the last pass for y from element q on: X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}.
+    // Last pass for one index q < n/4: x[k] = X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}. Here `y` points to element q of the
+    // result of run().
     template <class V>
     LOMMEL_INLINE void last(const Real* y, ComplexPack<V>* x) const {
         const auto at = [&](std::size_t j) LOMMEL_INLINE_LAMBDA {
@@ -133,7 +133,7 @@ class RowFft {
         x[3] = other - third;
     }
 
-    // Run all passes on arbitrary x; return the result X, in x or `other`.
+    // Run all passes for arbitrary x. Returns the array of the transform X: x or `other`.
     template <class I>
     LOMMEL_INLINE Real* whole(I isa, Real* x, Real* other) const {
         static constexpr Real none[] = {1, 0, 1, 0, 1, 0};

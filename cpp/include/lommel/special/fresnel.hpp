@@ -1,5 +1,5 @@
-// Smooth part of the Fresnel integral for the closed form, computed in three ways: G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d
-// tau for s >= 0, which does not oscillate. Kernels handle `count` vectors at once, whose chains of multiply-adds overlap.
+// Non-oscillating factor of the Fresnel integral, G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0, computed in three
+// ways. Each handles `count` vectors at once, so that their chains of multiply-adds overlap.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@ namespace lommel {
 // Real and imaginary part of int_0^inf exp(i tau^2) d tau: sqrt(pi / 8).
 constexpr double half_fresnel = 0.62665706865775012560;
 
-// (s + 2) G(s) to rounding, as one polynomial in (s - a) / (s + a) or, for large s, by its asymptotic series (DLMF 7.12). Cost:
-// two divisions and 88 multiply-adds, or one and 16.
+// G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau to rounding: (s + 2) G(s) is a polynomial in (s - a) / (s + a), a = `center`,
+// or for large s the asymptotic series (DLMF 7.12). Cost: two divisions and 88 multiply-adds; series: one and 16.
 class FresnelAuxiliary {
    public:
     static constexpr std::size_t terms = 44;
 
-    // From the cache; its construction takes milliseconds.
+    // Shared instance from the cache, as construction takes milliseconds.
     static std::shared_ptr<const FresnelAuxiliary> get() { return cache<FresnelAuxiliary>.get(); }
     static bool is() { return true; }
     static std::size_t bytes() { return sizeof(FresnelAuxiliary); }
@@ -71,7 +71,8 @@ class FresnelAuxiliary {
         }
     }
 
-    // Interpolate at Chebyshev points; the conversion to monomials is in extended precision if there is any.
+    // Interpolate (s + 2) G(s) at Chebyshev points of y = (s - a) / (s + a), a = `center`, in extended precision where
+    // available.
     FresnelAuxiliary() {
         std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {
@@ -88,7 +89,7 @@ class FresnelAuxiliary {
    private:
     static constexpr double center = 2.6, large = 8.0;
 
-    // Sum of (i / 2s) (2k-1)!! (-i u)^k up to k = 15, with u = 1 / 2s^2.
+    // Asymptotic series of G(s): sum over k = 0 .. 15 of (i / 2s) (2k-1)!! (-i u)^k, u = 1 / (2 s^2).
     template <class V>
     static LOMMEL_INLINE void asymptotic(V s, V& re, V& im) {
         const V scale = splat<V>(0.5) / s, u = splat<V>(2.0) * scale * scale, square = u * u;
@@ -106,8 +107,8 @@ class FresnelAuxiliary {
         im = scale * even;
     }
 
-    // On the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in
-    // x = e^{w - e^{-w}} (double exponential, for a half line) converges to the last digit.
+    // G(s) by quadrature: on the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x). The
+    // trapezoidal rule in w, x = exp(w - e^{-w}) (double exponential rule of a half line), converges to the last digit.
     static std::complex<wide> by_quadrature(wide s) {
         using real = wide;
         const real root2 = std::sqrt(real(2)), h = real(1) / 64;
@@ -125,7 +126,8 @@ class FresnelAuxiliary {
     std::array<double, terms> re_{}, im_{};
 };
 
-// (s + 2) G(s), interpolated linearly between its values at equal steps of s / (s + 2) from 0 to 1.
+// G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau by linear interpolation of (s + 2) G(s), tabulated in `values` at equal steps
+// of s / (s + 2) from 0 to 1.
 struct FresnelTable {
     const std::complex<double>* values;
     std::size_t samples;
@@ -149,7 +151,8 @@ struct FresnelTable {
     }
 };
 
-// 1 - erf(e^{-i pi/4} s) by the first terms of Abramowitz and Stegun 7.1.29. Cost: one exponential and one division per term.
+// G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau from erf(e^{-i pi/4} s), by the first `terms` terms of Abramowitz and Stegun
+// 7.1.29. Cost per term: one exponential and one division.
 class FresnelSeries {
    public:
     explicit FresnelSeries(std::size_t terms) {
@@ -170,7 +173,7 @@ class FresnelSeries {
     template <class I>
     LOMMEL_INLINE void one(I isa, typename I::pack s, typename I::pack& re, typename I::pack& im) const {
         using V = typename I::pack;
-        // z = x - i x.
+        // Argument of the error function: e^{-i pi/4} s = x - i x.
         const V x = s * splat<V>(0.70710678118654752440), twice = x + x, zero = splat<V>(0.0), half = splat<V>(0.5);
         V sine, cosine;
         sincos(isa, s * s, sine, cosine);
@@ -192,13 +195,13 @@ class FresnelSeries {
             a = a + scale * (twice * (splat<V>(weight) * fall - even * cosine) + odd * sine);
             b = b - scale * (twice * even * sine + odd * cosine);
         }
-        // sqrt(pi / 8) (1 + i) (1 - a - i b) (cosine - i sine)
+        // G(s) = sqrt(pi / 8) (1 + i) (1 - erf) exp(-i s^2), with the error function erf = a + i b.
         const V c = splat<V>(half_fresnel) * (one - a + b), d = splat<V>(half_fresnel) * (one - a - b);
         re = c * cosine + d * sine;
         im = d * cosine - c * sine;
     }
 
-    std::vector<double> weights_;  // exp(-n^2 / 4)
+    std::vector<double> weights_;  // exp(-n^2 / 4) for n = 1, 2, ...
 };
 
 }  // namespace lommel

@@ -1,4 +1,4 @@
-// Interpolation kernel of the non-uniform FFT, and its transform, by which the samples are divided beforehand
+// Interpolation kernel of the non-uniform FFT, and its Fourier transform, by which the spectrum is divided beforehand
 // (certificate, section 11).
 #pragma once
 
@@ -22,14 +22,14 @@ namespace lommel {
 template <class Real>
 constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond |x| = w/2: the continuous member of the
-// Kaiser-Bessel windows. If F(j) are samples at unit steps of a function whose spectrum in omega (radians per step) is divided
-// by the transform of phi, then sum_j phi(x - j) F(j) is the function itself, up to aliases of every frequency.
+// Kernel phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, with w taps; 0 beyond |x| = w/2: the continuous
+// Kaiser-Bessel window. Let F(j) be samples at unit steps of a function whose spectrum in omega (radians per step) has been
+// divided by the transform of phi; then sum_j phi(x - j) F(j) is the function of the undivided spectrum, up to aliases.
 class GriddingKernel {
    public:
     GriddingKernel(std::size_t taps, double beta) : w(taps), beta_(beta), top_(shape(1.0)) {}
 
-    // Kernel of `taps` taps for frequencies up to pi / oversampling.
+    // Kernel of `taps` taps for frequencies up to pi / oversampling (radians per step).
     static GriddingKernel of(std::size_t taps, double oversampling) {
         return {taps, 0.975 * pi * static_cast<double>(taps) * (1.0 - 0.5 / oversampling)};
     }
@@ -42,37 +42,39 @@ class GriddingKernel {
         return y > 0.0 ? shape(y) / top_ : 0.0;
     }
 
-    // Transform, integral of phi(x) cos(omega x): w beta (cosh y - sinh(y) / y) / y^2 / I_1(beta),
-    // y^2 = beta^2 - (w omega / 2)^2.
+    // Fourier transform: integral of phi(x) cos(omega x) dx = w beta (cosh y - sinh(y) / y) / (y^2 I_1(beta)), y^2 = beta^2 -
+    // (w omega / 2)^2.
     double transform(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega;
         return scale() * quotient(beta_ * beta_ - zeta * zeta);
     }
 
-    // Bound on the sum over k != 0 of |transform(omega + 2 pi k)| / transform(omega), for omega from 0 to pi; it increases with
-    // omega.
+    // Bound on the aliases at frequency omega, 0 to pi: sum over k != 0 of |transform(omega + 2 pi k)| / transform(omega). It
+    // increases with omega.
     double aliases(double omega) const {
         constexpr std::size_t counted = 64;
         double sum = 0.0;
         for (std::size_t k = 1; k <= counted; ++k) {
             const double turns = 2.0 * pi * static_cast<double>(k);
-            // Aliases at omega + 2 pi k are below those at 2 pi k.
+            // size(2 pi k) also bounds the transform at omega + 2 pi k.
             sum += size(turns - omega) + size(turns);
         }
-        // For larger k: (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2) and zeta >= w pi (k - 1/2).
+        // Larger k: |transform| <= scale() sqrt(1 + 1/eta^2) / eta^2, eta^2 = zeta^2 - beta^2 >= zeta^2 (1 - (beta / first)^2),
+        // where zeta = w/2 x frequency >= w pi (k - 1/2) >= first.
         const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
         const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
         sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
         return sum / transform(omega);
     }
 
-    // Root mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: bound on the aliases of a
-    // function whose spectrum is that weight times g(s), g of mean square 1.
+    // Root mean square of aliases(step s) over s from -1 to 1 with the weight (2 / pi) sqrt(1 - s^2): bound on the aliases of a
+    // function whose spectrum at frequency step s is that weight times g(s), g of mean square 1.
     double aliasing(double step) const {
         constexpr std::size_t cells = 192;
         double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
-            // s = cos(a); in a cell of a, aliases are largest at its start, sin(a) at its end.
+            // Integrate over the angle a, s = cos(a). Within a cell of a, aliases() is largest at its start and sin(a) at its
+            // end.
             const double first = 0.5 * pi * static_cast<double>(i) / cells,
                          last = 0.5 * pi * static_cast<double>(i + 1) / cells;
             const double most = aliases(step * std::cos(first)), sine = std::sin(last);
@@ -81,18 +83,18 @@ class GriddingKernel {
         return std::sqrt(2.0 * squares / cells);
     }
 
-    // Largest sum of the taps, by Poisson's formula.
+    // Bound on the sum of all taps at any position, by Poisson's summation formula.
     double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
 
-    // Bound, at any position, on the sum of (w - i) phi over the taps i = 0 .. w - 1: tap i takes part in w - i sums of a
-    // chain.
+    // Rounding of a sum over taps i = 0 .. w - 1 at any position: bound on the sum of (w - i) times tap i, as tap i takes part
+    // in w - i successive additions.
     double chain() const {
         constexpr std::size_t cells = 64;
         double worst = 0.0;
         for (std::size_t cell = 0; cell < cells; ++cell) {
             double sum = 0.0;
             for (std::size_t i = 0; i < w; ++i) {
-                // Within a cell each tap is monotonic.
+                // Each tap is monotonic within a cell, so its maximum is at one of the two ends.
                 const double x = 0.5 * static_cast<double>(w) - 1.0 - static_cast<double>(i);
                 const double first = x + static_cast<double>(cell) / cells, last = x + static_cast<double>(cell + 1) / cells;
                 sum += static_cast<double>(w - i) * std::max((*this)(first), (*this)(last));
@@ -102,12 +104,12 @@ class GriddingKernel {
         return worst;
     }
 
-    // Taps at t + w/2 - 1 - i, i < w, for t from 0 to 1, as polynomials of 2t - 1, highest power first: out[power][tap], rows
-    // of `stride` taps. Returns a bound on the sum of their errors.
+    // Write each tap i = 0 .. w - 1, phi(t + w/2 - 1 - i), as a polynomial of 2t - 1 for t from 0 to 1: out[power, highest
+    // first][tap], in rows of `stride` taps. Returns a bound on the sum of the errors of all taps.
     double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const;
 
    private:
-    // sqrt(y) I_1(beta sqrt(y)), entire in y.
+    // Unnormalized kernel sqrt(y) I_1(beta sqrt(y)), an entire function of y, by its power series.
     template <class Real>
     Real shape(Real y) const {
         const Real x = Real(0.25) * beta_ * beta_ * y;
@@ -129,7 +131,7 @@ class GriddingKernel {
         return square > 0.0 ? (std::cosh(y) - std::sinh(y) / y) / square : (std::sin(y) / y - std::cos(y)) / -square;
     }
 
-    // Bound on |transform| at frequencies of at least omega.
+    // Bound on |transform| at all frequencies of at least omega.
     double size(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega, square = zeta * zeta - beta_ * beta_;
         if (square <= 0.0) {
@@ -145,7 +147,7 @@ class GriddingKernel {
 LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
 #if defined(__wasm__)  // software long doubles would add a fiftieth to the download of the live page
     using Number = double;
-    constexpr double roundings = 1e-11;  // of the sum over 16 taps, each about 1e-13
+    constexpr double roundings = 1e-11;  // bound on the rounding of 16 taps, about 1e-13 each
 #else
     using Number = long double;
     constexpr double roundings = 0.0;  // rounding is negligible: long double is wider than the coefficients
@@ -166,8 +168,8 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
         for (std::size_t p = 0; p < terms; ++p) {
             out[(terms - 1 - p) * stride + i] = powers[p];
         }
-        // Interpolation at `all` points: on the ellipse whose semi-axes sum to rho, |y| is at most the product of |1 - z| and
-        // |1 + z|.
+        // Error of interpolation at `all` points: 4 M rho^(1 - all) / (rho - 1), M the largest |phi| on the ellipse with foci
+        // -1 and 1 whose semi-axes sum to rho. There |y| is at most (1 + far)(1 + near).
         double rest = 1e300;
         for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
             const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
@@ -181,7 +183,7 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
 }
 #endif
 
-// Horner's rule at x for a vector of polynomials; row(k): address of their coefficients, highest power first.
+// Horner's rule at x for a vector of polynomials; row(k): address of their coefficients of the k-th highest power.
 template <class V, class Row>
 LOMMEL_INLINE V horner(std::size_t terms, V x, const Row& row) {
     V sum = load<V>(row(0));
@@ -191,11 +193,11 @@ LOMMEL_INLINE V horner(std::size_t terms, V x, const Row& row) {
     return sum;
 }
 
-// Taps of a kernel as polynomials of `Terms` terms, for up to `Most` taps.
+// Taps of a gridding kernel of up to `Most` taps, each a polynomial of `Terms` terms.
 template <class Real, std::size_t Terms, std::size_t Most>
 struct TapPolynomials {
     static constexpr std::size_t terms = Terms, taps = Most;
-    alignas(64) Real at[Terms][taps];  // highest power first
+    alignas(64) Real at[Terms][taps];  // [power, highest first][tap]
     double error;                      // bound on the sum of the errors of all taps at any position, including rounding
 
     explicit TapPolynomials(const GriddingKernel& kernel) {
@@ -204,7 +206,7 @@ struct TapPolynomials {
         double units = 0.0;
         for (std::size_t i = 0; i < exact.size(); ++i) {
             at[i / taps][i % taps] = static_cast<Real>(exact[i]);
-            // Roundings of c x^k, |x| <= 1: 1 of c, k of x, k + 1 products and k + 1 sums.
+            // Roundings of one term c x^k of Horner's rule, |x| <= 1: 1 of c, k of x, k + 1 products and k + 1 sums.
             const double k = static_cast<double>(Terms - 1 - i / taps);
             units += (3.0 * k + 3.0) * std::abs(exact[i]);
         }
@@ -232,7 +234,7 @@ struct PairedTaps {
     }
 };
 
-// Kernel with the derived numbers that are needed repeatedly.
+// Gridding kernel with its tap polynomials and rounding factors, computed once.
 struct GriddingTaps {
     GriddingKernel kernel;
     double weight, chain;

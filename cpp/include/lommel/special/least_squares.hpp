@@ -1,5 +1,5 @@
-// Linear least squares with some hundred unknowns, on one thread: linear algebra libraries divide such problems among threads
-// that wait for one another, up to seconds if other programs use the processors.
+// Linear least squares with some hundred unknowns, on one thread: the threads of linear algebra libraries wait for one another,
+// up to seconds if other programs use the processors.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,12 @@
 
 namespace lommel {
 
-// Least squares by Householder reflections, one unknown at a time, each with its own regularising equation. Errors of the
-// solution show in the residuals, which callers evaluate.
+// Regularised least squares by Householder reflections. Unknowns are added one at a time, each with a regularising equation
+// small x = 0. Callers evaluate the residuals, which show errors of the solution.
 class LeastSquares {
    public:
-    // For at most `most` unknowns and several right-hand sides, wanted[side][equation]; `small`: regularisation.
+    // `wanted`: right-hand sides, [side][equation]; `most`: maximum number of unknowns; `small`: factor of each unknown in its
+    // regularising equation.
     LeastSquares(std::vector<std::vector<double>> wanted, std::size_t most, double small)
         : equations_(wanted[0].size()), small_(small), rest_(std::move(wanted)) {
         for (std::vector<double>& side : rest_) {
@@ -26,7 +27,7 @@ class LeastSquares {
         }
     }
 
-    // Add an unknown by its factor in each equation.
+    // Add an unknown; `factors`: its matrix column, one factor per equation.
     template <class I = Portable>
     LOMMEL_INLINE void add(const std::vector<double>& factors) {
         const std::size_t k = columns_.size();
@@ -38,7 +39,7 @@ class LeastSquares {
         }
         const double square = dot<I>(&column[k], &column[k], equations_ + 1);
         const double diagonal = column[k] > 0.0 ? -std::sqrt(square) : std::sqrt(square);
-        scales_.push_back(square - column[k] * diagonal);  // half of the square of the reflected vector
+        scales_.push_back(square - column[k] * diagonal);  // half of the squared norm of the Householder vector
         diagonals_.push_back(diagonal);
         column[k] -= diagonal;
         columns_.push_back(std::move(column));
@@ -59,7 +60,8 @@ class LeastSquares {
     }
 
    private:
-    // Reflection with the vector of unknown k: the rows from its diagonal to its own equation; the rows beyond are 0.
+    // Apply the Householder reflection of unknown k. Its vector is 0 above the diagonal k and below the regularising equation
+    // of k.
     template <class I>
     LOMMEL_INLINE void reflect(std::size_t k, std::vector<double>& of) const {
         const std::size_t count = equations_ + 1;
@@ -91,12 +93,12 @@ class LeastSquares {
     std::vector<std::vector<double>> rest_;
     std::vector<double> scales_, diagonals_;
     std::vector<std::vector<double>>
-        columns_;  // R above the diagonal; from the diagonal on, the Householder vector of each reflection
+        columns_;  // [unknown][row]: R above the diagonal, from the diagonal on the Householder vector
 };
 
-// Find x[unknown][side] that minimise |A x - b| for A[row][unknown] and each column of b[row][side], ignoring directions in
-// which A is below about 1e-14 of its maximum: each unknown is regularised by 1e-14 times the norm of the largest column times
-// sqrt(number of columns).
+// Find x[unknown][side] (`found`) that minimise |A x - b| for A[row][unknown] (`matrix`) and each column of b[row][side]
+// (`wanted`), ignoring directions in which A is below about 1e-14 of its maximum: each unknown is regularised by 1e-14 times
+// the norm of the largest column times sqrt(number of columns).
 void least_squares(std::size_t rows, std::size_t unknowns, std::size_t sides, const double* matrix, const double* wanted,
                    double* found);
 

@@ -9,8 +9,8 @@
 
 namespace lommel {
 
-// Call f(n, P_n(1 - y)) for n < terms, 0 <= y <= 1, by the three-term recurrence (DLMF 18.9.1). Near 1, where its errors grow
-// as n^2, differences of successive polynomials are summed instead, which depend on y and have only a few roundings.
+// Call f(n, P_n(1 - y)) for n < terms, 0 <= y <= 1, by the three-term recurrence (DLMF 18.9.1). For small y the errors of this
+// recurrence grow as n^2, so differences of successive polynomials are summed instead, which have only a few roundings.
 template <class Real, class F>
 void each_legendre(Real y, std::size_t terms, const F& f) {
     const Real x = 1 - y;
@@ -19,7 +19,7 @@ void each_legendre(Real y, std::size_t terms, const F& f) {
         f(n, here);
         const Real m = static_cast<Real>(n);
         if (y < Real(0.5)) {
-            before = (m * before - (2 * m + 1) * y * here) / (m + 1);  // P_{n+1} - P_n
+            before = (m * before - (2 * m + 1) * y * here) / (m + 1);  // the difference P_{n+1} - P_n
             here += before;
         } else {
             const Real next = ((2 * m + 1) * x * here - m * before) / (m + 1);
@@ -29,8 +29,9 @@ void each_legendre(Real y, std::size_t terms, const F& f) {
     }
 }
 
-// Nodes (ascending) and weights of the n-point rule by Newton's method from Tricomi's initial guess, for the distance from the
-// end: weights from rounded nodes, or from eigenvalues, lose up to eight digits there.
+// Nodes (ascending) and weights of the n-point Gauss-Legendre rule on [-1, 1], by Newton's method from Tricomi's initial guess.
+// The unknown y is the distance of a node from the end of the interval: weights from rounded nodes, or from eigenvalues, lose
+// up to eight digits near the ends.
 template <class Number, class Real = wide>
 void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     const Real pi = std::acos(Real(-1));
@@ -48,7 +49,7 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
             });
             const Real round = y * (2 - y), slope = order * (before - (1 - y) * value) / round;
             move = value / slope;
-            // Weight 2 / ((1 - x^2) P_n'^2) at the improved node, to first order.
+            // Weight 2 / ((1 - x^2) P_n'(x)^2) at the improved node x = 1 - y, to first order in `move`.
             weight = 2 / (round * slope * slope) * (1 + 2 * (1 - y) * move / round);
             y += move;
         }
@@ -61,14 +62,14 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     }
 }
 
-// P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if Real is wider.
+// Legendre polynomials P_0(x) .. P_{terms-1}(x) for 0 <= x <= 1, correct to double rounding if Real is wider than double.
 template <class Real = wide>
 void legendre_sequence(double x, std::size_t terms, double* out) {
     each_legendre(1 - static_cast<Real>(x), terms, [&](std::size_t n, Real p) { out[n] = static_cast<double>(p); });
 }
 
-// Error of a rule computed in double: sqrt(2n+1) times the sum of the errors of w P_n, in units of roundoff. Measured by
-// cpp/tests/tables.cpp, not proven.
+// Rounding of a Gauss-Legendre rule computed in double: maximum over n of sqrt(2n+1) times the sum over nodes of the errors of
+// weight x P_n(node), in units of roundoff. Measured by cpp/tests/tables.cpp, not proven.
 inline double rule_rounding(std::size_t nodes) { return wider ? 0.0 : 1.5 * std::sqrt(static_cast<double>(nodes)); }
 
 }  // namespace lommel

@@ -10,14 +10,14 @@
 
 namespace lommel {
 
-// ln x of normal floats above 0, with an error below 2e-7 times the larger of 1 and |ln x|.
+// ln x of floats x > 0 that are not subnormal, with an error below 2e-7 times the larger of 1 and |ln x|.
 template <class V>
 LOMMEL_INLINE V logarithm(V x) {
 #ifdef LOMMEL_VECTORS
     typedef std::int32_t Whole __attribute__((vector_size(sizeof(V))));
     Whole bits;
     std::memcpy(&bits, &x, sizeof bits);
-    // x = 2^e m with m between sqrt(1/2) and sqrt(2).
+    // Split x = 2^e m, m between sqrt(1/2), whose bits are 0x3f3504f3, and sqrt(2).
     const Whole shifted = bits - 0x3f3504f3;
     const Whole exponent = shifted >> 23;
     const Whole rest = (shifted & 0x7fffff) + 0x3f3504f3;
@@ -35,11 +35,12 @@ LOMMEL_INLINE V logarithm(V x) {
 #endif
 }
 
-// ln x of a normal double above 0, with an error below 4e-16 times the larger of 1 and |ln x|.
+// ln x of a double x > 0 that is not subnormal, with an error below 4e-16 times the larger of 1 and |ln x|.
 LOMMEL_INLINE double logarithm(double x) {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
-    // x = 2^e m with m between sqrt(1/2) and sqrt(2); e + 1023 becomes a double as the lowest bits of 2^52.
+    // Split x = 2^e m, m between sqrt(1/2) and sqrt(2). e + 1023 becomes a double as the lowest bits of the number 2^52
+    // (`large`).
     constexpr std::uint64_t half_root = 0x3fe6a09e667f3bcd, mantissa = 0x000fffffffffffff, large = 0x4330000000000000;
     const std::uint64_t shifted = bits + (0x3ff0000000000000 - half_root);
     const std::uint64_t exponent = (shifted >> 52) | large, rest = (shifted & mantissa) + half_root;
@@ -53,7 +54,7 @@ LOMMEL_INLINE double logarithm(double x) {
          {2.0 / 19.0, 2.0 / 17.0, 2.0 / 15.0, 2.0 / 13.0, 2.0 / 11.0, 2.0 / 9.0, 2.0 / 7.0, 2.0 / 5.0, 2.0 / 3.0}) {
         series = term + q * series;
     }
-    // ln 2 in two parts; products of integers with the first part are exact.
+    // Sum e ln 2 + ln m, with ln 2 in two parts: the product of the integer e with the first part is exact.
     return e * 0.693147180369123816490 + (2.0 * s + (s * (q * series) + e * 1.90821492927058770002e-10));
 }
 

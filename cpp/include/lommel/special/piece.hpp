@@ -1,6 +1,6 @@
-// One piece of the common Bessel table: from Bessel functions at Chebyshev points to polynomials, for as many orders at once as
-// a vector has lanes. Computed in double, but as accurate as in a wider type: sums are pairs of doubles, the first of which is
-// exact (certificate, section 4).
+// One piece of the Bessel table: polynomial interpolation of Bessel functions at Chebyshev points, for as many orders at once
+// as a vector has lanes. Sums are pairs of doubles, the first of which is exact, so results are as accurate as in a wider type
+// (certificate, section 4).
 #pragma once
 
 #include <algorithm>
@@ -17,20 +17,22 @@
 
 namespace lommel {
 
-constexpr std::size_t degree_count = 16;  // number of coefficients of a piece
+constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
-// Rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ...; orders that are negligible on the piece have no row.
+// Piece of the Bessel table. Row n: 16 coefficients, in powers of x from -1 to 1 on the piece, of the function of order n;
+// orders that are negligible on the piece have no row. magnitude, azimuthal: this piece's terms of the bounds in PieceTable.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
-    // Bound on what all omitted rows add to U, for any pupil; most(): number of rows in use.
+    // left_out: bound on the contribution of all omitted rows to the field U, for any pupil. most(): number of rows that piece
+    // s needs for it.
     static constexpr double left_out = 1e-19;
     static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };
 
-// cos(k pi / 32) for k = 0 .. 16: a multiple of 2^-24, and the remainder.
+// cos(k pi / 32) for k = 0 .. 16, as the sum of a multiple of 2^-24 and a remainder.
 constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0x1.fd88dap-1, 0x1.e89292cf04139p-28},
                                    {0x1.f6297cp-1, 0x1.feeb96055885dp-26},
@@ -49,8 +51,8 @@ constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0x1.917a7p-4, -0x1.0f592f50789c6p-26},
                                    {0.0, 0.0}};
 
-// Map from values at the points to 8 times the coefficients of T_0, T_1, ..., by sums and differences of mirrored points, and
-// from these, exactly, to coefficients of 1, x, x^2, ...
+// Conversion of values at the 16 Chebyshev points to 8 times the coefficients of T_0, T_1, ..., by sums and differences of
+// mirrored points, and of these, without rounding, to coefficients of 1, x, x^2, ...
 class PieceRule {
    public:
     constexpr PieceRule() {
@@ -71,15 +73,16 @@ class PieceRule {
         }
     }
 
-    // Chebyshev point j, descending, rounded.
+    // Chebyshev point j, in descending order, rounded to double.
     static constexpr double point(std::size_t j) {
         const std::size_t k = 2 * j + 1;
         return k <= 16 ? cosines[k][0] + cosines[k][1] : -(cosines[32 - k][0] + cosines[32 - k][1]);
     }
 
-    // Map `values` at the points, each a vector of orders, to coefficients. For |values| <= 1 each coefficient is rounded once,
-    // and the polynomial has a further error below 2^-66: multiples of 2^-25 times those of 2^-24 (2^-25 for i = 0), and
-    // integers below 2^17 times multiples of 2^-32, sum to less than 2^53 of their units.
+    // Convert `values` at the 16 points, each a vector over orders, to coefficients. For |values| <= 1 each coefficient is
+    // rounded once, and the polynomial has a further error below 2^-66. The sums `exact` have no rounding: products of
+    // multiples of 2^-25 and 2^-24 (2^-25 for i = 0), or of integers below 2^17 and multiples of 2^-32, sum to less than 2^53
+    // of their units.
     template <class V>
     LOMMEL_INLINE void operator()(const V* values, V* out) const {
         V high[2][half], low[2][half], both[2][half];
@@ -127,9 +130,9 @@ class PieceRule {
 };
 inline constexpr PieceRule piece_rule;
 
-// 2 (-1)^n J_{2n+1+parity}(v) / v, like zernike_transforms(), at the 16 points of a piece: values[16 n + point]. The last
-// point, nearest to 0, must be at least half as far out as the first, so that the backward recurrence does not overflow for
-// orders that matter at some point. Values do not depend on the number of terms, up to `most`.
+// values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms() computes, at the 16 points v of a piece in
+// descending order. The last point must be at least half the first, so that the backward recurrence does not overflow for
+// orders that matter. Values do not depend on the number of terms, up to `most`.
 template <class I>
 LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
                                 double* values) {
@@ -144,13 +147,13 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     const auto step = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
         const V twice = splat<V>(2.0 * static_cast<double>(order));
         for (std::size_t p = 0; p < packs; ++p) {
-            // A division in every step: the product with a rounded 1 / v would be accurate for another v.
+            // Divide in every step: products with a rounded 1 / v would be accurate for a slightly different v.
             const V next = twice / at[p] * here[p] - before[p];
             before[p] = here[p];
             here[p] = next;
         }
     };
-    // Every second order below `count` is kept.
+    // Store every second order, 2n + 1 + parity, as row n.
     const auto keep = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
         if (order % 2 != parity && order > parity) {
             const std::size_t n = (order - 1 - parity) / 2;
@@ -201,7 +204,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
 }
 
-// Compute the first rows of piece s, at most `terms`.
+// Compute the first `terms` rows of piece s, which covers v from width s to width (s + 1).
 Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
@@ -216,7 +219,7 @@ LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, st
     for (std::size_t j = 0; j < m; ++j) {
         points[j] = width * (static_cast<double>(s) + 0.5 * (1.0 + piece_rule.point(j)));
     }
-    for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near the axis, where the recurrence overflows
+    for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near v = 0 the recurrence of piece_values() overflows
         std::vector<double> one(most);
         zernike_transforms(parity, points[j], most, one.data(), scratch);
         for (std::size_t n = 0; n < terms; ++n) {

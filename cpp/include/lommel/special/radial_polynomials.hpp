@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// Step from degree m + 2k of Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1, which R_m^m, R_{m+2}^m, ... satisfy
-// (DLMF 18.9.1): next = (slope x + shift) here - back before.
+// One step of Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1 (DLMF 18.9.1), from R_{m+2k}^m to R_{m+2k+2}^m: next =
+// (slope x + shift) here - back before.
 template <class Real>
 struct RadialStep {
     Real slope, shift, back = 0;
@@ -31,7 +31,7 @@ struct RadialStep {
     }
 };
 
-// R_n^m from R_m^m, at real or complex points.
+// Radial polynomial R_n^m(rho), x = 2 rho^2 - 1 real or complex, from `here` = R_m^m = rho^m.
 template <class Number>
 Number radial_polynomial(std::size_t n, std::size_t m, Number x, Number here) {
     Number before = 0;
@@ -44,10 +44,10 @@ Number radial_polynomial(std::size_t n, std::size_t m, Number x, Number here) {
     return here;
 }
 
-// Values of all Zernike terms at a point, by one recurrence for each m.
+// Values of Zernike terms at a point, by one recurrence for each azimuthal order m and each of cosine and sine.
 class ZernikeValues {
    public:
-    // For the terms in a given order; at() passes their index j in `order`.
+    // `order`: indices of the terms to evaluate. at() identifies a term by its place j in `order`.
     ZernikeValues(const std::vector<ZernikeTerm>& terms, const std::vector<std::size_t>& order) {
         for (const std::size_t place : order) {
             const ZernikeTerm& term = terms[place];
@@ -62,7 +62,7 @@ class ZernikeValues {
                   [](const Term& a, const Term& b) { return std::tie(a.m, a.sine, a.k) < std::tie(b.m, b.sine, b.k); });
     }
 
-    // Call put(j, value) for each term, at a real or complex point.
+    // Call put(j, value) for each term at the point (x, y), real or complex; j: place of the term in the constructor's `order`.
     template <class Number, class Put>
     void at(Number x, Number y, const Put& put) const {
         const Number two = 2, one = 1, square = two * (x * x + y * y) - one;
@@ -92,7 +92,7 @@ class ZernikeValues {
     struct Term {
         std::size_t m;
         bool sine;
-        std::size_t k, j;  // n = m + 2 k; index of the term
+        std::size_t k, j;  // k = (n - m) / 2; j: place of the term in the given order
     };
     std::vector<Term> order_;
     std::vector<std::vector<RadialStep<wide>>> steps_;  // [m][k]
@@ -103,9 +103,9 @@ class ZernikeValues {
 // These factors are cached.
 class SmallerDisk {
    public:
-    // Call add(k, c times the factor of R_k^m) for c R_n^m. Returns a bound on the rounding, including sums of `terms` terms:
-    // n^2 roundings by the recurrence, in each of at most n / 2 + 1 factors; one of each factor, of its product and of the
-    // sums.
+    // Expand c R_n^m(a rho): call add(k, c times the factor of R_k^m) for each k. Returns a bound on the rounding, including
+    // sums of `terms` such products: n^2 roundings of the recurrence in each of at most n / 2 + 1 factors, and one for each
+    // factor, product and sum.
     template <class Add>
     double shrink(std::size_t n, std::size_t m, double a, double c, std::size_t terms, const Add& add) {
         if (a != radius_) {

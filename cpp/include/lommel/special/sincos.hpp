@@ -1,4 +1,4 @@
-// sin and cos of vectors of doubles, and of turns as floats.
+// Sine and cosine of vectors of doubles (radians), and of angles in units of 2^-32 turns as floats.
 #pragma once
 
 #include "lommel/base/simd.hpp"
@@ -39,9 +39,9 @@ LOMMEL_INLINE void sincos(I, typename I::pack x, typename I::pack& sine, typenam
     cosine = choose(quadrant + 1, 2, splat<V>(0.0) - b, b);
 }
 
-// Sine and cosine, as floats, of multiples of 2^-32 turns: the vector (cos, sin) has an error below 5 roundings to float. The
-// nearest quarter turn is in the two highest bits; the rest is an angle of at most pi/4, for which polynomials of degree 7 and
-// 8 have an error below 2e-9.
+// Sine and cosine, as floats, of multiples x of 2^-32 turns: the vector (cos, sin) has an error below 5 roundings to float. The
+// two highest bits of `shifted` are the nearest quarter turn; the remaining angle is at most pi/4, where polynomials of degree
+// 7 and 8 have an error below 2e-9.
 template <class W, class V>
 LOMMEL_INLINE void sincos_turns(W x, V& sine, V& cosine) {
     const W shifted = x + 0x20000000u, half = shifted & 0x80000000u, other = (shifted + 0x40000000u) & 0x80000000u;

@@ -1,4 +1,4 @@
-// Sums of waves at the integers by a non-uniform fast Fourier transform.
+// Sums over waves a exp(-i k s) at integers k, by a non-uniform fast Fourier transform.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 
 namespace lommel {
 
-// Kernel and transform, shared by all sums of waves up to one length; sums are divided by the transform of the kernel.
+// Gridding kernel and FFT for sums over waves a exp(-i k s) at up to `side` integers k. gain[|k|]: reciprocal of the kernel's
+// Fourier transform, by which sums are multiplied.
 struct WaveKernel {
     static constexpr std::size_t most_taps = 16;
 
@@ -29,16 +30,16 @@ struct WaveKernel {
         polynomials.assign(made.begin(), made.end());
         for (std::size_t i = 0; i < polynomials.size(); ++i) {
             const double k = static_cast<double>(terms - 1 - i / most_taps);
-            off_ += (3.0 * k + 3.0) * std::abs(polynomials[i]) * unit_roundoff;  // as in TapPolynomials
+            off_ += (3.0 * k + 3.0) * std::abs(polynomials[i]) * unit_roundoff;  // rounding, as in TapPolynomials
         }
         for (std::size_t k = 0; k < gain.size(); ++k) {
             gain[k] = 1.0 / kernel.transform(omega(k));
         }
     }
 
-    // Error bound of any sum relative to the sum of |a|, if at most `waves` waves contribute to a point of the grid: aliases
-    // (Poisson's formula), taps, rounding of sums of waves and of the transform, and positions, whose turns have one rounding
-    // of 1. Rounding of the steps s is not included.
+    // Error bound of any sum, relative to the sum of the moduli of the amplitudes, if at most `waves` waves contribute to a
+    // grid point: aliases (Poisson's formula), kernel taps, rounding of the sums and of the FFT, and one rounding of each
+    // wave's position (in turns). Rounding of the phase steps s themselves is not included.
     double error(double waves) const {
         const double weight = kernel.weight(), rounded = fft.rounding() + waves + 4.0;
         const double places = 1.1 * 6.3 * static_cast<double>(side / 2 + 1);
@@ -46,7 +47,7 @@ struct WaveKernel {
                unit_roundoff * places;
     }
 
-    // Largest number of waves that contribute to one point of the grid, for steps at(i), i < count.
+    // Largest number of waves that contribute to one grid point, for waves of phase steps at(i) (rad), i < count.
     template <class At>
     std::size_t most_waves(std::size_t count, std::vector<std::uint32_t>& reached, const At& at) const {
         reached.assign(fft.n, 0);
@@ -55,14 +56,14 @@ struct WaveKernel {
         }
         std::size_t sum = 0, most = 0;
         for (std::size_t i = 0; i < fft.n + taps; ++i) {
-            // One more on either side, as positions may round to the next point.
+            // Count one more grid point on either side, as rounding may move a wave to the next point.
             sum += reached[i % fft.n];
             sum -= i >= taps + 2 ? reached[(i - taps - 2) % fft.n] : 0;
             most = std::max(most, sum);
         }
         return most;
     }
-    // Position on the grid of a wave of step s.
+    // Grid position of a wave of phase step s (rad): the fraction of -s / (2 pi) times the FFT length.
     double place(double s) const {
         const double n = static_cast<double>(fft.n), turns = -s / 6.283185307179586;
         return std::min((turns - std::floor(turns)) * n, n - 1e-9);
@@ -79,7 +80,7 @@ struct WaveKernel {
     double omega(std::size_t k) const { return 6.283185307179586 * static_cast<double>(k) / static_cast<double>(fft.n); }
 };
 
-// Eight sums of a exp(-i k s) over waves of amplitudes a and steps s (rad), at the integers k from -side / 2 on.
+// Eight sums over waves a exp(-i k s) of amplitudes a and phase steps s (rad), at the `side` integers k from -side / 2 on.
 class WaveSums {
    public:
     explicit WaveSums(const WaveKernel& kernel)
@@ -87,7 +88,7 @@ class WaveSums {
 
     void start() { std::fill(grid_.begin(), grid_.end(), 0.0); }
 
-    // Add a wave to sum `r`.
+    // Add a wave of amplitude re + i im and phase step s to sum `r` of the eight.
     template <class I>
     LOMMEL_INLINE void add(I isa, std::size_t r, double re, double im, double s) {
         double weights[WaveKernel::most_taps];
@@ -97,7 +98,7 @@ class WaveSums {
             to[wide] += weights[i] * im;
         }
     }
-    // Add a wave of the same step to all eight sums; amplitudes: eight real parts, eight imaginary parts.
+    // Add a wave of phase step s to all eight sums; `amplitudes`: eight real parts, then eight imaginary parts.
     template <class I, class T>
     LOMMEL_INLINE void add(I isa, const T* amplitudes, double s) {
         double weights[WaveKernel::most_taps];
@@ -109,7 +110,8 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sum), j = k + side / 2, with eight real parts and eight imaginary parts, still to be multiplied by `gain`.
+    // Call at(j, sums, gain) for each integer k, j = k + side / 2. `sums`: eight real parts, then eight imaginary parts, which
+    // the caller multiplies by `gain`.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;
@@ -125,7 +127,7 @@ class WaveSums {
    private:
     static constexpr std::size_t wide = fft_rows, element = fft_element;
 
-    // Return the first grid element to which a wave is added, and write its weight on each.
+    // Return the first grid element to which a wave of phase step s is added; write the kernel's weight at each such element.
     template <class I>
     LOMMEL_INLINE double* taps_at(I, double s, double* weights) {
         using V = typename I::pack;

@@ -15,13 +15,13 @@ namespace lommel {
 template <class I, class T>
 using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
 
-// Instruction set with vectors half as long, two lanes at least.
+// Instruction set with vectors half as long as those of I, at least two lanes.
 template <class I>
 using Half = Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>;
 
-// Rows of the windows of one point or of two vertically adjacent points, restricted to a vector of columns starting at
-// `from`. If `Alike`, both points mix the same four windows, which are loaded once. Windows are zero beyond their half width,
-// so the larger half width serves both points.
+// PSF windows of one point or of two vertically adjacent points, read row by row for one vector of columns from column `from`
+// on. If `Alike`, both points mix the same four windows, which are loaded once. Windows are zero beyond their half width, so
+// the larger half width serves both points.
 template <class Vec, class T, std::size_t Points, bool Alike>
 struct Rows {
     using V = Vec;
@@ -40,7 +40,7 @@ struct Rows {
         }
     }
 
-    // Load a row of window j of 0 .. 3, for each point.
+    // Load a row of window j, one of the four (0 .. 3) that a point mixes, into values[point].
     LOMMEL_INLINE void window(std::size_t j, std::size_t row, V* values) const {
         for (std::size_t p = 0; p < Points; ++p) {
             if (p > 0 && Alike) {
@@ -63,7 +63,8 @@ struct Rows {
     }
 };
 
-// Call visit(rows) for each block of columns of one or two points; a block of half width costs half as much.
+// Call visit(rows) for each vector of columns, 0 to `half`, of the windows of one or two points. The last vector is half as
+// long where that suffices.
 template <class I, std::size_t Points, bool Alike, class T, class Visit>
 LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
     using Whole = Rows<Packed<I, T>, T, Points, Alike>;
@@ -77,18 +78,18 @@ LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* point
     }
 }
 
-// Points first .. last of a column. at: index of the column's first point in the image; point: its index among all points;
-// half: largest half width of their windows; hidden: some of them are partly occluded.
+// Points first .. last - 1 of a column of a tile. at: index of the column's point 0 in the image; point: its index among all
+// points; half: largest half width of the points' windows (pixels); hidden: some points are partly occluded.
 struct Column {
     std::ptrdiff_t at;
     std::size_t point, first, last, half;
     bool hidden;
 };
 
-// Sheets: accumulators for a column, [row, from `widest` above its first point][column, from the point outwards]. Windows are
-// symmetric, so one sheet serves both sides unless there is occlusion. Sums at the same cache-aligned addresses for every
-// column take half the time of sums in the image. There is one spare row, as the last of an odd number of points is paired with
-// an empty one.
+// Accumulators ("sheets") of the windows of a column of points: [row, from `widest` above the first point][column, from the
+// points outwards]. Windows are symmetric, so one sheet serves both sides unless there is occlusion. Summing at the same
+// cache-aligned addresses for every column takes half the time of summing in the image. There is one spare row, as the last of
+// an odd number of points is paired with an empty one.
 template <class I, class T>
 class Sheets {
    public:
@@ -101,20 +102,20 @@ class Sheets {
     T* both() { return values_.data(); }
     T* right() { return values_.data() + size_; }
     T* left() { return values_.data() + 2 * size_; }
-    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // per point; zero between columns
+    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // [lane] of a point; zero between columns
 
-    // Offset in a sheet of row `row`, relative to the first point of the column, and column `from`.
+    // Offset in a sheet of row `row`, counted from the column's first point, and of column `from`, counted outwards.
     LOMMEL_INLINE std::size_t place(std::ptrdiff_t row, std::size_t from) const {
         return (widest_ + static_cast<std::size_t>(row)) * stride_ + from;
     }
 
-    // A zero, then ones: mask of the middle column in vectors that start there.
+    // A zero, then ones. Loaded from index 0: mask without the middle column; loaded from index 1: all ones.
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 
-    // Call f(place, right, left, middle_mask) for all vectors that the points reach: offsets in a sheet and in the image on
-    // either side; the mask is 0 at the middle column, which would otherwise count twice. Narrow vectors are used where they
-    // suffice, as vectors across two cache lines are slow.
+    // Call f(place, right, left, middle_mask) for all vectors of pixels that the points reach. place: offset in a sheet; right,
+    // left: offsets in the image on either side; middle_mask: 0 at the middle column, which would otherwise count twice. Narrow
+    // vectors are used where they suffice, as vectors across two cache lines are slow.
     template <class F>
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
         using Narrow = Packed<Half<I>, T>;
@@ -140,12 +141,13 @@ class Sheets {
         }
     }
 
-    // Permutation that reverses lanes: columns to the left in the order of those to the right.
+    // Permutation that reverses lanes: pixels left of the points then run outwards, like those on the right.
     struct Mirror {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Call f(place, right, left) with the fractions, 0 to 1, of layer `layer` that pixels on either side of the points see.
+    // Call f(place, right, left) for all vectors of pixels that the points reach; right, left: the fractions, 0 to 1, of layer
+    // `layer` that the pixels on either side see.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
@@ -163,8 +165,8 @@ class Sheets {
     Aligned<T> values_, sums_;
 };
 
-// Forward operator: points add their windows to the image. Points of a partly occluded layer are summed first, then multiplied
-// by the visible fractions.
+// Forward operator: points add their windows to the image `out`. In a partly occluded layer the windows are summed first, and
+// the sum is multiplied by the visible fractions.
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
@@ -199,7 +201,7 @@ struct Giving {
                 to(static_cast<std::ptrdiff_t>(row), above[0]), to(-static_cast<std::ptrdiff_t>(row), above[0]);
             }
         } else {
-            // Row r of the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
+            // Row r below the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
                 to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1]);
@@ -237,7 +239,7 @@ struct Giving {
     }
 };
 
-// Transpose: each point takes the sum of its window times the image.
+// Transposed operator: each point receives the inner product of its window with the image.
 template <class I, class T>
 struct Taking {
     using V = Packed<I, T>;
@@ -280,8 +282,9 @@ struct Taking {
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             return load<W>(sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from));
         };
-        // Inner products with each of the four windows, mixed at the end. Rows above and below are equal by symmetry, so the
-        // image is folded before it is multiplied. Row r of one point is row r + 1 or r - 1 of the other.
+        // Inner products with each of the four windows, mixed at the end. A window's rows above and below its point are equal,
+        // so the image's two rows are added before they are multiplied. Row r of one point is row r + 1 or r - 1 of the other
+        // point.
         constexpr std::size_t last = R::points - 1;
         W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
         folded[0] = over, folded[last] = under;
@@ -316,7 +319,7 @@ struct Taking {
         }
     }
 
-    // Lane sums with the shortest vectors, which every processor has.
+    // Sum the lanes of each point's accumulator with the shortest vectors, which every processor has.
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
         using Short = Packed<Portable, T>;
         constexpr std::size_t short_lanes = sizeof(Short) / sizeof(T);

@@ -20,32 +20,34 @@
 
 namespace lommel {
 
-// Points in layers, [scene.height][scene.width] including border extension. `layers` and `behind` are indexed like
-// `scene.positions`. behind[p]: index of the point that represents the light occluded by p, negative if there is none.
+// Scene of points in occlusion layers, [scene.height][scene.width] including border extension. layers[p]: layer of point p, 0
+// the nearest; behind[p]: index of the point that represents the light occluded by p, negative if there is none. Both are
+// indexed like `scene.positions`.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
-    const std::int32_t* behind;  // or null
+    const std::int32_t* behind;  // null: nothing behind the points is represented
     std::size_t count;  // number of layers, at most 64
     std::size_t pad;  // rows and columns of border extension on either side
     bool mirrored, dark;  // mirrored: light that leaves the image is reflected; dark: border extension only occludes
 };
 
-// Visibility per pixel, [height][width] without border extension: of layer l (numbered by level()) a pixel sees the fraction
-// clamp(seen - l, 0, 1). `total`: blurred image of a white scene; `out`: image of the light.
+// Images [height][width] without border extension. seen: visibility, clamp(seen - level(l), 0, 1) is the fraction of layer l
+// that the pixel sees; total: fraction of the aperture covered so far (blurred image of a white scene); out: image of the
+// light.
 template <class T>
 struct Composite {
     T *seen, *total;
-    T* out;  // or null
+    T* out;  // null: no image is computed
 };
 
-// Add the light of points and, with `Cover`, their coverage (a white scene) to separate images. The product with the light is
-// rounded before it is added, so that both instances of the template give identical bits: a compiler may fuse products and sums
-// in one and not in the other.
+// Add the light of points to `light` and, if `Cover`, their coverage (the light of a white scene) to `white`. Products are
+// rounded before they are added, so that both values of `Cover` give identical bits: otherwise a compiler might fuse product
+// and sum for only one of them.
 template <class I, class T, bool Cover>
 struct GivingLight {
     T *white, *light;
-    const T* values;  // values of the points of a column
+    const T* values;  // light of each point of the column
 
     template <class R>
     LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
@@ -70,7 +72,7 @@ struct GivingLight {
                 to(static_cast<std::ptrdiff_t>(row), above[0], middle), to(-static_cast<std::ptrdiff_t>(row), above[0], middle);
             }
         } else {
-            // Row r of the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
+            // Row r below the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
             W first = loaded(above[0] * value[0]), second = loaded(above[1] * value[1]);
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
@@ -96,7 +98,8 @@ struct GivingLight {
     }
 
    private:
-    // The middle column is in both vectors; `right`, which is stored last, has its sum.
+    // Add a sheet's vector `sum` to the image on both sides. The middle column is in both vectors; `right`, stored last, has
+    // its sum.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W middle_mask) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
@@ -110,12 +113,12 @@ struct GivingLight {
 template <class T>
 class Compositor {
    public:
-    // `image`: values with strides `down` and `right`, or null to compute only the visibility.
+    // `image`: light of the points, with row stride `down` and column stride `right`; null: compute only the visibility.
     Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
                std::ptrdiff_t right);
 
-    // Add layers from .. to - 1. Visibility is computed on the way unless `known`; before the first layer `seen` must be
-    // beyond() and `total` 0.
+    // Add layers from .. to - 1. `known`: the visibility `seen` is given; otherwise it is computed, and before the first layer
+    // `seen` must be beyond() and `total` 0.
     void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
     // Layer number relative to the middle layer: small numbers leave more bits of `seen` for the fraction.
@@ -131,7 +134,7 @@ class Compositor {
     std::size_t image_height() const { return scene_.height - 2 * layered_.pad; }
     std::size_t image_width() const { return scene_.width - 2 * layered_.pad; }
 
-    // Part of a tile, so small that the points of a column are accumulated before they are added to the image.
+    // Part of a tile, in pixels of the scene: so small that the sums of a column of points stay in the cache.
     struct Part {
         std::size_t top, left, height, width;
     };
@@ -154,7 +157,7 @@ class Compositor {
         }
     };
 
-    // Bounding box, within a part, of the points of one layer.
+    // Bounding box, in rows and columns of a part, of the points of one layer; bottom and right are exclusive.
     struct Extent {
         std::uint8_t top, left, bottom, right;
 
@@ -184,7 +187,7 @@ class Compositor {
         return static_cast<std::size_t>(scene_.rows[y]) * scene_.across + static_cast<std::size_t>(scene_.columns[x]);
     }
 
-    // Find the layers in each part, and their bounding boxes.
+    // For each part of a tile, find the layers of its points, as a bit mask, and the bounding box of each layer.
     void mark() {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             each_part(tile / columns_, tile % columns_, [&](std::size_t at, const Part& part) {
@@ -196,7 +199,7 @@ class Compositor {
                     extents[layer].include(y, x);
                 };
                 for (std::size_t y = 0; y < part.height; ++y) {
-                    // Only the ends of a run of equal layers change the box.
+                    // In a run of points of the same layer, only the two ends change the bounding box.
                     std::uint8_t last = layered_.layers[point(part.top + y, part.left)];
                     note(last, y, 0);
                     for (std::size_t x = 0; x < part.width; ++x) {
@@ -217,7 +220,7 @@ class Compositor {
         });
     }
 
-    // Range of image pixels in a tile.
+    // Rows and columns of a tile that are image pixels, not border extension.
     Box inside(std::size_t row, std::size_t column) const {
         const std::size_t pad = layered_.pad;
         const auto at = [](std::size_t place) { return static_cast<std::ptrdiff_t>(place); };
@@ -228,7 +231,7 @@ class Compositor {
     // Shortest vectors, available on every processor of an architecture, so that results do not depend on the processor.
     using Short = Packed<Portable, T>;
 
-    // Call f(row, from, to) for each row of a box, with its range of columns.
+    // Call f(row, from, to) for each row of a box; its columns are from .. to - 1.
     template <class F>
     static void each_row(const Box& box, const F& f) {
         for (std::ptrdiff_t y = box.top; y < box.bottom && box.left < box.right; ++y) {
@@ -236,7 +239,7 @@ class Compositor {
         }
     }
 
-    // For each tile, find the farthest layer visible at any pixel, and the number of pixels that are not closed.
+    // For each tile, find the largest `seen` of its pixels, and the number of pixels that are not completely covered yet.
     void look_at(const Composite<T>& made) {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             T most = level(0) - T(1);
@@ -262,8 +265,8 @@ class Compositor {
         return false;
     }
 
-    // Select the tiles with points of a layer that is visible from pixels in or next to the tile; returns whether there are
-    // any.
+    // Select the tiles that have points of `layer`, if it is visible from a pixel of the tile or of an adjacent tile. Returns
+    // whether any tile is selected.
     bool choose(std::size_t layer) {
         chosen_.assign(rows_ * columns_, 0);
         bool any = false;
@@ -281,7 +284,8 @@ class Compositor {
         return any;
     }
 
-    // Points of one layer in a part.
+    // Points of one layer in a part of a tile: positions in the window bank, light, and rows first .. last - 1 with points per
+    // column.
     struct Points {
         explicit Points(std::size_t tall)
             : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
@@ -290,7 +294,8 @@ class Compositor {
         std::size_t first[part_width], last[part_width];
     };
 
-    // Spread the points of a layer in a tile; returns the bounding box of the pixels that they reach.
+    // Add the windows of a layer's points in a tile to `white` (coverage, unless `known`) and to `light`. Returns the bounding
+    // box of the pixels that they reach.
     Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
         Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -331,7 +336,8 @@ class Compositor {
         return reached;
     }
 
-    // Set the bank positions and light of the points of a layer, and for each column the range of rows with points.
+    // For the points of one layer in a part, set the positions in the window bank and the light, and the range of rows in each
+    // column.
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {
@@ -370,7 +376,7 @@ class Compositor {
         return !layered_.dark || (y >= pad && x >= pad && y < pad + image_height() && x < pad + image_width());
     }
 
-    // Spread one column of points, two vertically adjacent points at a time as in Spreader. Returns the largest half width.
+    // Spread one column of points, two vertically adjacent points at a time. Returns the largest half width of their windows.
     template <class I, class Side>
     LOMMEL_INLINE std::size_t one_column(I, const Part& part, std::size_t x, const Points& points, Mixture<T>* mixtures,
                                          Sheets<I, T>& sheets, const Side& side) const {
@@ -415,7 +421,7 @@ class Compositor {
         return column.half;
     }
 
-    // Fold light that left the image back into it, mirrored half a pixel beyond its first and last pixels.
+    // Fold light outside the scene back into it, mirrored at the outer edges of its first and last pixels.
     void fold(T* room, const Box& reached) const {
         const auto height = static_cast<std::ptrdiff_t>(scene_.height), width = static_cast<std::ptrdiff_t>(scene_.width);
         const auto wide = static_cast<std::ptrdiff_t>(bank_.widest), row = static_cast<std::ptrdiff_t>(across());
@@ -447,8 +453,8 @@ class Compositor {
         }
     }
 
-    // Update the visibility of pixels by a layer with coverage `cover`, and reset `cover` to zero. Returns 1 for pixels that
-    // are closed by this layer, 0 for others.
+    // Update `total` and `seen` of a vector of pixels by a layer whose blurred white image is `cover`; reset `cover` to zero.
+    // Returns 1 for pixels that this layer covers completely, 0 for others.
     Short cover_pixels(T* total, T* seen, T* cover, T layer) const {
         constexpr T tiny = std::numeric_limits<T>::min(), never = std::numeric_limits<T>::infinity();
         const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());
@@ -462,7 +468,7 @@ class Compositor {
         return below(least, covered, one, Short{});
     }
 
-    // Add the visible part of a layer to the pixels of a tile, and reset the accumulators to zero.
+    // Add the visible part of a layer to the pixels of a tile, and reset the sums `white` and `light` to zero.
     void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
         constexpr std::size_t lanes = sizeof(Short) / sizeof(T);
         const std::size_t tile = row * columns_ + column;
@@ -485,7 +491,7 @@ class Compositor {
                         filled = filled + cover_pixels(total + x, seen + x, cover + x, layer);
                         continue;
                     }
-                    T last[3][lanes] = {};  // zero padded: lanes beyond the row count as closed
+                    T last[3][lanes] = {};  // zero padded beyond the end of the row
                     T* const rest[] = {total + x, seen + x, cover + x};
                     for (std::size_t k = 0; k < 3; ++k) {
                         std::copy_n(rest[k], count - x, last[k]);
@@ -524,9 +530,9 @@ class Compositor {
     std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points in the part
     std::vector<Extent> extents_;  // [tile][part][layer]
     std::vector<T> most_;  // [tile]: largest `seen` of its pixels
-    std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not closed
+    std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not completely covered
     std::vector<unsigned char> chosen_;
-    std::vector<Box> reached_;  // boxes reached by the current layer from each selected tile
+    std::vector<Box> reached_;  // [tile]: bounding box of the pixels that the current layer's points reach
 };
 
 // Defined outside the class so that it is not inline and is compiled once, by explicit instantiation.

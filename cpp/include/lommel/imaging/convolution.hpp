@@ -17,7 +17,7 @@ namespace lommel {
 // margins, are the real and imaginary part of one complex plane, which a real PSF does not mix. Rows are transformed eight at a
 // time, then columns. A spectrum has the layout of the column transform: [group of eight columns][frequency][re or im][column].
 //
-// Single precision: error of about 1e-6 of the brightest pixel, RowFft::rounding() units of rounding per transform.
+// Single precision: error of about 1e-6 of the brightest pixel, by RowFft::rounding() units of roundoff in each transform.
 class Convolution {
    public:
     // For images of height x width pixels and PSFs of at most 2 `reach` + 1 pixels a side.
@@ -34,7 +34,7 @@ class Convolution {
     void set_spread(const float* values, std::size_t side, float scale) {
         const std::size_t middle = side / 2;
         rows_.assign(wide_ * tall_ * 2, 0.0F);
-        // PSF rows -middle .. middle, cyclic; rows that are zero need no transform.
+        // PSF rows -middle .. middle, stored cyclically. A group of eight rows that are all zero needs no transform.
         for (std::size_t group = 0; group < tall_ / 8; ++group) {
             bool any = false;
             start();
@@ -97,7 +97,7 @@ class Convolution {
         spectrum_of(here.spectrum);
     }
 
-    // Write the convolution of plane `which`, clipped to values >= 0.
+    // Write the convolution of plane `which` with the PSF, clipped to values >= 0.
     void make(std::size_t which, float* out) {
         const std::vector<float>& picture = planes_[which].spectrum;
         const std::size_t element = fft_element, block = down_.n * element;
@@ -105,7 +105,7 @@ class Convolution {
         for (std::size_t c = 0; c < wide_ / 8; ++c) {
             const float *a = &picture[c * block], *b = &spread_[c * block];
             line_.resize(std::max(down_.n, wide_) * element);
-            // Inverse transform = forward transform with re and im exchanged.
+            // The inverse transform is the forward transform of numbers with re and im exchanged, which the result has too.
             for (std::size_t k = 0; k < down_.n; ++k, a += element, b += element) {
                 float* to = &line_[k * element];
                 for (std::size_t r = 0; r < fft_rows; ++r) {
@@ -129,7 +129,7 @@ class Convolution {
                 }
                 const std::size_t y = row - reach_;
                 for (std::size_t part = 0; part < 2 && y + part * half_ < height_; ++part) {
-                    // With re and im exchanged, as above.
+                    // The result has re and im exchanged: the upper half of the plane (part 0) is in its imaginary part.
                     const float* from = done + reach_ * element + (1 - part) * fft_rows + r;
                     float* to = out + (y + part * half_) * width_;
                     for (std::size_t x = 0; x < width_; ++x) {
@@ -154,11 +154,11 @@ class Convolution {
         return at;
     }
 
-    // Store transformed rows in the layout [group of eight rows][column][re or im][row].
+    // Transform the eight rows in line_ and store them in the layout [group of eight rows][column][re or im][row].
     void store_rows(std::size_t group) {
         std::memcpy(&rows_[group * wide_ * fft_element], transformed(across_), wide_ * fft_element * sizeof(float));
     }
-    // Store eight columns of row y.
+    // Store the complex values of row y in the eight columns of group c.
     void put_row(std::size_t y, std::size_t c, const float* from) {
         float* to = &rows_[((y / 8) * wide_ + 8 * c) * fft_element + y % 8];
         for (std::size_t k = 0; k < 8; ++k, to += fft_element) {

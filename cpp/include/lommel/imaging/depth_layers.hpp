@@ -14,8 +14,8 @@
 
 namespace lommel {
 
-// Signed radius of the circle of confusion in pixels, sampled at equal steps of defocus from `low` to `high`; larger means
-// nearer. Layers have equal `thickness` in radius, layer 0 starts at the largest radius.
+// Signed radius of the circle of confusion in pixels, sampled at `count` equal steps of defocus from `low` to `high`; a larger
+// radius means a nearer point. Layers have equal `thickness` in radius; layer 0 starts at the largest radius.
 struct BlurRadii {
     const double* radii;
     std::size_t count;
@@ -47,7 +47,7 @@ LOMMEL_ONCE void sort_into_layers(const double* defocus, std::size_t size, const
 }
 #endif
 
-// Renumber the layers without gaps; returns how many there are.
+// Renumber the layers without gaps. Returns the number of layers.
 inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
     bool there[256] = {};
     for (std::size_t i = 0; i < size; ++i) {
@@ -66,11 +66,11 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
 }
 
 // For each occluding point p, find a representative point for the light behind p.
-// A point p occludes a farther point q if their distance is less than radius(p) - radius(q): rays through the rim of the
-// aperture then pass the edge between them. Candidates q are visited in order of distance. Candidates in the layer of p or
-// nearer are skipped; so is a candidate beyond this distance, with all later ones that are in no farther layer. The
-// representative of the light behind p is the mirror image of p at q, if its layer is farther than the skipped ones; otherwise
-// q.
+// A point p occludes a farther point q if their distance is less than radius(p) - radius(q), their signed blur radii: rays
+// through the rim of the aperture then pass the edge between them. Candidates q are visited in order of distance; those not in
+// a farther layer than p are skipped. A candidate too distant to be occluded is skipped as well, and from then on so are all
+// layers up to its own. The representative is the mirror image of p at the first q that is left, if its layer is farther than
+// all skipped ones; otherwise q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
@@ -82,7 +82,7 @@ class HiddenPoints {
    private:
     static constexpr std::size_t block = 32, most_rings = 255;
 
-    // Offset to another point: distance, rows and columns in pixels, and difference of indices.
+    // Offset to another point. distance: pixels; down, right: rows and columns; along: difference of the points' indices.
     struct Step {
         float distance;
         std::int32_t down, right, along;
@@ -135,7 +135,7 @@ class HiddenPoints {
         return any ? least : std::vector<float>();
     }
 
-    // Minimum radius over each block of pixels and its surroundings up to `reach`.
+    // For each block of pixels, the minimum blur radius over the block and over all pixels up to `reach` around it.
     std::vector<float> least_around(std::size_t reach) const {
         const std::size_t rows = (height_ + block - 1) / block, columns = (width_ + block - 1) / block;
         const std::size_t more = (reach + block - 1) / block;
@@ -162,7 +162,7 @@ class HiddenPoints {
         return both;
     }
 
-    // Offsets to other points in order of distance, for equal distances in row order.
+    // Offsets to all points up to `reach` pixels away in order of distance, those of equal distance in row order.
     std::vector<Step> by_distance(std::size_t reach) const {
         const auto most = static_cast<std::int32_t>(reach);
         std::vector<Step> steps;
@@ -179,8 +179,8 @@ class HiddenPoints {
         return steps;
     }
 
-    // For each point, a radius of at most `most` pixels without any point of a farther layer inside. By dilation with octagons
-    // (squares and diamonds alternately), which contain the circles of these radii.
+    // For each point, a radius of at most `most` pixels without any point of a farther layer inside. Found by dilation with
+    // octagons (squares and diamonds alternately), which contain the circles of these radii.
     std::vector<std::uint8_t> alone(std::size_t most) const {
         const std::size_t height = height_, width = width_;
         std::vector<std::uint8_t> farthest(layers_, layers_ + height * width), wide(farthest), result(farthest.size(), 0);
@@ -215,8 +215,8 @@ class HiddenPoints {
         return y >= 0 && x >= 0 && y < static_cast<std::ptrdiff_t>(height_) && x < static_cast<std::ptrdiff_t>(width_);
     }
 
-    // Index of the representative point of the light behind point (y, x), or -1. Offsets before `from` lead to no farther
-    // layer; points at distances of `far` or more cannot be occluded.
+    // Index of the representative point of the light behind point (y, x), or -1. Steps before index `from` lead to no farther
+    // layer; points at distances of `far` or more cannot be occluded. `Inner`: no step leaves the image.
     template <bool Inner>
     std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from, float far) const {
         const auto row = static_cast<std::ptrdiff_t>(y), column = static_cast<std::ptrdiff_t>(x);
@@ -263,7 +263,7 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
     const std::vector<Step> steps = by_distance(reach);
     const std::size_t across = (width_ + block - 1) / block;
     const std::vector<float> around = least_around(reach);
-    // alone() saves time only if there are many candidates.
+    // alone() saves time only if many points may occlude others.
     std::size_t candidates = 0;
     for (std::size_t i = 0; i < size; ++i) {
         candidates += reached[i] < radius_[i] ? 1 : 0;

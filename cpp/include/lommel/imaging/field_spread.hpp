@@ -14,7 +14,8 @@
 
 namespace lommel {
 
-// Spline coefficients, coefficients[node down][node across][node over defocus][pixel of the window, row by row, zero padded].
+// Spline coefficients of PSF windows over field and defocus: coefficients[node down][node across][node over defocus][pixel of
+// the window, row by row, zero padded].
 template <class T>
 struct FieldWindows {
     const T* coefficients;
@@ -23,20 +24,21 @@ struct FieldWindows {
     std::size_t row() const { return depth * size; }  // stride from one node across to the next
 };
 
-// Source pixels: rows[y] and columns[x] of an image, so that border extension needs no copy.
-// Across the image the splines are replaced by parabolas through their values at `places` (an odd number): column x of the
-// image is a mixture of the three places from 2 tiles[x] on, with weights shares[x][3].
+// Source pixel (y, x) is pixel (rows[y], columns[x]) of the image, so that border extension needs no copy. Along image rows the
+// splines are replaced by parabolas through their values at an odd number of columns, the "places": the window at image column
+// x mixes the windows at the three places from 2 tiles[x] on, with weights shares[x][3].
 template <class T>
 struct FieldScene {
-    const T *down, *places, *shares;  // [image row][node down], [place][node across], [image column][3]
+    const T *down, *places, *shares;  // spline weights [image row][node down] and [place][node across]; [image column][3]
     const std::int64_t *tiles, *rows, *columns;
     std::size_t count, height, width;  // number of places, rows, columns
-    const double *defocus, *breaks;    // [image row][image column], [interval, and the last end]
-    const T* powers;                   // [interval][power][node]: node weights, polynomials in the share of the interval
+    const double *defocus, *breaks;    // [image row][image column]; ends of the defocus intervals
+    const T* powers;                   // [interval][power][node]: spline weights, polynomials in the position within the interval
     std::size_t across, intervals, order;
 };
 
-// Spread each source pixel over its interpolated window (forward), or return the inner product with it (adjoint).
+// Blur operator: each source pixel adds its interpolated PSF window to the image (forward), or receives the window's inner
+// product with an image (adjoint).
 template <class T>
 class FieldSpreader {
    public:
@@ -78,7 +80,7 @@ class FieldSpreader {
         });
     }
 
-    // Interpolate the windows at all places of a row.
+    // Interpolate the windows of scene row y at all columns that are places.
     template <class I>
     LOMMEL_INLINE void mix_row(I, std::size_t y, T* across, T* nodes) const {
         const std::size_t row = static_cast<std::size_t>(scene_.rows[y]);
@@ -88,7 +90,7 @@ class FieldSpreader {
         }
     }
 
-    // Weighted sum of `count` consecutive arrays of `size` values; most weights are 0 and skipped.
+    // Write the weighted sum of `count` consecutive arrays of `size` values; most spline weights are 0 and are skipped.
     template <class I>
     LOMMEL_INLINE static void combine(const T* weights, std::size_t count, const T* arrays, std::size_t size, T* out) {
         using V = Packed<I, T>;
@@ -114,8 +116,8 @@ class FieldSpreader {
         }
     }
 
-    // The next window is computed while the previous one is added to the image: a load that partly overlaps a recent store
-    // stalls the processor.
+    // Process row y of the scene. The next window is computed before the previous one is added to the image: a load that partly
+    // overlaps a recent store stalls the processor.
     template <class I, std::size_t Order>
     LOMMEL_INLINE void one_row(std::size_t y, const T* nodes, const T* values, const T* image, T* out, T* windows) const {
         T* const at[2] = {windows, windows + bank_.size + step};
@@ -182,7 +184,8 @@ class FieldSpreader {
         return nodes + 2 * static_cast<std::size_t>(scene_.tiles[column]) * bank_.row() + interval * bank_.size;
     }
 
-    // Mix a window into `at` or, with Product, return its inner product with the window stored there.
+    // Mix a pixel's window and write it to `at`; if `Product`, return instead its inner product with the image part stored at
+    // `at`.
     template <class I, std::size_t Order, bool Product>
     LOMMEL_INLINE T mix(const T* weights, const T* first, T* at) const {
         using V = Packed<I, T>;
@@ -243,8 +246,7 @@ class FieldSpreader {
         }
     }
 
-    // Copy the part of an image that a window covers. Vectors extend beyond the end of a row; the next row overwrites the
-    // excess.
+    // Copy the image pixels that a window covers. Vectors extend beyond the end of a row; the next row overwrites the excess.
     template <class I>
     LOMMEL_INLINE void take(const T* image, T* window) const {
         using V = Packed<I, T>;

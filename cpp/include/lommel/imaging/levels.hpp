@@ -13,11 +13,11 @@
 
 namespace lommel {
 
-// Lookup table over the leading bits (exponent and part of the fraction) of a positive float, as many that each interval
-// contains at most one edge; the number of edges below each interval is tabulated.
+// Lookup table over the leading bits (exponent and part of the fraction) of a positive float, so many bits that each interval
+// of floats contains at most one edge. Tabulated: the edge in each interval, and the number of edges below it.
 class Levels {
    public:
-    // Edges: increasing, positive, at most 255 of them.
+    // `edges` between levels: increasing, positive, at most 255 of them.
     Levels(const float* edges, std::size_t count) : least_(0.0f), most_(edges[count - 1]) {
         while (!separated(edges, count)) {
             --shift_;
@@ -38,7 +38,7 @@ class Levels {
         }
     }
 
-    // Copied by value to stay in registers: written bytes may alias any object, and would force reloads.
+    // Copy of the table's addresses that stays in registers: output bytes may alias any object, and would force reloads.
     struct Reader {
         const float* edge;
         const std::uint8_t* below;
@@ -72,11 +72,11 @@ class Levels {
     int shift_ = 23;
     std::uint32_t first_;
     float least_, most_;
-    std::vector<float> edge_;  // the edge in each interval, or infinity
+    std::vector<float> edge_;  // [interval]: the edge in it, or infinity
     std::vector<std::uint8_t> below_;
 };
 
-// Write the level of each value; returns the number of values below `low` or above `high`.
+// Write the level of each intensity; returns the number of intensities below `low` or above `high`.
 inline std::size_t levels(const float* light, std::size_t size, const float* edges, std::size_t count, float low, float high,
                           int threads, std::uint8_t* out) {
     constexpr std::size_t part = 1 << 16;

@@ -12,8 +12,8 @@
 namespace lommel {
 
 // Bank of PSF windows at equal steps of defocus, 2 widest + 1 pixels a side. Windows are symmetric about both axes, so only one
-// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. Mixtures are
-// normalized by the same mixture of the energies, so that each sums to the value of its point.
+// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. Interpolated
+// windows are divided by their interpolated energy, so that each sums to the value of its point.
 template <class T>
 struct WindowBank {
     const T* windows;  // [window, one spare][row from the middle down][column from the middle right, zero padded]
@@ -42,7 +42,7 @@ struct Mixture {
     bool any, hidden;
 };
 
-// Weights of mixtures or, with `slopes`, their derivatives with respect to the position in the bank.
+// Interpolation weights of points' windows or, with `slopes`, their derivatives with respect to the position in the bank.
 template <class T>
 class Mixer {
    public:

@@ -16,32 +16,33 @@
 
 namespace lommel {
 
-// Numbers of planes of the specimen and of its recording; the recording starts at specimen plane `first`. `before`, `after`:
-// numbers of planes beyond either end of the specimen whose light reaches the recording; they repeat its outermost planes.
+// specimen, recording: numbers of planes; first: specimen plane at which the recording starts; before, after: numbers of planes
+// beyond either end of the specimen whose light reaches the recording, taken to equal its outermost planes.
 struct StackPlanes {
     std::size_t specimen, recording, first, before, after;
 };
 
-// Axial transform of a kernel over `length` planes, divided by `length`: [row][group of eight columns][frequency][re or
-// im][column], the eight columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, opposite
-// rows are equal; if only half of the frequencies and one more are stored, opposite ones are complex conjugates.
+// Axial Fourier transform of a kernel over the FFT's `length` planes, divided by `length`: [row][group of eight
+// columns][frequency][re or im][column], the eight columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more
+// are stored, opposite rows are equal; if only half of the frequencies and one more, opposite frequencies are complex
+// conjugates.
 struct PlaneTransfer {
     const float* values;
     std::size_t rows, frequencies;
 };
 
-// Sum over kernels of (weight at each specimen plane) x specimen, convolved axially with the kernel, and its transpose. Works
-// in place on [plane][row][column], on eight columns at a time. Each row is first copied from all planes, because each plane is
-// on a memory page of its own.
+// Axial convolution, summed over kernels, of the specimen times the kernel's weight at each plane; and its transpose. Works in
+// place on [plane][row][column], on eight columns at a time. Each row is first copied from all planes, because each plane is on
+// a memory page of its own.
 class PlaneFilter {
    public:
-    // `length`: length supported by RowFft, at least the number of all planes. weights[kernel][plane of the specimen].
+    // `length`: FFT length supported by RowFft, at least the number of all planes; weights[kernel][plane of the specimen].
     PlaneFilter(StackPlanes planes, std::size_t length, std::size_t rows, std::size_t columns,
                 std::vector<PlaneTransfer> kernels, const float* weights)
         : planes_(planes), fft_(length), rows_(rows), columns_(columns), groups_((columns + 7) / 8),
           kernels_(std::move(kernels)), weights_(weights) {}
 
-    // Replace the specimen's planes, the first of `room`, by those of the recording; if transposed, the reverse.
+    // Replace the specimen, the first planes of `room`, by the recording; if `transposed`, the recording by a specimen.
     void run(std::complex<float>* room, bool transposed, int threads) const;
 
    private:
@@ -105,8 +106,8 @@ class PlaneFilter {
         }
     }
 
-    // Specimen to recording for one row and eight columns: weights, padding by repeated outermost planes, convolution,
-    // cropping.
+    // Forward operator, from specimen to recording, for one row and eight columns: weights, padding by repeated outermost
+    // planes, convolution, cropping.
     template <class I>
     LOMMEL_INLINE void seen(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n;
@@ -131,7 +132,7 @@ class PlaneFilter {
         std::memcpy(held, back + planes_.first * fft_element, planes_.recording * fft_element * sizeof(float));
     }
 
-    // Recording to specimen: the transpose of seen().
+    // Transpose of seen(), from recording to specimen, for one row and eight columns.
     template <class I>
     LOMMEL_INLINE void returned(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n, from = planes_.first * fft_element;
@@ -177,7 +178,8 @@ class PlaneFilter {
         }
     }
 
-    // Product of a spectrum, stored with re and im exchanged, and a transfer function (its conjugate for the transpose).
+    // Multiply a spectrum x, stored with re and im exchanged, by the kernel's transfer function (its conjugate if
+    // `Transposed`).
     template <bool Transposed, bool Added, class I>
     LOMMEL_INLINE void multiply(I, const float* x, std::size_t row, std::size_t group, const PlaneTransfer& kernel,
                                 float* y) const {

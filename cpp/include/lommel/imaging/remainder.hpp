@@ -1,4 +1,5 @@
-// Factors a_r(c) of the separable remainder of a PSF beyond its window, by defocus (docs/certificate.md, section 13).
+// Remainder of a PSF beyond its window as a sum of separable products r: their factors a_r(c), by defocus c
+// (docs/certificate.md, section 13).
 #pragma once
 
 #include <algorithm>
@@ -12,18 +13,19 @@
 
 namespace lommel {
 
-// Cubics values[interval][power][product] of the distance from the second of the four windows that they interpolate. Each power
-// has `stride` values, a multiple of 16, zero after the last product.
+// Interpolation of the factors over defocus by cubic polynomials values[interval][power][product], in the distance (steps of
+// the window bank) from the second of the four windows they pass through. Each power has `stride` values, a multiple of 16,
+// zero after the last product.
 template <class T>
 struct RemainderCubics {
     const T* values;
     std::size_t intervals, products, stride;
 };
 
-// Write the factors out[product][point] at the given positions in a bank, clipped to its range.
+// Write the factors out[product][point] at the points' positions in a window bank, clipped to the bank's range.
 template <class T>
 void remainder_factors(const RemainderCubics<T>& cubics, const double* positions, std::size_t size, int threads, T* out) {
-    // `together` points fill one cache line of the output.
+    // together: number of points that fill one cache line of the output.
     constexpr std::size_t part = std::size_t{1} << 14, together = 64 / sizeof(T);
     const std::size_t stride = cubics.stride;
     const auto last = static_cast<double>(cubics.intervals + 2);

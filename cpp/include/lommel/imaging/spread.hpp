@@ -16,8 +16,8 @@
 
 namespace lommel {
 
-// Source pixels [height][width] and their positions in the bank: pixel (y, x) has positions[rows[y]][columns[x]], so that
-// border extension needs no copy of the image. Pixels with a negative position spread no light.
+// Source pixels [height][width] and their positions in the window bank: pixel (y, x) has positions[rows[y]][columns[x]], so
+// that border extension needs no copy of the image. Pixels with a negative position spread no light.
 struct Scene {
     const double* positions;
     std::size_t across;
@@ -49,15 +49,16 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
 }
 #endif
 
-// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l: all of the layers in front of `seen`, a
-// fraction of the layer that contains `seen`, nothing behind it.
+// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l, that is all of the layers in front of
+// `seen`, a fraction of the layer that contains `seen`, and nothing of the layers behind.
 template <class T>
 struct Screen {
     const T* layers = nullptr;  // indexed like `positions`; null: no occlusion
     const T* seen = nullptr;    // indexed like the output of forward()
 };
 
-// Spread each source pixel over its mixed window (forward), or return the inner product with it (adjoint).
+// Blur operator: each source pixel adds its interpolated PSF window to the image (forward), or receives the window's inner
+// product with an image (adjoint).
 template <class T>
 class Spreader {
    public:
@@ -80,7 +81,8 @@ class Spreader {
     void adjoint(const T* image, T* out) const;
 
    private:
-    // So tall that the points of a column are accumulated in a cached sheet before they are added to the image.
+    // Tile sizes in pixels. most_rows: tallest column of points whose sums stay in the cache before they are added to the
+    // image.
     static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
     // Side of the squares of points that are tested for occlusion together: much smaller than a window, so that few tests are
     // wasted.
@@ -115,7 +117,7 @@ class Spreader {
         std::size_t top, left, height, width;
         std::vector<BankPlace<T>> places;
         std::vector<T> values, layers;
-        std::vector<unsigned char> hidden;  // some pixel sees only a fraction of it
+        std::vector<unsigned char> hidden;  // [point]: some pixel sees only a fraction of the point
     };
 
     // Run one direction (`side`: Giving or Taking) for all source pixels of a part of the image.
@@ -322,7 +324,7 @@ void Spreader<T>::forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t ri
     const auto value = [&](std::size_t y, std::size_t x) -> const T& {
         return image[scene_.rows[y] * down + scene_.columns[x] * right];
     };
-    // Tiles at least as large as the area that a pixel spreads to, so that alternate tiles do not overlap.
+    // Tiles are at least as large as the area that a pixel spreads to, so that the light of alternate tiles does not overlap.
     const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);
     tiles.each(threads_, [&](std::size_t row, std::size_t column) {
         const std::size_t y = row * tall, x = column * broad;

@@ -1,4 +1,4 @@
-// Bank of molecule templates over the range of a table, for the starting points of fits; and fits of many molecules.
+// Bank of template images of a molecule, which give the starting values of fits; and fits of many molecules.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace lommel {
 
-// Templates: molecule images minus their mean, divided by their norm.
+// Bank of templates: images of a molecule minus their mean, divided by their norm.
 class Bank {
    public:
-    // `places`: positions in the first channel, sorted by z, `layer` of them for each z.
+    // `places`: positions of the templates in the first channel, sorted by z, `layer` of them for each z.
     Bank(const std::vector<Channel>& channels, const std::vector<Place>& places, std::size_t layer)
         : places_(places), layer_(layer) {
         for (const Channel& channel : channels) {
@@ -54,7 +54,8 @@ class Bank {
 
     static constexpr std::size_t together = 4;
 
-    // Inner products of `together` images of a channel, in rows of whole vectors, with all templates: to[together][padded()].
+    // Write to[image][template]: inner products of `together` images of a channel, rows padded to whole vectors, with the
+    // padded() templates.
     void products(std::size_t channel, const float* images, float* to) const {
         const Templates& all = channels_[channel];
         const std::size_t length = all.pixels, count = padded();
@@ -84,13 +85,13 @@ class Bank {
     std::size_t padded() const { return (places_.size() + 1) / 2 * 2; }
     std::size_t layer() const { return layer_; }
     const Place& place(std::size_t k) const { return places_[k]; }
-    // photons(): least-squares photon count, from the inner product of the mean-free image with template k. share(): mean of
-    // the image per photon.
+    // photons(): least-squares photon count, from the inner product of the mean-free image with template k. share(): mean pixel
+    // value of the image that template k was made from, which is that of one photon.
     double photons(std::size_t channel, std::size_t k, double product) const { return product / channels_[channel].norm[k]; }
     double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
 
    private:
-    // Templates of one channel: values[template][pixel], mean and norm of each image.
+    // Templates of one channel, values[template][pixel]. mean: mean of each image; norm: norm of the image minus its mean.
     struct Templates {
         std::size_t pixels;
         Floats values;
@@ -111,7 +112,7 @@ struct BoxStack {
     std::size_t read_step;
 };
 
-// Fits of molecules, each from its best templates.
+// Fits of molecules, each started from the positions of the most similar templates.
 class Localizer {
    public:
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
@@ -123,7 +124,8 @@ class Localizer {
              int threads, Fitted* fitted) const;
 
    private:
-    // Copy an image into rows of whole vectors, unchanged and with its mean subtracted; returns the mean.
+    // Copy image `index` of a stack into rows padded to whole vectors: into `counts` with the read variance added, into
+    // `centred` with the mean subtracted. Returns the mean.
     static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
         const std::size_t size = table.height * table.width;
         const float* const electrons = stack.electrons + index * size;
@@ -161,7 +163,7 @@ class Localizer {
             }
             return sum;
         };
-        // Best template for each z.
+        // Find the most similar template for each z.
         const std::size_t layers = bank_.size() / bank_.layer();
         std::vector<std::size_t> found(layers);
         std::vector<double> alike(layers);

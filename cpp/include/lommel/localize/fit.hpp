@@ -25,20 +25,22 @@ constexpr std::size_t most_unknown = 3 + 4 * most_channels;
 
 enum class FitState : std::int32_t { converged, border, steps, undetermined };
 
-// Additional channel: its positions are matrix x (row, column in the first channel) + offset; matrix is [2][2], by rows.
+// Channel: table of its molecule images, and map of positions. Position in the channel = matrix x (row, column) in the first
+// channel + offset; matrix[2][2] by rows.
 struct Channel {
     MoleculeTable table;
     double matrix[4];
 };
 
-// Molecule images in rows of whole vectors: electrons plus read variance, read variance (electrons^2), and `valid` (1 or 0).
+// Image of a molecule, rows padded to whole vectors. electrons: electrons plus read variance; read: variance of the read noise
+// (electrons^2); valid: 1 or 0.
 struct Counts {
     Floats electrons, read, valid;
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
 };
 
-// Fit result. Unknowns: row, column and z; then for each channel photons, background and, if tilted, the slopes of the
-// background along rows and columns.
+// Fit result. value, errors: the unknowns and their standard errors, in the order row, column, z; then for each channel
+// photons, background and, if tilted, the slopes of the background along rows and columns.
 struct Fitted {
     std::array<double, most_unknown> value{}, errors{};
     double deviance =
@@ -61,13 +63,14 @@ constexpr double noise = 1e-6;  // relative rounding of the deviance, a sum of f
 constexpr double singular = 1e-6;  // pivots below this share of the diagonal are rounding errors of float sums
 constexpr int most_steps = 50;
 
-// Light of a channel, in electrons: photons, background per pixel at the middle of the box, and its slopes per pixel.
+// Light of a channel. photons: total, in electrons; background: electrons per pixel at the middle of the box; down, across:
+// slopes of the background per row and per column.
 struct Light {
     double photons, background, down, across;
 };
 
-// Sums over the pixels of a channel: score and Fisher information with respect to row, column, z, photons, background and
-// slopes (upper triangle, row by row); and the deviance.
+// Sums over the pixels of a channel. score, information: gradient of the log-likelihood and Fisher information (upper triangle,
+// row by row) with respect to row, column, z, photons, background and its two slopes.
 struct Sums {
     static constexpr std::size_t unknown = 7, products = 28;
     double score[unknown], information[products], deviance;
@@ -84,9 +87,9 @@ LOMMEL_INLINE double total(V v) {
     return sum;
 }
 
-// Score, information and deviance for the mean photons x images[value] + background + read. With 7 unknowns the background has
-// slopes; `ramps`: row and column of each pixel relative to the middle. Sums are in float: the deviance is accurate to about
-// 1e-7 of the electrons.
+// Score, Fisher information and deviance for expected counts of photons x image + background + read variance. With 7 unknowns
+// the background has slopes. `images`: image and its derivatives; `ramps`: row and column of each pixel relative to the middle.
+// Sums are in float: the deviance is accurate to about 1e-7 of the electrons.
 template <std::size_t Unknown>
 inline void add_up(const float* images, const float* ramps, std::size_t pixels, const Counts& counts, const Light& light,
                    Sums& sums) {
@@ -112,7 +115,8 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // Counts d may be 0 or negative: the reference max(|d|, 1) instead of d adds a constant, d log(reference).
+            // Counts d (electrons) may be 0 or negative: the reference max(|d|, 1) instead of d adds a constant, d
+            // log(reference).
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;
@@ -136,9 +140,9 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
     });
 }
 
-// Pearson's chi2 of a channel, its expectation and variance. With x = Poisson(mu) + N(0, read) - mu, x^2 has the mean
-// v = mu + read and the variance mu + 2 v^2. The part mu^2 / v of this variance is correlated with x and is subtracted, as the
-// fit makes the sum of x zero.
+// Pearson's chi2 summed over channels, its expectation and variance. A pixel with the expected signal mu has the residual x =
+// Poisson(mu) + N(0, read) - mu; x^2 has the mean v = mu + read and the variance mu + 2 v^2. The part mu^2 / v of this variance
+// is correlated with x and is subtracted, as the fit makes the sum of x zero.
 struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };
@@ -205,7 +209,7 @@ inline void solve(std::size_t n, const double (&a)[most_unknown][most_unknown], 
 
 }  // namespace localize
 
-// Fit of one molecule after another, with reused memory.
+// Maximum-likelihood fit, for one molecule after another with reused memory.
 class MoleculeFit {
    public:
     MoleculeFit(const std::vector<Channel>& channels, const Limits& limits, bool tilted)
@@ -226,7 +230,7 @@ class MoleculeFit {
     // Number of unknowns of each channel: photons, background and, if tilted, its two slopes.
     std::size_t own() const { return own_; }
 
-    // Fit from starting values `start`. `counts`: one per channel; `offsets`: (row, column) per channel.
+    // Fit from the values `start` of the unknowns. `counts`: one image per channel; `offsets`: (row, column) per channel.
     Fitted from(const double* start, const Counts* counts, const double* offsets) {
         Fitted found;
         std::copy_n(start, unknown_, found.value.begin());
@@ -259,8 +263,8 @@ class MoleculeFit {
                     found.state = FitState::converged;
                     break;
                 }
-                // Fisher information differs from the curvature. If the derivative changes sign, the step was too long:
-                // increase the damping.
+                // Fisher information differs from the curvature of the log-likelihood. If the derivative changes sign, the step
+                // was too long: increase the damping.
                 const double turned = after / before;
                 damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
                           : turned < -0.2  ? damping
@@ -289,7 +293,7 @@ class MoleculeFit {
         const double* const m = channels_[c].matrix;
         const Place place{m[0] * at[0] + m[1] * at[1] + offsets[2 * c], m[2] * at[0] + m[3] * at[1] + offsets[2 * c + 1],
                           at[2]};
-        // Clamp: the transform may lead slightly outside the other channel's table.
+        // Clamp: the map of positions may lead slightly outside the table of channel c.
         images_[c].write(channels_[c].table.within(place), pictures_[c].data());
     }
 
@@ -341,7 +345,7 @@ class MoleculeFit {
         return {own[0], own[1], own_ == 2 ? 0.0 : own[2], own_ == 2 ? 0.0 : own[3]};
     }
 
-    // Kind of a channel's unknown: photons (0), background (1), slope of the background (2, 3).
+    // Kind of unknown k >= 3: photons (0), background (1), slopes of the background (2, 3).
     std::size_t kind(std::size_t k) const { return (k - 3) % own_; }
 
     bool towards(const System& system, double damping, double* step) const {
@@ -367,8 +371,8 @@ class MoleculeFit {
         }
     }
 
-    // Take a step, limited to a pixel, to `stride` in z, and to a decrease of photons to 30 % and of the background to 20 %.
-    // Returns whether these limits (not those of confine()) shortened the step.
+    // Take a step, limited to one pixel in row and column, to `stride` in z, and to a decrease of photons to 30 % and of the
+    // background to 20 %. Returns whether these limits (not those of confine()) shortened the step.
     bool move(const double* at, const double* step, double* to) const {
         bool shortened = false;
         for (std::size_t k = 0; k < unknown_; ++k) {

@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Rows of an image are padded to whole vectors.
+// Row length of an image in floats: its width padded to whole vectors.
 constexpr std::size_t image_lanes = 16;
 constexpr std::size_t image_stride(std::size_t width) { return (width + image_lanes - 1) / image_lanes * image_lanes; }
 
@@ -23,11 +23,11 @@ struct Place {
     double row, column, z;
 };
 
-// Along z: `pieces` equal intervals from `low` to `high`, with `terms` Chebyshev coefficients each. Along rows and columns:
-// `per` filtered samples per pixel, interpolated by taps polynomials[power][tap] in 2 t - 1, highest power first.
-// coefficients[piece * terms + term][row][phase][column]: consecutive samples of a row differ in phase, so that each phase is
-// contiguous. Coefficient (0, 0) is `first_row` and `first_column` samples from the molecule. Up to MoleculeTable::beyond
-// floats after the last coefficient may be read.
+// Table of a molecule's images. Along z: `pieces` equal intervals from `low` to `high`, with `terms` Chebyshev coefficients
+// each. Along rows and columns: `per` filtered samples per pixel, interpolated with the taps polynomials[power, highest
+// first][tap] in 2 t - 1, t the position between two samples. coefficients[piece * terms + term][row][phase][column]:
+// consecutive samples of a row differ in phase, so that each phase is contiguous. Coefficient (0, 0) is `first_row` and
+// `first_column` samples from the molecule. Up to MoleculeTable::beyond floats after the last coefficient may be read.
 struct MoleculeTable {
     static constexpr std::size_t terms = 8, beyond = 256, most_taps = 16;
     const float* coefficients;
@@ -35,7 +35,7 @@ struct MoleculeTable {
     const double* polynomials;
     std::size_t powers, taps;
     double first_row, first_column, low, high;
-    double least_row, largest_row, least_column, largest_column;  // valid range
+    double least_row, largest_row, least_column, largest_column;  // valid range (pixels)
 
     std::size_t stride() const { return image_stride(width); }
     std::size_t pixels() const { return height * stride(); }
@@ -45,7 +45,7 @@ struct MoleculeTable {
     }
 };
 
-// Image of a molecule, and its derivatives with respect to row, column and z.
+// Number of images per position: the image of the molecule, and its derivatives with respect to row, column and z.
 constexpr std::size_t molecule_images = 4;
 
 // Interpolation of the image of a molecule and its derivatives, with reused memory.
@@ -55,7 +55,8 @@ class MoleculeImages {
         : table_(table), between_(2 * (needed() + MoleculeTable::beyond)),
           across_(3 * (table.height * line() + MoleculeTable::beyond)) {}
 
-    // Write the four images (value, row, column, z), each of pixels() floats, for a position within the table.
+    // Write the image and its derivatives with respect to row, column and z, each of pixels() floats, for a position in the
+    // table.
     void write(const Place& place, float* images);
 
    private:
@@ -68,7 +69,7 @@ class MoleculeImages {
         const std::size_t piece = along_z(place.z, z);
         const std::size_t top = taps_at(place.row, table.first_row, down);
         const std::size_t left = taps_at(place.column, table.first_column, right);
-        // Interpolate along z, then rows, then columns, in separate loops.
+        // Interpolate along z, then over rows, then over columns, in separate loops.
         const float* const from = table.coefficients + piece * MoleculeTable::terms * table.rows * line() + top * line();
         const std::size_t plane = table.rows * line(), all = needed();
         float* const value = between_.data();
@@ -76,8 +77,8 @@ class MoleculeImages {
         constexpr std::size_t together = 4;
         for (std::size_t i = 0; i < all; i += together * lanes) {
             V sum[together] = {}, rate[together] = {};
-            // Start with the highest term: the first one is usually the largest, and is then rounded only once
-            // (certificate, section 19).
+            // Sum from the highest Chebyshev term down: term 0, usually the largest, is then rounded only once (certificate,
+            // section 19).
             for (std::size_t n = MoleculeTable::terms; n-- > 0;) {
                 const V weight = splat<V>(z.value[n]), change = splat<V>(z.slope[n]);
                 for (std::size_t k = 0; k < together; ++k) {
@@ -160,7 +161,7 @@ class MoleculeImages {
         const double at = (z - table_.low) / length;
         const auto piece = std::min(static_cast<std::size_t>(std::max(at, 0.0)), table_.pieces - 1);
         const double x = 2.0 * (at - static_cast<double>(piece)) - 1.0, scale = 2.0 / length;
-        double last = 1.0, now = x, before = 0.0, rate = 1.0;  // T_n-1, T_n, U_n-2, U_n-1
+        double last = 1.0, now = x, before = 0.0, rate = 1.0;  // Chebyshev T_{n-1}, T_n, U_{n-2}, U_{n-1} at x
         weights.value[0] = 1.0F;
         weights.slope[0] = 0.0F;
         for (std::size_t n = 1; n < MoleculeTable::terms; ++n) {
@@ -175,7 +176,8 @@ class MoleculeImages {
         return piece;
     }
 
-    // Tap weights of the first pixel for a molecule at `at` (pixels); returns the index of the first coefficient.
+    // Tap weights of a molecule's first pixel, and their derivatives, for the molecule at `at` (pixels); `first`: samples from
+    // the molecule to coefficient 0. Returns the index of the first coefficient used.
     std::size_t taps_at(double at, double first, Weights& weights) const {
         const double per = static_cast<double>(table_.per), place = -per * at - first, whole = std::floor(place);
         const double x = 2.0 * (place - whole) - 1.0;
@@ -204,7 +206,7 @@ LOMMEL_ONCE void MoleculeImages::write(const Place& place, float* images) {
 }
 #endif
 
-// Values and derivatives at places[count][row, column, z]: to[place][image][row][column] without gaps.
+// Write to[place][image][row][column] without gaps: molecule images and their derivatives at places[count][row, column, z].
 void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void molecule_stack(const MoleculeTable& table, const double* places, std::size_t count, int threads, float* to) {

@@ -63,8 +63,7 @@ struct Rows {
     }
 };
 
-// Call visit(rows) for each vector of columns, 0 to `half`, of the windows of one or two points. The last vector is half as
-// long where that suffices.
+// Call visit(rows) for each vector of columns, 0 to `half`, of the windows of one or two points.
 template <class I, std::size_t Points, bool Alike, class T, class Visit>
 LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
     using Whole = Rows<Packed<I, T>, T, Points, Alike>;
@@ -282,9 +281,8 @@ struct Taking {
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             return load<W>(sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from));
         };
-        // Inner products with each of the four windows, mixed at the end. A window's rows above and below its point are equal,
-        // so the image's two rows are added before they are multiplied. Row r of one point is row r + 1 or r - 1 of the other
-        // point.
+        // Inner products with the four windows, mixed at the end. As window rows above and below a point are equal, the image's
+        // rows are added first. Row r of one point is row r + 1 or r - 1 of the other point.
         constexpr std::size_t last = R::points - 1;
         W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
         folded[0] = over, folded[last] = under;

@@ -26,15 +26,14 @@ namespace lommel {
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
-    const std::int32_t* behind;  // null: nothing behind the points is represented
+    const std::int32_t* behind;  // null: no point has a representative for occluded light
     std::size_t count;  // number of layers, at most 64
     std::size_t pad;  // rows and columns of border extension on either side
     bool mirrored, dark;  // mirrored: light that leaves the image is reflected; dark: border extension only occludes
 };
 
-// Images [height][width] without border extension. seen: visibility, clamp(seen - level(l), 0, 1) is the fraction of layer l
-// that the pixel sees; total: fraction of the aperture covered so far (blurred image of a white scene); out: image of the
-// light.
+// Images [height][width] without border extension. seen: visibility; a pixel sees the fraction clamp(seen - level(l), 0, 1) of
+// layer l; total: fraction of the aperture covered so far; out: image of the light.
 template <class T>
 struct Composite {
     T *seen, *total;
@@ -98,8 +97,7 @@ struct GivingLight {
     }
 
    private:
-    // Add a sheet's vector `sum` to the image on both sides. The middle column is in both vectors; `right`, stored last, has
-    // its sum.
+    // Add `sum` to the image on both sides. The middle column is in both vectors; `right`, stored last, has its sum.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W middle_mask) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
@@ -284,8 +282,7 @@ class Compositor {
         return any;
     }
 
-    // Points of one layer in a part of a tile: positions in the window bank, light, and rows first .. last - 1 with points per
-    // column.
+    // Points of one layer in a part of a tile; column x of the part has points in rows first[x] .. last[x] - 1.
     struct Points {
         explicit Points(std::size_t tall)
             : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
@@ -294,8 +291,7 @@ class Compositor {
         std::size_t first[part_width], last[part_width];
     };
 
-    // Add the windows of a layer's points in a tile to `white` (coverage, unless `known`) and to `light`. Returns the bounding
-    // box of the pixels that they reach.
+    // Add the windows of a layer's points in a tile to `white` and `light`. Returns the bounding box of the pixels reached.
     Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
         Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -336,8 +332,7 @@ class Compositor {
         return reached;
     }
 
-    // For the points of one layer in a part, set the positions in the window bank and the light, and the range of rows in each
-    // column.
+    // Set the bank positions and light of one layer's points in a part, and the range of rows with points in each column.
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {

@@ -51,8 +51,7 @@ class FieldSpreader {
     // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; values[height][width] of the scene.
     void forward(const T* values, T* out) const;
 
-    // Transpose of forward(): each pixel becomes the sum of window x `image`, an image with the size of the output of
-    // forward().
+    // Transpose of forward(): each pixel becomes the sum of window x `image`, which has the size of forward()'s output.
     void adjoint(const T* image, T* out) const;
 
    private:
@@ -184,8 +183,7 @@ class FieldSpreader {
         return nodes + 2 * static_cast<std::size_t>(scene_.tiles[column]) * bank_.row() + interval * bank_.size;
     }
 
-    // Mix a pixel's window and write it to `at`; if `Product`, return instead its inner product with the image part stored at
-    // `at`.
+    // Mix a pixel's window and write it to `at`; if `Product`, return its inner product with the image part at `at` instead.
     template <class I, std::size_t Order, bool Product>
     LOMMEL_INLINE T mix(const T* weights, const T* first, T* at) const {
         using V = Packed<I, T>;

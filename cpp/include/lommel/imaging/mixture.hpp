@@ -17,8 +17,8 @@ namespace lommel {
 template <class T>
 struct WindowBank {
     const T* windows;  // [window, one spare][row from the middle down][column from the middle right, zero padded]
-    const std::int64_t* halves;  // [window]
-    const double* energies;  // [window]
+    const std::int64_t* halves;  // [window]: half width in pixels
+    const double* energies;  // [window]: sum of its values
     std::size_t count, widest, stride;
 
     std::size_t room() const { return (widest + 1) * stride; }

@@ -17,15 +17,14 @@
 namespace lommel {
 
 // specimen, recording: numbers of planes; first: specimen plane at which the recording starts; before, after: numbers of planes
-// beyond either end of the specimen whose light reaches the recording, taken to equal its outermost planes.
+// beyond either end of the specimen whose light reaches the recording (copies of its outermost planes).
 struct StackPlanes {
     std::size_t specimen, recording, first, before, after;
 };
 
-// Axial Fourier transform of a kernel over the FFT's `length` planes, divided by `length`: [row][group of eight
-// columns][frequency][re or im][column], the eight columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more
-// are stored, opposite rows are equal; if only half of the frequencies and one more, opposite frequencies are complex
-// conjugates.
+// Axial Fourier transform of a kernel, divided by its length: [row][group of eight columns][frequency][re or im][column],
+// columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, opposite rows are equal; if only half
+// of the frequencies and one more, opposite frequencies are complex conjugates.
 struct PlaneTransfer {
     const float* values;
     std::size_t rows, frequencies;
@@ -42,7 +41,7 @@ class PlaneFilter {
         : planes_(planes), fft_(length), rows_(rows), columns_(columns), groups_((columns + 7) / 8),
           kernels_(std::move(kernels)), weights_(weights) {}
 
-    // Replace the specimen, the first planes of `room`, by the recording; if `transposed`, the recording by a specimen.
+    // Replace the specimen (first planes of `room`) by its recording; if `transposed`, apply the transposed operator.
     void run(std::complex<float>* room, bool transposed, int threads) const;
 
    private:
@@ -178,8 +177,7 @@ class PlaneFilter {
         }
     }
 
-    // Multiply a spectrum x, stored with re and im exchanged, by the kernel's transfer function (its conjugate if
-    // `Transposed`).
+    // Multiply a spectrum x, with re and im exchanged, by the kernel's transfer function (its conjugate if `Transposed`).
     template <bool Transposed, bool Added, class I>
     LOMMEL_INLINE void multiply(I, const float* x, std::size_t row, std::size_t group, const PlaneTransfer& kernel,
                                 float* y) const {

@@ -54,8 +54,7 @@ class Bank {
 
     static constexpr std::size_t together = 4;
 
-    // Write to[image][template]: inner products of `together` images of a channel, rows padded to whole vectors, with the
-    // padded() templates.
+    // Write to[image][template]: inner products of `together` images, in rows of whole vectors, with all templates.
     void products(std::size_t channel, const float* images, float* to) const {
         const Templates& all = channels_[channel];
         const std::size_t length = all.pixels, count = padded();
@@ -124,8 +123,7 @@ class Localizer {
              int threads, Fitted* fitted) const;
 
    private:
-    // Copy image `index` of a stack into rows padded to whole vectors: into `counts` with the read variance added, into
-    // `centred` with the mean subtracted. Returns the mean.
+    // Copy an image into rows of whole vectors: to `counts` plus read variance, to `centred` minus its mean, which is returned.
     static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
         const std::size_t size = table.height * table.width;
         const float* const electrons = stack.electrons + index * size;

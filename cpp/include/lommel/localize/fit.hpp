@@ -25,8 +25,7 @@ constexpr std::size_t most_unknown = 3 + 4 * most_channels;
 
 enum class FitState : std::int32_t { converged, border, steps, undetermined };
 
-// Channel: table of its molecule images, and map of positions. Position in the channel = matrix x (row, column) in the first
-// channel + offset; matrix[2][2] by rows.
+// Position in a channel = matrix x (row, column) in the first channel + offset; matrix[2][2] by rows. table: its images.
 struct Channel {
     MoleculeTable table;
     double matrix[4];
@@ -115,8 +114,7 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // Counts d (electrons) may be 0 or negative: the reference max(|d|, 1) instead of d adds a constant, d
-            // log(reference).
+            // Counts d may be 0 or negative: the reference max(|d|, 1) instead of d adds a constant, d log(reference).
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;

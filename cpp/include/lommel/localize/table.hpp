@@ -55,8 +55,7 @@ class MoleculeImages {
         : table_(table), between_(2 * (needed() + MoleculeTable::beyond)),
           across_(3 * (table.height * line() + MoleculeTable::beyond)) {}
 
-    // Write the image and its derivatives with respect to row, column and z, each of pixels() floats, for a position in the
-    // table.
+    // Write the image and its derivatives with respect to row, column and z, pixels() floats each, for a position in the table.
     void write(const Place& place, float* images);
 
    private:

@@ -107,8 +107,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
 }
 
 // 2 (-1)^k J_{2k+1+parity}(v) / v for k = 0 .. terms-1: twice the Hankel transforms, up to the sign, of the Zernike radial
-// polynomials of degree 2k + parity; for parity 0 also of the Legendre polynomials P_k(2t - 1), t = radius^2. `scratch`: reused
-// memory.
+// polynomials of degree 2k + parity; for parity 0 also of the Legendre polynomials P_k(2t - 1), t = radius^2.
 inline void zernike_transforms(std::size_t parity, double v, std::size_t terms, double* out, std::vector<double>& scratch) {
     if (v < 1e-150) {
         std::fill(out, out + terms, 0.0);

@@ -22,9 +22,8 @@ namespace lommel {
 // amplify rounding.
 constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
 
-// Interpolation error of the field U on a piece of width H, relative to sup|U|: U is of exponential type 1, so its 16th
-// derivative is at most sup|U| (Bernstein), and interpolation at 16 Chebyshev points errs by at most 2 (H/4)^16 / 16! times
-// that.
+// Bound, relative to sup|U|, on the interpolation error of the field U on a piece of width H: |U^(16)| <= sup|U| (Bernstein, as
+// U is of exponential type 1) times 2 (H/4)^16 / 16! for 16 Chebyshev points.
 inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
 
 struct PieceTable {

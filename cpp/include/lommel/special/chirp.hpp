@@ -92,8 +92,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
     wave_moments(isa, q, waves);
     for (std::size_t n = 0; n < count; ++n) {
-        // re + i im = int_{-1}^1 x^m exp(i (p x^2 + q x)) dx, expanded up to p^7 for |p| <= nearly_linear; divided by i for m =
-        // 1, as `waves` of odd index are.
+        // re + i im = int_{-1}^1 x^m exp(i (p x^2 + q x)) dx, expanded up to p^7 for |p| <= nearly_linear. The moment m = 1 is
+        // divided by i, as `waves` of odd index are.
         V sine, cosine, re[3], im[3], power = splat<V>(1.0);
         for (int m = 0; m < 3; ++m) {
             re[m] = im[m] = splat<V>(0.0);

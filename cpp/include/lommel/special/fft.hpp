@@ -117,8 +117,7 @@ class RowFft {
         return x;
     }
 
-    // Last pass for one index q < n/4: x[k] = X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}. Here `y` points to element q of the
-    // result of run().
+    // Last pass at index q < n/4, to which y points: x[k] = X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}, k = 0 .. 3.
     template <class V>
     LOMMEL_INLINE void last(const Real* y, ComplexPack<V>* x) const {
         const auto at = [&](std::size_t j) LOMMEL_INLINE_LAMBDA {

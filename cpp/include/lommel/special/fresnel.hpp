@@ -71,8 +71,7 @@ class FresnelAuxiliary {
         }
     }
 
-    // Interpolate (s + 2) G(s) at Chebyshev points of y = (s - a) / (s + a), a = `center`, in extended precision where
-    // available.
+    // Interpolate (s + 2) times the Fresnel factor at Chebyshev points of y, if possible in extended precision.
     FresnelAuxiliary() {
         std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {
@@ -89,7 +88,7 @@ class FresnelAuxiliary {
    private:
     static constexpr double center = 2.6, large = 8.0;
 
-    // Asymptotic series of G(s): sum over k = 0 .. 15 of (i / 2s) (2k-1)!! (-i u)^k, u = 1 / (2 s^2).
+    // Fresnel factor by its asymptotic series, sum over k = 0 .. 15 of (i / 2s) (2k-1)!! (-i u)^k, u = 1 / (2 s^2).
     template <class V>
     static LOMMEL_INLINE void asymptotic(V s, V& re, V& im) {
         const V scale = splat<V>(0.5) / s, u = splat<V>(2.0) * scale * scale, square = u * u;
@@ -107,8 +106,8 @@ class FresnelAuxiliary {
         im = scale * even;
     }
 
-    // G(s) by quadrature: on the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x). The
-    // trapezoidal rule in w, x = exp(w - e^{-w}) (double exponential rule of a half line), converges to the last digit.
+    // Fresnel factor by quadrature: on the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s
+    // x). The trapezoidal rule in w, x = exp(w - e^{-w}) (double exponential rule of a half line), converges to the last digit.
     static std::complex<wide> by_quadrature(wide s) {
         using real = wide;
         const real root2 = std::sqrt(real(2)), h = real(1) / 64;
@@ -195,7 +194,7 @@ class FresnelSeries {
             a = a + scale * (twice * (splat<V>(weight) * fall - even * cosine) + odd * sine);
             b = b - scale * (twice * even * sine + odd * cosine);
         }
-        // G(s) = sqrt(pi / 8) (1 + i) (1 - erf) exp(-i s^2), with the error function erf = a + i b.
+        // Fresnel factor sqrt(pi / 8) (1 + i) (1 - erf) exp(-i s^2), with the error function erf = a + i b.
         const V c = splat<V>(half_fresnel) * (one - a + b), d = splat<V>(half_fresnel) * (one - a - b);
         re = c * cosine + d * sine;
         im = d * cosine - c * sine;

@@ -73,8 +73,7 @@ class GriddingKernel {
         constexpr std::size_t cells = 192;
         double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
-            // Integrate over the angle a, s = cos(a). Within a cell of a, aliases() is largest at its start and sin(a) at its
-            // end.
+            // Integrate over a, s = cos(a): in each cell of a, aliases() is largest at the start and sin(a) at the end.
             const double first = 0.5 * pi * static_cast<double>(i) / cells,
                          last = 0.5 * pi * static_cast<double>(i + 1) / cells;
             const double most = aliases(step * std::cos(first)), sine = std::sin(last);

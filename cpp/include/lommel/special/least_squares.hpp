@@ -14,12 +14,11 @@
 
 namespace lommel {
 
-// Regularised least squares by Householder reflections. Unknowns are added one at a time, each with a regularising equation
-// small x = 0. Callers evaluate the residuals, which show errors of the solution.
+// Regularised least squares by Householder reflections. Unknowns x are added one at a time, each with a regularising equation
+// `small` x = 0. Callers evaluate the residuals, which show errors of the solution.
 class LeastSquares {
    public:
-    // `wanted`: right-hand sides, [side][equation]; `most`: maximum number of unknowns; `small`: factor of each unknown in its
-    // regularising equation.
+    // `wanted`[side][equation]: right-hand sides; `most`: maximum number of unknowns; `small`: factor of the regularisation.
     LeastSquares(std::vector<std::vector<double>> wanted, std::size_t most, double small)
         : equations_(wanted[0].size()), small_(small), rest_(std::move(wanted)) {
         for (std::vector<double>& side : rest_) {
@@ -60,8 +59,7 @@ class LeastSquares {
     }
 
    private:
-    // Apply the Householder reflection of unknown k. Its vector is 0 above the diagonal k and below the regularising equation
-    // of k.
+    // Apply the Householder reflection of unknown k. Its vector is 0 above row k and below the regularising equation of k.
     template <class I>
     LOMMEL_INLINE void reflect(std::size_t k, std::vector<double>& of) const {
         const std::size_t count = equations_ + 1;

@@ -26,8 +26,7 @@ struct Piece {
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
-    // left_out: bound on the contribution of all omitted rows to the field U, for any pupil. most(): number of rows that piece
-    // s needs for it.
+    // left_out: bound on the omitted rows' part of the field U, for any pupil; most(): number of rows that piece s needs.
     static constexpr double left_out = 1e-19;
     static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };
@@ -80,9 +79,8 @@ class PieceRule {
     }
 
     // Convert `values` at the 16 points, each a vector over orders, to coefficients. For |values| <= 1 each coefficient is
-    // rounded once, and the polynomial has a further error below 2^-66. The sums `exact` have no rounding: products of
-    // multiples of 2^-25 and 2^-24 (2^-25 for i = 0), or of integers below 2^17 and multiples of 2^-32, sum to less than 2^53
-    // of their units.
+    // rounded once, and the polynomial has a further error below 2^-66. The sums `exact` are exact: multiples of 2^-25 times
+    // those of 2^-24 (2^-25 for i = 0), and integers below 2^17 times multiples of 2^-32, sum to less than 2^53 units.
     template <class V>
     LOMMEL_INLINE void operator()(const V* values, V* out) const {
         V high[2][half], low[2][half], both[2][half];

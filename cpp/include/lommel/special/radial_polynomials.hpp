@@ -95,7 +95,7 @@ class ZernikeValues {
         std::size_t k, j;  // k = (n - m) / 2; j: place of the term in the given order
     };
     std::vector<Term> order_;
-    std::vector<std::vector<RadialStep<wide>>> steps_;  // [m][k]
+    std::vector<std::vector<RadialStep<wide>>> steps_;  // [azimuthal order m][k]: step from degree m + 2k
 };
 
 // Zernike terms of a function on a smaller disk of radius a: R_n^m(a rho) contains R_k^m(rho) with the factor
@@ -134,7 +134,7 @@ class SmallerDisk {
     }
 
     double radius_ = -1.0;
-    std::vector<std::vector<double>> shares_;  // [n][(n - k) / 2]
+    std::vector<std::vector<double>> shares_;  // factors of R_k^m: [n][(n - k) / 2]
 };
 
 }  // namespace lommel

@@ -20,9 +20,9 @@
 
 namespace lommel {
 
-// Scene of points in occlusion layers, [scene.height][scene.width] including border extension. layers[p]: layer of point p, 0
-// the nearest; behind[p]: index of the point that represents the light occluded by p, negative if there is none. Both are
-// indexed like `scene.positions`.
+// Scene of points in layers, [scene.height][scene.width] including border extension. layers[p]: layer of point p, 0 the
+// nearest; behind[p]: index of the point representing the light occluded by p, or negative. Both are indexed like
+// `scene.positions`.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
@@ -229,7 +229,6 @@ class Compositor {
     // Shortest vectors, available on every processor of an architecture, so that results do not depend on the processor.
     using Short = Packed<Portable, T>;
 
-    // Call f(row, from, to) for each row of a box; its columns are from .. to - 1.
     template <class F>
     static void each_row(const Box& box, const F& f) {
         for (std::ptrdiff_t y = box.top; y < box.bottom && box.left < box.right; ++y) {

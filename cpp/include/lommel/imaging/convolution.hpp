@@ -105,8 +105,7 @@ class Convolution {
         for (std::size_t c = 0; c < wide_ / 8; ++c) {
             const float *a = &picture[c * block], *b = &spread_[c * block];
             line_.resize(std::max(down_.n, wide_) * element);
-            // Inverse transform: the forward transform of numbers with re and im exchanged, whose result has them exchanged
-            // too.
+            // Inverse transform = forward transform of numbers with re and im exchanged, with re and im exchanged again.
             for (std::size_t k = 0; k < down_.n; ++k, a += element, b += element) {
                 float* to = &line_[k * element];
                 for (std::size_t r = 0; r < fft_rows; ++r) {

@@ -14,8 +14,7 @@
 
 namespace lommel {
 
-// Spline coefficients of PSF windows over field and defocus: coefficients[node down][node across][node over defocus][pixel of
-// the window, row by row, zero padded].
+// Splines of PSF windows: coefficients[node down][node across][node over defocus][pixel of the window, by rows, zero padded].
 template <class T>
 struct FieldWindows {
     const T* coefficients;
@@ -37,8 +36,7 @@ struct FieldScene {
     std::size_t across, intervals, order;
 };
 
-// Blur operator: each source pixel adds its interpolated PSF window to the image (forward), or receives the window's inner
-// product with an image (adjoint).
+// Blur by interpolated PSF windows: source pixels add them to the image (forward) or take inner products with them (adjoint).
 template <class T>
 class FieldSpreader {
    public:
@@ -212,8 +210,7 @@ class FieldSpreader {
         return sum;
     }
 
-    // Add a window to an image. The last columns of a row use the shortest sufficient vector, whose excess lanes are multiplied
-    // by 0.
+    // Add a window to an image. The last columns use the shortest sufficient vector, with excess lanes multiplied by 0.
     template <class I>
     LOMMEL_INLINE void give(const T* window, T* out) const {
         constexpr std::size_t lanes = sizeof(Packed<I, T>) / sizeof(T);

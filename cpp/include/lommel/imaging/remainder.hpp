@@ -1,5 +1,4 @@
-// Remainder of a PSF beyond its window as a sum of separable products r: their factors a_r(c), by defocus c
-// (docs/certificate.md, section 13).
+// Factors, by defocus, of the separable products that make up a PSF beyond its window (docs/certificate.md, section 13).
 #pragma once
 
 #include <algorithm>
@@ -13,9 +12,8 @@
 
 namespace lommel {
 
-// Interpolation of the factors over defocus by cubic polynomials values[interval][power][product], in the distance (steps of
-// the window bank) from the second of the four windows they pass through. Each power has `stride` values, a multiple of 16,
-// zero after the last product.
+// These factors as cubic polynomials values[interval][power][product] of defocus: distance, in steps of the window bank, from
+// the second of the four windows interpolated. Each power has `stride` values, a multiple of 16, zero after the last product.
 template <class T>
 struct RemainderCubics {
     const T* values;

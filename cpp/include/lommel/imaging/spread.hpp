@@ -57,8 +57,7 @@ struct Screen {
     const T* seen = nullptr;    // indexed like the output of forward()
 };
 
-// Blur operator: each source pixel adds its interpolated PSF window to the image (forward), or receives the window's inner
-// product with an image (adjoint).
+// Blur by interpolated PSF windows: source pixels add them to the image (forward) or take inner products with them (adjoint).
 template <class T>
 class Spreader {
    public:
@@ -76,16 +75,13 @@ class Spreader {
     // its strides.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = for each source pixel the sum of window x image, an image with the size of
-    // the output of forward().
+    // Transpose of forward(): out[height][width] = sum of window x image per source pixel; image: size of forward()'s output.
     void adjoint(const T* image, T* out) const;
 
    private:
-    // Tile sizes in pixels. most_rows: tallest column of points whose sums stay in the cache before they are added to the
-    // image.
+    // Tile sizes in pixels; most_rows: tallest column of points whose sums stay in the cache.
     static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
-    // Side of the squares of points that are tested for occlusion together: much smaller than a window, so that few tests are
-    // wasted.
+    // Side of the squares of points tested for occlusion together: much smaller than a window, so that few tests are wasted.
     static constexpr std::size_t near = 8;
     static constexpr std::size_t line = 64;  // bytes of a cache line
 
@@ -173,9 +169,8 @@ class Spreader {
         }
     }
 
-    // Spread the points of one column, two vertically adjacent points at a time unless occlusion separates them. Pairs are
-    // sorted by kind (same or different first window) to avoid branch mispredictions. Partly occluded points come first, layer
-    // by layer.
+    // Spread one column of points, two vertically adjacent points at a time unless occlusion separates them. Pairs are sorted
+    // by kind (same or different first window) to avoid branch mispredictions; partly occluded points come first.
     template <class I, class Side>
     LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
                                   const Side& side) const {

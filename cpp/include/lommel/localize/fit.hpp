@@ -31,8 +31,7 @@ struct Channel {
     double matrix[4];
 };
 
-// Image of a molecule, rows padded to whole vectors. electrons: electrons plus read variance; read: variance of the read noise
-// (electrons^2); valid: 1 or 0.
+// Molecule image, rows padded to whole vectors: electrons plus read variance; read variance (electrons^2); valid, 1 or 0.
 struct Counts {
     Floats electrons, read, valid;
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
@@ -62,8 +61,7 @@ constexpr double noise = 1e-6;  // relative rounding of the deviance, a sum of f
 constexpr double singular = 1e-6;  // pivots below this share of the diagonal are rounding errors of float sums
 constexpr int most_steps = 50;
 
-// Light of a channel. photons: total, in electrons; background: electrons per pixel at the middle of the box; down, across:
-// slopes of the background per row and per column.
+// Light of a channel in electrons: photons in total; background per pixel at the middle of the box; its slopes per row, column.
 struct Light {
     double photons, background, down, across;
 };

@@ -175,8 +175,7 @@ class MoleculeImages {
         return piece;
     }
 
-    // Tap weights of a molecule's first pixel, and their derivatives, for the molecule at `at` (pixels); `first`: samples from
-    // the molecule to coefficient 0. Returns the index of the first coefficient used.
+    // Tap weights, with derivatives, of a molecule at `at` (pixels); returns the index of the first coefficient they apply to.
     std::size_t taps_at(double at, double first, Weights& weights) const {
         const double per = static_cast<double>(table_.per), place = -per * at - first, whole = std::floor(place);
         const double x = 2.0 * (place - whole) - 1.0;

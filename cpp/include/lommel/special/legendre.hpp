@@ -29,9 +29,8 @@ void each_legendre(Real y, std::size_t terms, const F& f) {
     }
 }
 
-// Nodes (ascending) and weights of the n-point Gauss-Legendre rule on [-1, 1], by Newton's method from Tricomi's initial guess.
-// The unknown y is the distance of a node from the end of the interval: weights from rounded nodes, or from eigenvalues, lose
-// up to eight digits near the ends.
+// Nodes (ascending) and weights of the n-point rule by Newton's method from Tricomi's initial guess. The unknown y is a node's
+// distance from the end of the interval: weights from rounded nodes, or from eigenvalues, lose up to eight digits there.
 template <class Number, class Real = wide>
 void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     const Real pi = std::acos(Real(-1));

@@ -19,8 +19,8 @@ namespace lommel {
 
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
-// Piece of the Bessel table. Row n: 16 coefficients, in powers of x from -1 to 1 on the piece, of the function of order n;
-// orders that are negligible on the piece have no row. magnitude, azimuthal: this piece's terms of the bounds in PieceTable.
+// Piece of the Bessel table. Row n: 16 coefficients, in powers of x from -1 to 1 on the piece, of Bessel function n; negligible
+// functions have no row. magnitude, azimuthal: this piece's terms of the bounds in PieceTable.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;

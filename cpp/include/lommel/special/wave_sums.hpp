@@ -14,8 +14,7 @@
 
 namespace lommel {
 
-// Gridding kernel and FFT for sums over waves a exp(-i k s) at up to `side` integers k. gain[|k|]: reciprocal of the kernel's
-// Fourier transform, by which sums are multiplied.
+// Gridding kernel and FFT for sums over waves a exp(-i k s) at up to `side` integers k; gain: 1 / (transform of the kernel).
 struct WaveKernel {
     static constexpr std::size_t most_taps = 16;
 
@@ -110,8 +109,8 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sums, gain) for each integer k, j = k + side / 2. `sums`: eight real parts, then eight imaginary parts, which
-    // the caller multiplies by `gain`.
+    // Call at(j, sums, gain), j = k + side / 2, for each k: eight real, eight imaginary parts, and the factor still to be
+    // applied.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;

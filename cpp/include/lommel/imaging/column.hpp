@@ -145,8 +145,7 @@ class Sheets {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Call f(place, right, left) for all vectors of pixels reached; right, left: fractions of layer `layer` seen on either
-    // side.
+    // Call f(place, right, left) for all vectors of pixels reached; right, left: visible fraction of the layer on either side.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {

@@ -236,7 +236,7 @@ class Compositor {
         }
     }
 
-    // For each tile, find the largest `seen` of its pixels, and the number of pixels that are not completely covered yet.
+    // For each tile, find the largest visibility `seen` of its pixels, and the number of pixels not completely covered yet.
     void look_at(const Composite<T>& made) {
         parallel_for(rows_ * columns_, threads_, [&](std::size_t, std::size_t tile) {
             T most = level(0) - T(1);
@@ -523,7 +523,7 @@ class Compositor {
     std::size_t tall_, broad_, rows_, columns_, parts_;
     std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points in the part
     std::vector<Extent> extents_;  // [tile][part][layer]
-    std::vector<T> most_;  // [tile]: largest `seen` of its pixels
+    std::vector<T> most_;  // [tile]: largest visibility `seen` of its pixels
     std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not completely covered
     std::vector<unsigned char> chosen_;
     std::vector<Box> reached_;  // [tile]: bounding box of the pixels that the current layer's points reach

@@ -77,7 +77,7 @@ class FieldSpreader {
         });
     }
 
-    // Interpolate the windows of scene row y at all columns that are places.
+    // Interpolate the windows of scene row y at the columns of FieldScene::places.
     template <class I>
     LOMMEL_INLINE void mix_row(I, std::size_t y, T* across, T* nodes) const {
         const std::size_t row = static_cast<std::size_t>(scene_.rows[y]);
@@ -147,7 +147,7 @@ class FieldSpreader {
         }
     }
 
-    // Compute the weights of the 3 x Order windows of a pixel; returns the first of these windows.
+    // Compute the weights of a pixel's 3 x Order windows (places x defocus nodes); returns the first of these windows.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {

@@ -24,7 +24,7 @@ struct WindowBank {
     std::size_t room() const { return (widest + 1) * stride; }
 };
 
-// Position of a point in a bank: index of the first of its four windows (negative: the point spreads no light), and the
+// Position of a point in a window bank: index of the first of its four windows (negative: the point spreads no light), and the
 // distance from that window in steps of the bank.
 template <class T>
 struct BankPlace {

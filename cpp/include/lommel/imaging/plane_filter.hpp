@@ -64,7 +64,7 @@ class PlaneFilter {
     static LOMMEL_INLINE Pairs seconds(Pairs a, Pairs b) { return (a >> 32U) | (b & ~low); }
 #endif
 
-    // Copy one row of all planes, with re and im exchanged: the FFT of exchanged numbers is the inverse FFT. They remain
+    // Copy one row of all planes, with re and im exchanged: the FFT of exchanged numbers is the inverse FFT. Re and im remain
     // exchanged up to the products in multiply(). Columns are in the order 0 4 1 5 2 6 3 7.
     LOMMEL_INLINE void take(const std::complex<float>* room, std::size_t row, std::size_t count, float* held) const {
         for (std::size_t plane = 0; plane < count; ++plane) {

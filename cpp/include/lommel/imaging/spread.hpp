@@ -116,7 +116,7 @@ class Spreader {
         std::vector<unsigned char> hidden;  // [point]: some pixel sees only a fraction of the point
     };
 
-    // Run one direction (`side`: Giving or Taking) for all source pixels of a part of the image.
+    // Run the forward (`side`: Giving) or transposed (Taking) operator for all source pixels of a part of the image.
     template <class I, class Value, class Side>
     LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
                               const Value& value, const Side& side) const {

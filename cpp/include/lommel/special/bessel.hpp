@@ -14,7 +14,7 @@ namespace lommel {
 // lanes, where the omitted terms are below 1e-17.
 template <class V>
 LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& first) {
-    V parts[2][2];  // [order][sum over even k, sum over odd k]
+    V parts[2][2];  // [order][sum of the even terms, of the odd terms]
     const V turn = splat<V>(0.125) / v;
     for (int order = 0; order < 2; ++order) {
         const double mu = 4.0 * order;

@@ -159,7 +159,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
         ChirpMoments<I>& m = out[n];
         m.re[0] = x;
         m.im[0] = y;
-        // Moments 1 and 2 follow from moment 0 by partial integration; 1 / (2 i a) = i by.
+        // Moments 1 and 2 follow from moment 0 by partial integration; by = -1 / (2 a), shift = b / (2 a).
         m.re[1] = zero - by * (s[1] - s[0]) - shift * x;
         m.im[1] = by * (c[1] - c[0]) - shift * y;
         m.re[2] = zero - by * (high * s[1] - low * s[0] - y) - shift * m.re[1];

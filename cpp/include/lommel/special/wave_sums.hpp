@@ -62,7 +62,7 @@ struct WaveKernel {
         }
         return most;
     }
-    // Grid position of a wave of phase step s (rad): the fraction of -s / (2 pi) times the FFT length.
+    // Grid position of a wave of phase step s (rad): the fractional part of -s / (2 pi), times the FFT length.
     double place(double s) const {
         const double n = static_cast<double>(fft.n), turns = -s / 6.283185307179586;
         return std::min((turns - std::floor(turns)) * n, n - 1e-9);
@@ -109,8 +109,7 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sums, gain), j = k + side / 2, for each k: eight real, eight imaginary parts, and the factor still to be
-    // applied.
+    // Call at(j, sums, gain), j = k + side / 2, for each k: eight real and eight imaginary parts, and a factor to apply.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;

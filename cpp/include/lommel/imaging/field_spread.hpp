@@ -32,7 +32,7 @@ struct FieldScene {
     const std::int64_t *tiles, *rows, *columns;
     std::size_t count, height, width;  // number of places, rows, columns
     const double *defocus, *breaks;    // [image row][image column]; ends of the defocus intervals
-    const T* powers;                   // [interval][power][node]: spline weights, polynomials in the position within the interval
+    const T* powers;                   // [interval][power][node]: spline weights as polynomials in the interval
     std::size_t across, intervals, order;
 };
 

@@ -13,44 +13,47 @@ from lommel.base.validation import shown
 _Door = TypeVar("_Door", bound=Callable[..., object])
 
 
-def shares(keywords: type, source: type, **defaults: object) -> Callable[[_Door], _Door]:
-    """Return a decorator that lists the options of `keywords` in a signature and its docstring (``{options}``)."""
+def shares(keywords: type, source: Callable[..., object], **defaults: object) -> Callable[[_Door], _Door]:
+    """Return a decorator that lists the options of `keywords` in a signature and its docstring (``{options}``).
+
+    `source` is a dataclass or function that has them; a subclass may restate the default and text of an option.
+    """
 
     def show(door: _Door) -> _Door:
         made: Any = door.__init__ if isinstance(door, type) else door  # type: ignore[misc]
         found = inspect.signature(made)
         own = [p for p in found.parameters.values() if p.kind is not p.VAR_KEYWORD]
-        names = [name for name in source.__annotations__ if name in keywords.__annotations__]
         shared = [
-            inspect.Parameter(
-                name,
-                inspect.Parameter.KEYWORD_ONLY,
-                default=defaults.get(name, getattr(source, name)),
-                annotation=source.__annotations__[name],
-            )
-            for name in names
+            p.replace(kind=p.KEYWORD_ONLY, default=defaults.get(p.name, p.default))
+            for p in inspect.signature(source).parameters.values()
+            if p.name in keywords.__annotations__
         ]
         made.__signature__ = found.replace(parameters=[*own, *shared])
-        # There is no docstring with python -OO.
         if door.__doc__:  # there is none with python -OO
-            text = "\n".join(f"{head} : {said}" for head, said in _texts(source) if {*head.split(", ")} & {*names})
+            names = {p.name for p in shared}
+            text = "\n".join(
+                f"{head} : {said}" for head, said in _texts(source).items() if names & {*head.split(", ")}
+            )
             door.__doc__ = inspect.cleandoc(door.__doc__).replace("{options}", text)
         return door
 
     return show
 
 
-def sentence(source: type, name: str) -> str:
-    """Return the description of one option from a class's docstring, in one line and without its type."""
-    found = (said for head, said in _texts(source) if name in head.split(", "))
+def sentence(source: Callable[..., object], name: str) -> str:
+    """Return the description of one option from a docstring, in one line and without its type."""
+    found = (said for head, said in _texts(source).items() if name in head.split(", "))
     return " ".join(next(found, "").partition("\n")[2].split())
 
 
-def _texts(source: type) -> list[tuple[str, str]]:
-    """Return the entries of the section Parameters of a docstring: names, and their text from the type on."""
-    section = (inspect.getdoc(source) or "").partition("Parameters\n----------\n")[2]
-    section = re.split(r"\n\n(?=\w+\n-+\n)", section)[0]
-    return re.findall(r"^([\w, ]+) : (.*(?:\n(?!\w).*)*)", section.rstrip(), re.MULTILINE)
+def _texts(source: Callable[..., object]) -> dict[str, str]:
+    """Return the entries of the section Parameters by their names, of base classes first: text from the type on."""
+    found: dict[str, str] = {}
+    for kind in reversed(getattr(source, "__mro__", (source,))):
+        section = inspect.cleandoc(kind.__doc__ or "").partition("Parameters\n----------\n")[2]
+        section = re.split(r"\n\n(?=\w+\n-+\n)", section)[0]
+        found |= re.findall(r"^([\w, ]+) : (.*(?:\n(?!\w).*)*)", section.rstrip(), re.MULTILINE)
+    return found
 
 
 def require_known(door: Callable[..., object], given: Mapping[str, object], keywords: type) -> None:

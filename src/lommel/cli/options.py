@@ -125,7 +125,7 @@ class Option(click.Option):
 
 def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Any:
     """Return the option for an argument of a function or class, with its default and the help from its docstring."""
-    entry = options.sentence(source, name)  # type: ignore[arg-type]
+    entry = options.sentence(source, name)
     plain = re.sub(r":\w+:`(?:[^`<]*\.)?([^`]+)`|`{1,2}([^`]+)`{1,2}", r"\1\2", entry)
     said = " ".join(re.split(r"(?<=[.]) (?=[A-Z])", plain)[:sentences])
     given = {"default": inspect.signature(source).parameters[name].default} if "required" not in more else {}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,10 +13,12 @@ from numpy.typing import ArrayLike
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers
+from lommel.base.options import require_known, shares
 from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
 from lommel.estimation.field_fit import FieldFit, fit_field
+from lommel.estimation.settings import FitOptions, RetrievalKeywords
 from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
 from lommel.fit import goodness_of_fit
@@ -35,7 +37,6 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_STARTS, _STEPS = 20, 60  # default largest numbers of starts, and of steps of each
 _SPREAD = 1.5  # radians rms of random starts
 _AT_ONCE = 2  # random starts computed in one stack
 # Starts that agree before the lowest minimum so far counts as the lowest: in 54 simulated sets of images (0.7 to
@@ -219,6 +220,7 @@ class Retrieval(FitReport):
         return [(label(n), f"{c:.4g} {sign} {self.errors[n]:.2g} {self.units[n]}") for n, c in values]
 
 
+@shares(RetrievalKeywords, FitOptions)
 def retrieve(
     images: ArrayLike | Sequence[ArrayLike],
     pupil: Pupil,
@@ -229,15 +231,7 @@ def retrieve(
     defocus: ArrayLike = 0.0,
     also: str | Sequence[str] = ("center",),
     blur: bool | float | Blur | Iterable[Blur] = False,
-    mask: ArrayLike | None = None,
-    saturation: float | None = None,
-    integrate: bool | None = None,
-    tol: float = 1e-6,
-    starts: int = _STARTS,
-    steps: int = _STEPS,
-    seed: int | np.random.Generator = 0,
-    threads: int | None = None,
-    progress: Callable[[float, float], object] | None = None,
+    **options: Unpack[RetrievalKeywords],
 ) -> Retrieval:
     """Estimate the wavefront of a lens from star images (phase retrieval).
 
@@ -271,26 +265,7 @@ def retrieve(
         image, as :func:`lommel.fit_field` does, whose search it is; a number of pixels, :class:`lommel.Seeing` and
         isotropic :class:`lommel.Jitter` are known. `also` is then "center", and `starts` and
         `steps` are left at their defaults.
-    mask : array_like of bool, shape (height, width) or (n, height, width), optional
-        True where a pixel is to be left out.
-    saturation : float, optional
-        Values from here on, in the unit of the images, are left out.
-    integrate : bool, optional
-        Pixel-integrated or point-sampled: by default, as of :func:`lommel.psf`, pixels in metres integrate and pixels
-        in units of lambda*N sample.
-    tol : float, default 1e-6
-        Tolerance of the PSFs relative to the peak: less than the noise of 1e10 electrons there.
-    starts : int, default 20
-        Maximum number of starts: `pupil`, and random restarts 1.5 radians rms from it until a fit is certain.
-    steps : int, default 60
-        Maximum number of steps from each start.
-    seed : int or Generator, default 0
-        Of the random restarts.
-    threads : int, optional
-        As of :func:`lommel.psf`.
-    progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step, with the share of the maximum number of steps; an
-        exception that it raises stops the search.
+    {options}
 
     Returns
     -------
@@ -349,27 +324,27 @@ def retrieve(
     >>> found.converged, abs(found.coefficients["noll 5"] - 0.4) < 0.01
     (True, True)
     """
+    require_known(retrieve, options, RetrievalKeywords)
+    given = FitOptions(**options)
     unknowns = Unknowns(terms, also)
     validation.instance("noise", noise, Noise)
-    counts = star_counts(images, mask, saturation)
+    counts = star_counts(images, given.mask, given.saturation)
     values, valid = counts.filled(), counts.known
     start = _supported(pupil, unknowns)
     alike = noise.poisson
     electrons, read = alike.electrons(values), alike.variance(np.zeros_like(values))
     known = known_defocus(defocus, len(values), "images")
-    count = validation.integer("starts", starts, least=1, most=10_000)
-    most = validation.integer("steps", steps, least=1, most=10_000)
-    draw = random_numbers(seed)
-    validation.function("progress", progress, required=False)
-    plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
+    draw = random_numbers(given.seed)
+    plan = Plan(values.shape[1:], pixel, tol=given.tol, integrate=given.integrate, threads=given.threads)
     if blur is not False:
-        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (count, most) != (_STARTS, _STEPS):
+        usual = FitOptions.starts, FitOptions.steps
+        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (given.starts, given.steps) != usual:
             raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
         height, width = values.shape[1:]
         several = fit_field(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
-            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=integrate, tol=tol,
-            seed=draw, threads=threads, progress=progress,
+            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=given.integrate,
+            tol=given.tol, seed=draw, threads=given.threads, progress=given.progress,
         )  # fmt: skip
         return _build_blurred_retrieval(several, counts, noise, plan, pixel, start, known)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
@@ -377,7 +352,7 @@ def retrieve(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
         )
-    lowest, scores, settled, tried = _search(model, draw, progress, starts=count, steps=most)
+    lowest, scores, settled, tried = _search(model, draw, given.progress, starts=given.starts, steps=given.steps)
     return _build_retrieval(model, lowest, scores, settled, counts, noise, tried)
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from dataclasses import field as attribute
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import show
 from lommel.base import atomic, validation
 from lommel.base.arrays import Array
+from lommel.base.options import require_known, shares
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape
 from lommel.estimation.cosmic_rays import sharpness, struck
@@ -32,6 +33,7 @@ from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
+from lommel.estimation.settings import FitOptions, StarKeywords
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light
@@ -323,6 +325,64 @@ class FieldFit(FitReport):
         )
 
 
+class FieldKeywords(StarKeywords, total=False):
+    """Options of field maps from stars or charts."""
+
+    targets: str
+    size: float | None
+    ideal: ArrayLike | None
+    pose: str
+    distortion: int
+
+
+@dataclass(frozen=True)
+class ChartOptions:
+    """Options on what the windows show.
+
+    Parameters
+    ----------
+    targets : {"star", "pinhole", "crossing"}, default "star"
+        What the windows show: points, round holes of one size, or corners of a checkerboard, at which four squares
+        meet. Corners are at unknown places and directions of their two lines, white squares of a flux a pixel above
+        the black ones; lines are straight within a window, and need not be perpendicular.
+    size : float, optional
+        In the image, in the unit of `pixel`: the diameter of pinholes, which need it, or the side of squares; without
+        it each corner is one of two lines without end.
+    ideal : array_like, shape (n, 2), optional
+        Row and column of each target without distortion, such as those of a grid of pinholes or of a catalogue of
+        stars in the tangent plane; NaN where not known. With them distortion is estimated.
+    pose : {"free", "known"}, default "free"
+        Whether the shift, rotation and magnification of `ideal` are estimated, so that any unit and origin will do,
+        or they are rows and columns of the sensor, from which any shift is distortion.
+    distortion : int, default 3
+        Total degree of the displacement in x and y, 0 to 9, lower where there are fewer than two known places for
+        each coefficient: 3 is distortion of third order (W311), 5 is of fifth.
+    """
+
+    targets: str = "star"
+    size: float | None = None
+    ideal: ArrayLike | None = None
+    pose: str = "free"
+    distortion: int = 3
+
+    def target(self, pixel: float) -> Target | None:
+        """Return the target in the windows; None for points."""
+        kind, size = validation.choice("targets", self.targets, KINDS), self.size
+        if size is not None:
+            size = validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
+        if kind == "star" and size is not None:
+            raise ValueError("size must be left out for stars, which are points; choose targets")
+        if kind == "pinhole" and size is None:
+            raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
+        return None if kind == "star" else Target(kind, math.inf if size is None else size)
+
+
+@dataclass(frozen=True)
+class FieldOptions(FitOptions, ChartOptions):
+    """Options of :func:`fit_field`: those of its chart, then those of every fit."""
+
+
+@shares(FieldKeywords, FieldOptions)
 def fit_field(
     windows: ArrayLike,
     places: ArrayLike,
@@ -336,18 +396,7 @@ def fit_field(
     defocus: ArrayLike = 0.0,
     blur: bool | float | Blur | Iterable[Blur] = True,
     start: FieldMap | None = None,
-    targets: str = "star",
-    size: float | None = None,
-    ideal: ArrayLike | None = None,
-    pose: str = "free",
-    distortion: int = 3,
-    mask: ArrayLike | None = None,
-    saturation: float | None = None,
-    integrate: bool | None = None,
-    tol: float = 1e-6,
-    seed: int | np.random.Generator = 0,
-    threads: int | None = None,
-    progress: Callable[[float, float], object] | None = None,
+    **options: Unpack[FieldKeywords],
 ) -> FieldFit:
     """Estimate the wavefront over the field of a camera or telescope from stars, or a chart, all over the image.
 
@@ -385,36 +434,7 @@ def fit_field(
         :class:`lommel.Seeing`, isotropic :class:`lommel.Jitter` and the like are known, too.
     start : FieldMap, optional
         Where the search begins: the design of the lens, for example. It decides the sign of the even terms.
-    targets : {"star", "pinhole", "crossing"}, default "star"
-        What the windows show: points, round holes of one size, or corners of a checkerboard, at which four squares
-        meet. Corners are at unknown places and directions of their two lines, white squares of a flux a pixel above
-        the black ones; lines are straight within a window, and need not be perpendicular.
-    size : float, optional
-        In the image, in the unit of `pixel`: the diameter of pinholes, which need it, or the side of squares; without
-        it each corner is one of two lines without end.
-    ideal : array_like, shape (n, 2), optional
-        Row and column of each target without distortion, such as those of a grid of pinholes or of a catalogue of
-        stars in the tangent plane; NaN where not known. With them distortion is estimated.
-    pose : {"free", "known"}, default "free"
-        Whether the shift, rotation and magnification of `ideal` are estimated, so that any unit and origin will do,
-        or they are rows and columns of the sensor, from which any shift is distortion.
-    distortion : int, default 3
-        Total degree of the displacement in x and y, 0 to 9, lower where there are fewer than two known places for
-        each coefficient: 3 is distortion of third order (W311), 5 is of fifth.
-    mask : array_like of bool, shape of `windows`, optional
-        True where a pixel is to be left out.
-    saturation : float, optional
-        Values from here on, in the unit of the images, are left out.
-    integrate : bool, optional
-        As of :func:`lommel.psf`: pixels in metres integrate and pixels in units of lambda*N sample.
-    tol : float, default 1e-6
-        Tolerance of the PSFs relative to the peak.
-    seed : int or Generator, default 0
-        Of random starts.
-    threads : int, optional
-        As of :func:`lommel.psf`.
-    progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step; exceptions stop the search.
+    {options}
 
     Returns
     -------
@@ -486,9 +506,11 @@ def fit_field(
     >>> fit.converged
     True
     """
+    require_known(fit_field, options, FieldKeywords)
+    settings = FieldOptions(**options)
     unknowns = Unknowns(terms, ("center",))
     validation.instance("noise", noise, Noise)
-    counts = _windows(windows, mask, saturation)
+    counts = _windows(windows, settings.mask, settings.saturation)
     images, valid = counts.filled(), counts.known
     count, exposures, height, width = images.shape
     given = single(pupil, "for the whole field")
@@ -499,23 +521,22 @@ def fit_field(
     known = known_defocus(defocus, exposures, "exposures")
     most = validation.integer("degree", degree, least=0, most=_MOST_DEGREE)
     validation.optional("start", start, FieldMap)
-    far = validation.integer("distortion", distortion, least=0, most=_MOST_DISTORTION)
-    free = validation.choice("pose", pose, POSES) == "free"
-    holes = None if ideal is None else checked_ideal(ideal, at, free=free)
-    validation.function("progress", progress, required=False)
-    draw = random_numbers(seed)
+    far = validation.integer("distortion", settings.distortion, least=0, most=_MOST_DISTORTION)
+    free = validation.choice("pose", settings.pose, POSES) == "free"
+    holes = None if settings.ideal is None else checked_ideal(settings.ideal, at, free=free)
+    draw = random_numbers(settings.seed)
     pitch = validation.pixel(pixel, metric=given.wavelength is not None)
     chip = Sensor((rows, columns), pitch)
     alike = noise.poisson
     electrons, read = alike.electrons(images), alike.variance(np.zeros_like(images))
-    plan = Plan((height, width), pitch, tol=tol, integrate=integrate, threads=threads)
+    plan = Plan((height, width), pitch, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
     x, y = chip.positions(at)
     begun = given if start is None else _start_pupils(start, given, chip, x, y)
-    target = _target(targets, size, pitch)
+    target = settings.target(pitch)
     if not isinstance(blur, bool | Blur | Iterable):
         blur = Jitter(validation.real("blur", blur, least=0.0, below=0.25 * min(height, width)) * pitch)
     illumination = np.ones(1)
-    if targets == "crossing":
+    if settings.targets == "crossing":
         across = chip.relative(x[:, None] + pitch * (np.arange(width) - width // 2), y[:, None])[0]
         down = chip.relative(x[:, None], y[:, None] + pitch * (np.arange(height) - height // 2))[1]
         illumination = relative_light(electrons, valid, across, down)
@@ -529,26 +550,15 @@ def fit_field(
         raise ValueError(f"windows must have more valid pixels than a star has unknowns, {stars.size}, got too few")
     if count < 4 and most > 0:
         raise ValueError(f"windows must be of at least 4 stars, or degree 0, got {count}")
-    share = progress or (lambda *_: None)
+    share = settings.progress or (lambda *_: None)
     u, v = chip.relative(x, y)
     part = np.array([2.0 / columns, 2.0 / rows])
     search = Search(stars, np.stack([u, v], axis=1), part, highest_degree(most, count), draw, share)
     outcome = _run(search, start is not None)
     blurred = behind if isinstance(behind, tuple) else ()
     return _build_field_fit(
-        search, outcome, given, start, chip, at, counts, (noise, illumination), (holes, pose, far), blurred
+        search, outcome, given, start, chip, at, counts, (noise, illumination), (holes, settings.pose, far), blurred
     )
-
-
-def _target(kind: str, size: float | None, pixel: float) -> Target | None:
-    """Return the target in the windows; None for points."""
-    validation.choice("targets", kind, KINDS)
-    across = math.inf if size is None else validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
-    if kind == "star" and size is not None:
-        raise ValueError("size must be left out for stars, which are points; choose targets")
-    if kind == "pinhole" and size is None:
-        raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
-    return None if kind == "star" else Target(kind, across)
 
 
 def _shape(

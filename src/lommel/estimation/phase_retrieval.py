@@ -325,26 +325,26 @@ def retrieve(
     (True, True)
     """
     require_known(retrieve, options, RetrievalKeywords)
-    given = FitOptions(**options)
+    settings = FitOptions(**options)
     unknowns = Unknowns(terms, also)
     validation.instance("noise", noise, Noise)
-    counts = star_counts(images, given.mask, given.saturation)
+    counts = star_counts(images, settings.mask, settings.saturation)
     values, valid = counts.filled(), counts.known
     start = _supported(pupil, unknowns)
     alike = noise.poisson
     electrons, read = alike.electrons(values), alike.variance(np.zeros_like(values))
     known = known_defocus(defocus, len(values), "images")
-    draw = random_numbers(given.seed)
-    plan = Plan(values.shape[1:], pixel, tol=given.tol, integrate=given.integrate, threads=given.threads)
+    draw = random_numbers(settings.seed)
+    plan = Plan(values.shape[1:], pixel, tol=settings.tol, integrate=settings.integrate, threads=settings.threads)
     if blur is not False:
         usual = FitOptions.starts, FitOptions.steps
-        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (given.starts, given.steps) != usual:
+        if {*unknowns.places} != {*SHIFTS} or unknowns.pupil or (settings.starts, settings.steps) != usual:
             raise ValueError("blur must be False, or also 'center', and starts and steps their defaults")
         height, width = values.shape[1:]
         several = fit_field(
             np.where(valid, values, np.nan)[None], [[height // 2, width // 2]], start, sensor=(height, width),
-            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=given.integrate,
-            tol=given.tol, seed=draw, threads=given.threads, progress=given.progress,
+            pixel=pixel, noise=noise, degree=0, terms=terms, defocus=known, blur=blur, integrate=settings.integrate,
+            tol=settings.tol, seed=draw, threads=settings.threads, progress=settings.progress,
         )  # fmt: skip
         return _build_blurred_retrieval(several, counts, noise, plan, pixel, start, known)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
@@ -352,7 +352,9 @@ def retrieve(
         raise ValueError(
             f"images must have more pixels than there are unknowns, {model.size}, got {int(valid.sum())} valid ones"
         )
-    lowest, scores, settled, tried = _search(model, draw, given.progress, starts=given.starts, steps=given.steps)
+    lowest, scores, settled, tried = _search(
+        model, draw, settings.progress, starts=settings.starts, steps=settings.steps
+    )
     return _build_retrieval(model, lowest, scores, settled, counts, noise, tried)
 
 

@@ -56,12 +56,12 @@ class FitOptions:
     steps : int, default 60
         Maximum number of steps from each start.
     seed : int or Generator, default 0
-        Of the random restarts.
+        Of random starts.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step, with the share of the maximum number of steps; an
-        exception that it raises stops the search.
+        Called as ``progress(share, chi2)`` before each step, with the share done of the longest possible search;
+        an exception that it raises stops the search.
     """
 
     mask: ArrayLike | None = None

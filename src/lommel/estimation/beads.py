@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,10 +13,12 @@ from numpy.typing import ArrayLike
 from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array, fields_of, plain
+from lommel.base.options import require_known, shares
 from lommel.base.units import with_error
 from lommel.estimation import bead_checks
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
 from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
+from lommel.estimation.settings import FitKeywords, FitOptions
 from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
@@ -278,6 +280,61 @@ def _focused(setup: Setup, depth: float) -> Place:
     return Place(0.0, 0.0, brightest(setup, depth), depth)
 
 
+class BeadKeywords(FitKeywords, total=False):
+    """Options of :func:`fit_beads`."""
+
+    priors: Mapping[str, float | tuple[float, float]] | None
+    apodization: int
+    drift: bool
+    integrate: bool
+    starts: int
+    steps: int
+
+
+@dataclass(frozen=True)
+class UnknownsOptions:
+    """Options on what is estimated beside the wavefront.
+
+    Parameters
+    ----------
+    priors : mapping, optional
+        Constants that are unknowns: a standard error, or (value, standard error), inf for nothing known.
+        Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel", "diameter",
+        "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
+        default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is
+        within a wavelength of the glass. Empty to fix all.
+    apodization : int, default 0
+        Number of radial terms of the amplitude over the pupil to estimate, 0 to 4. They are the coefficients of its
+        logarithm of degree 2, 4, ... that :meth:`lommel.Apodization.zernike` takes, and are named "apodization_2",
+        ..., also in `priors`.
+    drift : bool, default False
+        Estimate a lateral drift of each bead, linear in time.
+    """
+
+    priors: Mapping[str, float | tuple[float, float]] | None = None
+    apodization: int = 0
+    drift: bool = False
+
+
+@dataclass(frozen=True)
+class BeadOptions(FitOptions, UnknownsOptions):
+    """Options of :func:`fit_beads`: what is estimated, then those of every fit, of which two differ.
+
+    Parameters
+    ----------
+    integrate : bool, default True
+        Whether pixels integrate.
+    starts : int, default 5
+        Maximum number of starts, which differ in focus, while none fits.
+    """
+
+    integrate: bool = True
+    starts: int = 5
+
+    max_starts = len(ORIGINS)
+
+
+@shares(BeadKeywords, BeadOptions)
 def fit_beads(
     stacks: ArrayLike | Sequence[ArrayLike],
     objective: Objective,
@@ -291,16 +348,7 @@ def fit_beads(
     emitter: str | Dipole | Beam | Scalar = "isotropic",
     terms: int | Sequence[tuple[int, int] | str] = 18,
     aberrations: Wavefront | None = None,
-    priors: Mapping[str, float | tuple[float, float]] | None = None,
-    apodization: int = 0,
-    drift: bool = False,
-    mask: ArrayLike | None = None,
-    saturation: float | None = None,
-    integrate: bool = True,
-    starts: int = 5,
-    steps: int = 60,
-    threads: int | None = None,
-    progress: Callable[[float, float], object] | None = None,
+    **options: Unpack[BeadKeywords],
 ) -> BeadFit:
     """Estimate the aberrations and constants of a microscope from stacks of fluorescent beads.
 
@@ -333,32 +381,7 @@ def fit_beads(
         without piston, tilts and defocus, which the places of the beads stand for.
     aberrations : Wavefront, optional
         Where the search starts; its other terms are fixed.
-    priors : mapping, optional
-        Constants that are unknowns: a standard error, or (value, standard error), inf for nothing known.
-        Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel", "diameter",
-        "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
-        default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is
-        within a wavelength of the glass. Empty to fix all.
-    apodization : int, default 0
-        Number of radial terms of the amplitude over the pupil to estimate, 0 to 4. They are the coefficients of its
-        logarithm of degree 2, 4, ... that :meth:`lommel.Apodization.zernike` takes, and are named "apodization_2",
-        ..., also in `priors`.
-    drift : bool, default False
-        Estimate a lateral drift of each bead, linear in time.
-    mask : array_like of bool, optional
-        True where a pixel is to be left out, of the shape of a stack or a plane.
-    saturation : float, optional
-        Values from here on, in the unit of the images, are left out.
-    integrate : bool, default True
-        Whether pixels integrate.
-    starts : int, default 5
-        Maximum number of starts, which differ in focus, while none fits.
-    steps : int, default 60
-        Maximum number of steps from each.
-    threads : int, optional
-        Maximum number of threads; by default the number of processors.
-    progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step.
+    {options}
 
     Returns
     -------
@@ -400,11 +423,15 @@ def fit_beads(
     >>> found.converged, abs(found.coefficients[2, -2] - 0.4) < 0.02
     (True, True)
     """
+    require_known(fit_beads, options, BeadKeywords)
+    settings = BeadOptions(**options)
     validation.instance("objective", objective, Objective)
     validation.instance("noise", noise, Noise)
     solved = _terms(terms)
     shape = "(planes, height, width) or (beads, planes, height, width)"
-    counts = Counts.of("stacks", stacks, sides=(3, 4), shape=shape, mask=mask, saturation=saturation)
+    counts = Counts.of(
+        "stacks", stacks, sides=(3, 4), shape=shape, mask=settings.mask, saturation=settings.saturation
+    )
     counts.require_known("stacks").require_light("stacks", "a bead")
     recorded = [counts[k] for k in range(len(counts.values))] if counts.values.ndim == 4 else [counts]
     size = validation.real("diameter", diameter, least=0.0, most=1e-5, unit="metres")
@@ -422,28 +449,24 @@ def fit_beads(
         raise ValueError("z must increase from plane to plane, or decrease: order planes by the stage")
     if np.abs(apart).max() > 1e-4:
         raise ValueError(f"z is in metres, got planes {np.abs(apart).max():g} m apart")
-    count = validation.integer("starts", starts, least=1, most=len(ORIGINS))
-    most = validation.integer("steps", steps, least=1, most=10_000)
-    validation.function("progress", progress, required=False)
     validation.optional("aberrations", aberrations, Wavefront)
-    workers = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     pitch = validation.real("pixel", pixel, above=0.0, unit="metres")
-    averaged, light = validation.truth("integrate", integrate), validation.wavelength(wavelength)
+    averaged, light = validation.truth("integrate", settings.integrate), validation.wavelength(wavelength)
     setup = Setup(objective, light, emitter_of(emitter), pitch, size, integrate=averaged)
-    setup, known, of_depth, notes = _priors(priors, setup, deep)
-    count_of = validation.integer("apodization", apodization, least=0, most=len(AMPLITUDES))
+    setup, known, of_depth, notes = _priors(settings.priors, setup, deep)
+    count_of = validation.integer("apodization", settings.apodization, least=0, most=len(AMPLITUDES))
     known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
         notes.append(Finding("stated", "note", "defocus (Noll 4) of the start is kept: z of the beads says the rest"))
-    images = BeadImages(solved, start, workers)
+    images = BeadImages(solved, start, settings.threads or 0)
     waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
     made = tuple(Stack.of(each, noise, places) for each in recorded)
-    depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", drift)
+    depths, moving = tuple(Prior(d, of_depth) for d in deep), validation.truth("drift", settings.drift)
     model = BeadModel(images, made, known, depths, moving)
     if model.tested < 1:
         raise ValueError(f"stacks must have more pixels than there are unknowns, {model.size}")
-    search = Search(model, setup, waves, count, most, progress)
+    search = Search(model, setup, waves, settings.starts, settings.steps, settings.progress)
     return _build_bead_fit(search, recorded, noise, notes)
 
 

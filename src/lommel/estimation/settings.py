@@ -43,7 +43,7 @@ class FitOptions:
     Parameters
     ----------
     mask : array_like of bool, optional
-        True where a pixel is to be left out: of the shape of all images, or of one, for all of them.
+        True where a pixel is to be left out, of the shape of all images, of one stack or of one image.
     saturation : float, optional
         Values from here on, in the unit of the images, are left out.
     integrate : bool, optional

@@ -34,18 +34,23 @@ if TYPE_CHECKING:
 _AT_ONCE = 2**22  # values of a channel that are computed at once
 
 
-class PSFKeywords(TypedDict, total=False):
-    """Options of :func:`lommel.psf` that do not depend on the pupil."""
+class SamplingKeywords(TypedDict, total=False):
+    """Options of :func:`lommel.psf` on method, tolerance and pixels."""
 
     method: Method | None
     tol: float | None
-    normalize: str
-    dtype: DTypeLike | None
     center: tuple[ArrayLike, ArrayLike] | None
     integrate: bool | None
+    threads: int | None
+
+
+class PSFKeywords(SamplingKeywords, total=False):
+    """Options of :func:`lommel.psf` that do not depend on the pupil."""
+
+    normalize: str
+    dtype: DTypeLike | None
     fill: float | tuple[float, float]
     blur: Blur | Sequence[Blur]
-    threads: int | None
 
 
 class Keywords(PSFKeywords, total=False):

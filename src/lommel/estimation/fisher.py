@@ -6,20 +6,21 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any, Self, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers, plain
+from lommel.base.options import require_known, shares
 from lommel.base.units import format_length
+from lommel.channel_psf import SamplingKeywords
 from lommel.core.answers import ToleranceError
 from lommel.methods.derivative_names import Name
 from lommel.methods.derivative_names import checked as checked_names
-from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil, imaged
-from lommel.psf import PSF, Plan
+from lommel.psf import PSF, Plan, psf
 from lommel.recorded.noise import Noise
 
 
@@ -167,6 +168,7 @@ _TOLERANCES = (1e-8, 1e-7, 1e-6)
 _EPS = float(np.finfo(np.float64).eps)
 
 
+@shares(SamplingKeywords, psf)
 def fisher(
     pupil: BasePupil | Sequence[BasePupil],
     shape: int | tuple[int, int],
@@ -177,11 +179,7 @@ def fisher(
     background: ArrayLike = 0.0,
     noise: Noise | None = None,
     together: bool = False,
-    method: Method | None = None,
-    tol: float | None = None,
-    center: tuple[ArrayLike, ArrayLike] | None = None,
-    integrate: bool | None = None,
-    threads: int | None = None,
+    **options: Unpack[SamplingKeywords],
 ) -> Information:
     """Return the Fisher information and Cramér-Rao bounds of parameters, from images of a point source.
 
@@ -245,6 +243,7 @@ def fisher(
     >>> lm.fisher(lens.pupil(2.0), of=("object_distance", "row", "column"), **camera).unidentifiable
     ('object_distance',)
     """
+    require_known(fisher, options, SamplingKeywords)
     names = _names(of)
     flux = validation.real_array("photons", photons, least=0.0)
     if not np.all(flux > 0.0):
@@ -254,9 +253,9 @@ def fisher(
     validation.truth("together", together)
     camera = noise or Noise(read=0.0)
     excess, read = camera.excess, camera.poisson.variance(np.zeros(validation.image_shape(shape)))
-    options: dict[str, Any] = {"method": method, "center": center, "integrate": integrate, "threads": threads}
+    method, tol = options.get("method"), options.get("tol")
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
-    plans = [Plan(shape, pixel, tol=each, dtype=np.float64, **options) for each in tolerances]
+    plans = [Plan(shape, pixel, dtype=np.float64, **options | {"tol": each}) for each in tolerances]
     one = isinstance(pupil, BasePupil)
     answers = [_exactest(plans, each, names) for each in _pupils(pupil)]
     stacks = validation.broadcast("stacks of pupils", *(np.empty(answer.pupil.shape) for answer in answers))

@@ -80,6 +80,55 @@ class Tailor:
         require_known(Tailor, options, Keywords)
 
 
+class SilkKeywords(Keywords, total=False):
+    """Of a tailor of silk."""
+
+    shine: bool
+
+
+@dataclass
+class Silk(Cloth):
+    """What a tailor of silk asks.
+
+    Parameters
+    ----------
+    colour : str, default "red"
+        Dyed.
+    shine : bool, default True
+    """
+
+    colour: str = "red"
+    shine: bool = True
+
+
+@shares(SilkKeywords, Silk)
+def sew_silk(**options: Unpack[SilkKeywords]) -> None:
+    """Sew silk.
+
+    Parameters
+    ----------
+    {options}
+    """
+
+
+@shares(Keywords, sew)
+def mend(**options: Unpack[Keywords]) -> None:
+    """Mend."""
+
+
+def test_a_subclass_restates_an_option_in_its_place_and_adds_others():
+    shown = [(name, p.default) for name, p in inspect.signature(sew_silk).parameters.items()]
+    assert shown == [("length", 1.0), ("width", 1.0), ("colour", "red"), ("shine", True)]
+    assert 'before it is washed.\ncolour : str, default "red"\n    Dyed.\nshine : bool' in inspect.getdoc(sew_silk)
+    assert sentence(Silk, "colour") == "Dyed."
+    assert sentence(Silk, "width") == "Metres, before it is washed."
+
+
+def test_options_may_be_those_of_another_function():
+    shown = [(name, p.default) for name, p in inspect.signature(mend).parameters.items()]
+    assert shown == [("length", 1.0), ("width", 2.0), ("colour", "blue")]
+
+
 def test_a_signature_shows_each_option_with_its_default():
     shown = {name: p.default for name, p in inspect.signature(sew).parameters.items() if p.kind is p.KEYWORD_ONLY}
     assert shown == {"by": "hand", "length": 1.0, "width": 2.0, "colour": "blue"}

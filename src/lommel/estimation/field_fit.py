@@ -462,22 +462,11 @@ def fit_field(
     samples at most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows
     of corners are divided by a polynomial of degree 4 at most through the white of all.
 
-    What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders (spherical ones up to four), zones and ripples finer than these, polynomials of the next two
-    degrees, a term that is larger in one of 3 x 3 parts of the field, blur of another shape, in one direction or
-    uneven over the field, a background that slopes, a gain that is not linear, charge that arrives late, another
-    f-number, obscuration or amplitude at the edge of the pupil, light that is uneven across it (a slope, two to four
-    folds), an obscuration off the middle, an edge that is not round, scales along x and y that differ, terms that
-    change from exposure to exposure, other defoci of all exposures or of one. What the stars favour beyond chance is
-    in doubt ("other_explanation"), but for backgrounds that slope, which are estimated. What may be there and is not
-    seen is marginalized: `coefficients` and their errors hold for a variance of 0.1 pixels^2 in one direction, 30 %
-    of the light in wings, 1 electron per pixel, 2 % of the amplitude at the edge of the pupil (1 % in folds),
-    obscurations off the middle by 0.01 radii, semi-axes of the edge longer and shorter by 0.5 %, scales by 0.3 %,
-    0.25 % of the charge, zones and ripples of 0.02 radians rms each, f-numbers by 1 %, obscurations by 0.015 and
-    lengths of known defoci by 2.5 %, one standard deviation each; what the stars favour within chance (Bayes factors
-    above 1) is marginalized over all the size that its test allows; `model` is without. The known defocus of one
-    focus, and an f-number that blur hides, are named, with what they change ("untested"). Stripes, and offsets of
-    rows or columns, that noise leaves in one of 1000 fits are in doubt ("pattern").
+    What the model lacks is looked for, marginalized or named as in :func:`lommel.retrieve`. More score tests are of
+    polynomials of the next two degrees, a term that is larger in one of 3 x 3 parts of the field, and blur of another
+    shape, in one direction or uneven over the field. Backgrounds that slope are estimated where the stars favour them
+    beyond chance. Marginalized beside what is listed there are a variance of 0.1 pixels^2 in one direction, 30 % of
+    the light in wings and slopes of 1 electron per pixel, one standard deviation each.
 
     Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
     another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").

@@ -15,10 +15,9 @@ from lommel.base import validation
 from lommel.base.arrays import Array, fields_of, plain
 from lommel.base.options import require_known, shares
 from lommel.base.units import with_error
-from lommel.estimation import bead_checks
+from lommel.estimation import FitKeywords, FitOptions, bead_checks
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, UNITS, BeadImages, Place, Setup, Stack, expected
 from lommel.estimation.bead_search import ORIGINS, BeadModel, Evaluated, Prior, Search, State, brightest, start_of
-from lommel.estimation.settings import FitKeywords, FitOptions
 from lommel.estimation.star_images import LINEAR, label
 from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport

@@ -19,6 +19,7 @@ from lommel.base.arrays import Array
 from lommel.base.options import require_known, shares
 from lommel.blur.blurs import FWHM, Blur, Jitter, Seeing, blurs, require_unit
 from lommel.blur.mixtures import SIGMAS, Shape
+from lommel.estimation import FitOptions, StarKeywords
 from lommel.estimation.cosmic_rays import sharpness, struck
 from lommel.estimation.distortion import (
     POSES,
@@ -33,7 +34,6 @@ from lommel.estimation.field_checks import negated
 from lommel.estimation.field_search import Found, Outcome, Search
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
-from lommel.estimation.settings import FitOptions, StarKeywords
 from lommel.estimation.star_checks import missing_findings
 from lommel.estimation.star_images import LINEAR, StarImages, Unknowns, known_defocus, label, single
 from lommel.estimation.target_readout import Target, relative_light

@@ -17,8 +17,8 @@ from lommel.base.options import require_known, shares
 from lommel.base.units import LENGTHS
 from lommel.blur.blurs import Blur
 from lommel.core.answers import Declined, ToleranceError
+from lommel.estimation import FitOptions, RetrievalKeywords
 from lommel.estimation.field_fit import FieldFit, fit_field
-from lommel.estimation.settings import FitOptions, RetrievalKeywords
 from lommel.estimation.star_checks import error_findings, missing_findings, star_tests
 from lommel.estimation.star_images import StarImages, Unknowns, centroids, known_defocus, label, single
 from lommel.fit import goodness_of_fit

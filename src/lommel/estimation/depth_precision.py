@@ -1,7 +1,7 @@
 """The achievable precision of depth from defocus (Cramér-Rao bound), and the best foci.
 
-The information of a pixel is J of :mod:`lommel.estimation.focal_model`; a Gaussian window of rms width w holds that
-of ``4 pi w^2`` pixels.
+The Fisher information of one pixel is J of :mod:`lommel.estimation.focal_model`; a Gaussian window of rms width w
+(pixels) counts as ``4 pi w^2`` independent pixels.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
 _MOST_PHOTONS = 1e12
-# Radians of defocus between the points of derivatives by differences of the fourth order.
+# Step of the five-point derivatives, radians of defocus at the pupil edge.
 _STEP = 0.02
-# Relative rounding error of the information, which equal photographs leave.
+# Information below this share of its upper limit is rounding error: the photographs change equally with depth.
 _ROUNDING = 1e-9
-# Rounding error of a transfer function; those before and behind a focus differ by no more.
-_ALIKE = 1e-9
-# Radians of defocus between an object and the foci of the first trials.
-_SPANS = np.geomspace(0.15, 30.0, 14)
+# Change of a transfer function over the step below which its derivative is rounding error.
+_TRANSFER_ROUNDING = 1e-9
+# Defocus of the surface in each photograph of the trial pairs, radians at the pupil edge.
+_TRIAL_DEFOCUS = np.geomspace(0.15, 30.0, 14)
 
 
 def depth_precision(
@@ -52,35 +52,36 @@ def depth_precision(
     pixel : float
         Pixel pitch, metres.
     noise : Noise
-        Of the photographs.
+        Noise of the photographs, the same for all pixels.
     photons : array_like, optional
-        Mean electrons of a pixel: a number, or one for each photograph. By default ``noise.white``.
+        Mean electrons per pixel: a number, or one for each photograph. By default ``noise.white``.
     contrast : float, default 0.35
-        Texture contrast: rms over mean of the structures of 2 to 128 pixels in the focused image. The power spectrum
-        falls as the inverse square of the frequency, as in natural scenes.
+        Texture contrast: rms over mean of structures with periods of 2 to 128 pixels in the focused image. The power
+        spectrum falls as the inverse square of the frequency, as in natural scenes.
     window : float, default 4.0
         Rms width of the Gaussian window of constant depth, pixels, at least 1.
 
     Returns
     -------
     float or ndarray
-        Standard error of the best unbiased estimate, metres, of the shape of `distance`; inf where depth cannot
+        Standard error of the best unbiased estimate, metres, with the shape of `distance`; inf where depth cannot
         be determined: at infinity, without texture or light, and where all photographs change equally with depth.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another type, if the pupil of a lens is not circular and radially
+        If an argument is out of range or of another type, or the pupil of a lens is not circular and radially
         symmetric.
     ToleranceError
-        If there is so much defocus that its transfer function takes more than 4096 nodes along a line.
+        If the defocus is so large that the transfer function needs more than 4096 quadrature nodes along a line.
 
     Notes
     -----
-    The Cramér-Rao bound for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998), by finite differences over 0.08
-    rad of defocus, with a relative error below 1e-3. A sensor samples a continuous scene: texture beyond its Nyquist
-    frequency is as noise. Strong edges hold more information than such textures. Photographs are compared, as by
-    :func:`lommel.imaging.depth_from_defocus`: the power spectrum of the texture is unknown, and one has no depth.
+    The bound holds for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998). Derivatives are finite differences
+    over 0.08 rad of defocus, with a relative error below 1e-3. Texture beyond the Nyquist frequency of the sensor
+    is aliased and acts as noise. Strong edges carry more information than such textures. The power spectrum of the
+    texture is unknown, as in :func:`lommel.imaging.depth_from_defocus`: depth follows from differences between
+    photographs, and a single photograph does not determine it.
 
     Examples
     --------
@@ -93,21 +94,21 @@ def depth_precision(
     pitch = pixel_of(lenses, pixel)
     metres = np.asarray(object_distances(distance))
     surface = _surface(len(lenses), noise, photons, contrast, window)
-    found = [_error(lenses, float(each), pitch, surface) for each in metres.ravel()]
-    return numbers(np.array(found), metres.shape)
+    errors = [_error(lenses, float(each), pitch, surface) for each in metres.ravel()]
+    return numbers(np.array(errors), metres.shape)
 
 
 class Foci(NamedTuple):
-    """The best pair of focus distances: the answer of :func:`best_foci`.
+    """The best pair of focus distances, as returned by :func:`best_foci`.
 
     Attributes
     ----------
     near, far : float
-        Distances to focus on, metres; the far one may be infinite.
+        The two focus distances, metres; the far one may be infinite.
     error : float
-        Standard error of the distance, metres, as of :func:`depth_precision`.
+        Standard error of the distance of the surface, metres; see :func:`depth_precision`.
     lenses : tuple of Lens
-        The lens focused at each of them.
+        The lens, focused at `near` and at `far`.
     """
 
     near: float
@@ -131,22 +132,23 @@ def best_foci(
     Parameters
     ----------
     lens : Lens
-        Its own focus distance is ignored.
+        The lens; its focus distance is ignored.
     distance : float
         Distance of the surface, metres.
     pixel, noise, photons, contrast, window
-        As of :func:`depth_precision`.
+        See :func:`depth_precision`.
 
     Returns
     -------
     Foci
-        The best pair with one focus in front of the surface and one behind it, to about 1 % of their distance from
-        it. For a range of depths choose foci at or beyond its ends, and compare :func:`depth_precision` in between.
+        The best pair with one focus in front of the surface and one behind it. The offsets of the foci from the
+        surface are accurate to about 1 %. For a range of depths choose foci at or beyond its ends, and compare
+        :func:`depth_precision` in between.
 
     Raises
     ------
     TypeError, ValueError
-        As of :func:`depth_precision`, and if no pair determines the distance.
+        See :func:`depth_precision`; also if no pair determines the distance.
 
     Examples
     --------
@@ -160,35 +162,35 @@ def best_foci(
     pitch = pixel_of([lens], pixel)
     metres = validation.real("distance", distance, above=0.0, unit="metres")
     surface = _surface(2, noise, photons, contrast, window)
-    # C_d = pi a^2 / (2 lambda) times the error of vergence.
+    # Vergence (1/m) per radian of the defocus coefficient C_d = pi a^2 / (2 lambda) * vergence, a the pupil radius.
     per_radian = 2.0 * lens.wavelength / (math.pi * (0.5 * lens.aperture_diameter) ** 2)
 
-    def focused(spans: Array) -> list[Lens] | None:
-        vergence = 1.0 / metres + per_radian * np.exp(spans) * [1.0, -1.0]
+    def focused(log_defocus: Array) -> list[Lens] | None:
+        vergence = 1.0 / metres + per_radian * np.exp(log_defocus) * [1.0, -1.0]
         if not (vergence[1] >= 0.0 and vergence[0] < 1.0 / lens.focal_length):
             return None
         return [lens.focused(1.0 / each if each > 0.0 else math.inf) for each in vergence.tolist()]
 
-    def cost(spans: Array) -> float:
-        pair = focused(spans)
+    def cost(log_defocus: Array) -> float:
+        pair = focused(log_defocus)
         return math.inf if pair is None else _error(pair, metres, pitch, surface)
 
-    # The pair is symmetric about the object at first; spans are in logarithms, so that they stay positive.
-    starts = [np.log([each, each]) for each in _SPANS]
+    # Trial pairs are symmetric in vergence about the surface. Logarithms keep the defocus positive in the search.
+    starts = [np.log([each, each]) for each in _TRIAL_DEFOCUS]
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
         raise ValueError(
             f"no pair of foci determines the distance {metres:g} m: there is no texture, no light, or no focus "
             "distance between the focal length and infinity"
         )
-    found = minimize(cost, first, method="Nelder-Mead", options={"xatol": 0.01, "fatol": 1e-4 * cost(first)})
-    pair = focused(found.x)
+    best = minimize(cost, first, method="Nelder-Mead", options={"xatol": 0.01, "fatol": 1e-4 * cost(first)})
+    pair = focused(best.x)
     assert pair is not None
-    return Foci(pair[0].focus_distance, pair[1].focus_distance, float(found.fun), (pair[0], pair[1]))
+    return Foci(pair[0].focus_distance, pair[1].focus_distance, float(best.fun), (pair[0], pair[1]))
 
 
 class _Surface(NamedTuple):
-    """Electrons of a pixel of each photograph, read noise, contrast and window."""
+    """Electrons per pixel of each photograph, read noise, contrast and window, in units without excess noise."""
 
     light: Array
     read: float
@@ -208,36 +210,36 @@ def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: floa
         raise ValueError(f"photons must be a number or {count} of them, got shape {light.shape}")
     contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
     window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
-    # Of light over the excess, and the read noise over it, photons have Poisson's variance.
+    # Excess noise multiplies the variance; electrons divided by it have a Poisson variance.
     light = np.broadcast_to(light / noise.excess, count)
     return _Surface(light, read / noise.excess, contrast, window)
 
 
 def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
     """Return the standard error of one distance, metres."""
-    lighted = np.flatnonzero(surface.light)
-    if math.isinf(distance) or not surface.contrast or not lighted.size:
+    exposed = np.flatnonzero(surface.light)
+    if math.isinf(distance) or not surface.contrast or not exposed.size:
         return math.inf
-    seen, light = [lenses[int(k)] for k in lighted], surface.light[lighted]
+    seen, light = [lenses[int(k)] for k in exposed], surface.light[exposed]
     widest = max(lens.aperture_diameter for lens in seen)
-    # In vergence; the widest aperture changes fastest.
+    # The step of vergence, 1/m, for the widest aperture, whose defocus changes fastest.
     step = _STEP * 2.0 * min(lens.wavelength for lens in seen) / (math.pi * (0.5 * widest) ** 2)
     step = min(step, 0.4 / distance)  # not beyond infinity
     around = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
-    frames = FocalLight(float(light[0]), surface.read, tuple((light / light[0]).tolist()), surface.contrast)
+    exposures = FocalLight(float(light[0]), surface.read, tuple((light / light[0]).tolist()), surface.contrast)
 
-    def own_light(lens: Lens, vergence: Array, _: object, pitch: float) -> Callable[[Array], Array]:
+    def transfer(lens: Lens, vergence: Array, _: object, pitch: float) -> Callable[[Array], Array]:
         return transfer_curve(lens, vergence, [(lens.wavelength, 1.0)], pitch)
 
-    model = FocalModel.of(seen, around, (), pixel, frames, transfer=own_light)
+    model = FocalModel.of(seen, around, (), pixel, exposures, transfer=transfer)
     h = model.transfer
-    if np.abs(h[:2] - h[3:1:-1]).max() <= _ALIKE:
+    if np.abs(h[:2] - h[3:1:-1]).max() <= _TRANSFER_ROUNDING:
         return math.inf
-    # The five-point formula, with an error of the fourth order in the step.
+    # Five-point formula: its error is of the fourth order in the step.
     slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
     total = float(model.at(slice(4, 5)).information(slope[None])[0])
     most = model.texture * (slope * slope).sum(0)
     if total <= _ROUNDING * float(most @ model.band.share):
         return math.inf
-    # d(1 / v) = -dv / v^2; a Gaussian window of rms width w has 4 pi w^2 independent pixels.
+    # From vergence V to distance z = 1 / V: dz = -z^2 dV.
     return distance**2 / math.sqrt(total * (4.0 * math.pi * surface.window**2))

@@ -50,28 +50,30 @@ class Settings:
     Parameters
     ----------
     occlusion : bool, default True
-        Whether near objects occlude far ones. Without occlusion it is faster, but light from behind bleeds over the
+        Near objects occlude far ones. Without occlusion rendering is faster, but light from behind bleeds over the
         edges of near objects.
     wavelengths : Channels or sequence, optional
         :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
-        default that of the lens for a grey image, and 600, 540 and 460 nm for one of three channels.
+        default the wavelength of the lens for a grey image, and 600, 540 and 460 nm for an RGB image.
     missing : {"raise", "nearest", "infinity"}, default "raise"
-        Pixels whose depth is NaN: an error, the depth of the nearest pixel in the image that has one, or infinity.
+        Treatment of pixels whose depth is NaN: raise an error, take the depth of the nearest pixel of the image with
+        a known depth, or take infinity.
     border : {"reflect", "extend", "zero"}, default "reflect"
         Continuation of the image beyond its edges: mirrored, the last pixels repeated, or dark. Depth is mirrored or
-        extended alike; light that leaves the image is lost.
+        extended in the same way. Light that the blur spreads beyond the image is lost.
     energy : float, default 0.98
-        Fraction of a point's light that its window must hold, 0.5 to 0.9999, or 1. Below 1 the rest is spread over
+        Fraction of the energy of the PSF inside its window, 0.5 to 0.9999, or 1. Below 1 the rest is spread over
         the window. With 1 the PSF is not truncated (a window plus a smooth remainder over the whole image), at 1.7
         times the cost. Tiles and dask chunks need a value below 1.
     tol : float, default 1e-4
-        Tolerance of the interpolation between PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way between
-        them. With ``energy=1`` also the approximate bound on the sum of the errors beyond the windows, except for the
-        finest rings far away: `error` of the blur bounds it, and a warning is given where it exceeds twice `tol`.
+        Tolerance of the interpolation between tabulated PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way
+        between table entries. With ``energy=1`` also the approximate tolerance of the summed error beyond the
+        windows, except for the finest diffraction rings far out. The attribute `error` of the blur bounds the error;
+        a warning is given where it exceeds twice `tol`.
     largest : int, optional
         Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
     dtype : float32 or float64, default float32
-        Type in which light is summed.
+        Type of the blurred image and of its sums.
     threads : int, optional
         Maximum number of threads; by default the number of processors. The result does not depend on it.
 
@@ -107,14 +109,13 @@ class Settings:
         }
         for name, most in (("largest", 2048), ("threads", 1024)):
             if (value := getattr(self, name)) is not None:
-                # Frozen: the attributes are set past __setattr__.
                 checked[name] = validation.integer(name, value, least=1, most=most)
-        vars(self).update(checked)
+        vars(self).update(checked)  # a frozen dataclass refuses assignments
 
     @classmethod
-    def of(cls, door: Callable[..., object], given: Mapping[str, Any], keywords: type) -> Self:
-        """Return the options `given` to `door`, of the TypedDict `keywords`; TypeError for one that it lacks."""
-        options.require_known(door, given, keywords)
+    def of(cls, function: Callable[..., object], given: Mapping[str, Any], keywords: type) -> Self:
+        """Return the options `given` to a function; TypeError for an option that the TypedDict `keywords` lacks."""
+        options.require_known(function, given, keywords)
         return cls(**given)
 
     @property
@@ -123,7 +124,7 @@ class Settings:
         return cast("BlurKeywords", {name: getattr(self, name) for name in BlurKeywords.__annotations__})
 
     def channels(self, shape: tuple[int, ...], wavelength: float | None) -> Sequence[Spectrum]:
-        """Return the spectrum of each channel of an image of `shape`, `wavelength` if grey, or ValueError."""
+        """Return the spectrum of each channel of an image of `shape`; `wavelength` is the default of a grey image."""
         count = 1 if len(shape) == 2 else shape[2]
         if self.wavelengths is not None:
             if len(self.wavelengths) != count:
@@ -141,7 +142,7 @@ class Settings:
 
 
 def spectra(name: str, channels: object) -> tuple[tuple[tuple[float, float], ...], ...]:
-    """Return for each channel pairs of a wavelength (metres) and a weight, summing to 1; TypeError otherwise."""
+    """Return the pairs (wavelength in metres, weight) of each channel, with weights that sum to 1."""
     if isinstance(channels, Channels):
         return channels.spectra
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:

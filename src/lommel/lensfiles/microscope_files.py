@@ -45,11 +45,11 @@ from lommel.special import zernike
 
 PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513
-_SHOWN = 65  # largest side, in pixels, of the window that notebooks show
+_NOTEBOOK_SIDE = 65  # largest side of the image in notebooks, pixels
 
 
 def stage_step(value: float) -> float:
-    """Return the checked step between planes in metres."""
+    """Return the stage step between planes, metres; ValueError if it is 0 or as large as 10 mm."""
     if not 0.0 < abs(value) < DEPTH_MOST:
         raise ValueError(f"step must be of the stage, not 0 and below 10 mm, got {value:g} m")
     return value
@@ -62,15 +62,15 @@ class Microscope:
     Attributes
     ----------
     name, source : str
-        Name, and source of the numbers.
+        Name, and source of the data.
     objective : Objective
     wavelength, depth : float
         Metres: vacuum wavelength, and depth of the emitter below the cover glass.
     pixel : float
-        Metres on the camera.
+        Pixel pitch on the camera, metres.
     emitter : Dipole, Beam or Scalar
     planes : int
-        Number of planes; a single one is not a stack.
+        Number of planes; 1 for a single image.
     step : float
         Stage step between planes, metres.
     origin : str
@@ -78,14 +78,14 @@ class Microscope:
     shape : tuple of int, or None
         Height and width of the window in pixels, if the file states them; see :attr:`window`.
     integrate : bool or None
-        Pixel-integrated or point-sampled values, as of :func:`lommel.psf`; None if the file does not say.
+        Pixel-integrated (True) or point-sampled values, see :func:`lommel.psf`; None if the file has no such entry.
     aberrations : Wavefront, or None
-        Measured phase at `wavelength`, added to that of the layers.
+        Measured phase at `wavelength`, added to the aberrations of the layers.
     camera : Camera, or None
         Camera, if the file names one.
     errors : mapping
-        Standard errors of what was fitted, by name: "noll 5" in waves rms, "sample" and other constants in the
-        unit of :func:`lommel.fit_beads`.
+        Standard errors of fitted parameters, by name: "noll 5" in waves rms, "sample" and other constants in the
+        units of :func:`lommel.fit_beads`.
 
     Raises
     ------
@@ -145,23 +145,23 @@ class Microscope:
 
         def image() -> PSF:
             height, width = self.window
-            middle = min(height, _SHOWN), min(width, _SHOWN)
+            middle = min(height, _NOTEBOOK_SIDE), min(width, _NOTEBOOK_SIDE)
             return psf(replace(self, planes=1).pupil(), middle, self.pixel, integrate=self.integrate)
 
         return notebook.device(f"Microscope: {self.name}", rows, image)
 
     def fitted(self, found: BeadFit) -> Microscope:
-        """Return the microscope with what was fitted to stacks of beads.
+        """Return the microscope with parameters fitted to stacks of beads.
 
         Parameters
         ----------
         found : BeadFit
-            The answer of :func:`lommel.fit_beads`.
+            Result of :func:`lommel.fit_beads`.
 
         Returns
         -------
         Microscope
-            With its objective, pixel, aberrations and standard errors; depth and planes stay.
+            Copy with the fitted objective, wavelength, pixel, aberrations and standard errors; all else is unchanged.
         """
         errors: dict[str, float] = {}
         for name, error in found.errors.items():
@@ -185,12 +185,13 @@ class Microscope:
         Parameters
         ----------
         path : path
-            Ending in .toml.
+            File to write, ending in .toml.
 
         Raises
         ------
         ValueError
-            If the suffix is another, or the emitter is a beam with a polarization of its own.
+            If the suffix is not .toml, the objective has no working distance, or the emitter is a beam whose
+            polarization has no name.
         OSError
             If the file cannot be written.
         """
@@ -201,12 +202,15 @@ class Microscope:
 
     @property
     def z(self) -> Array:
-        """Position of the stage in each plane, metres from the origin."""
+        """Stage position of each plane, metres from the origin."""
         return np.asarray((np.arange(self.planes) - self.planes // 2) * self.step, np.float64)
 
     @property
     def window(self) -> tuple[int, int]:
-        """Height and width of the window: `shape`, or a square for the geometric blur and ten lambda*N, 33 to 513."""
+        """Height and width of the window in pixels: `shape`, or else a square of 33 to 513 pixels.
+
+        The square extends ten lambda N beyond the geometric blur (lambda: wavelength; N: f-number at the camera).
+        """
         if self.shape is not None:
             return self.shape
         pupil = self.pupil()
@@ -214,7 +218,7 @@ class Microscope:
         return (max(_LEAST_SIDE, min(2 * half + 1, _MOST_SIDE)),) * 2
 
     def pupil(self) -> ObjectivePupil:
-        """Return the pupil of all planes, or of the single one.
+        """Return the pupil: a stack of all planes, or a single pupil for one plane.
 
         Returns
         -------
@@ -223,7 +227,7 @@ class Microscope:
         Raises
         ------
         ValueError
-            As :meth:`lommel.Objective.pupil`.
+            See :meth:`lommel.Objective.pupil`.
         """
         return self.objective.pupil(
             depth=self.depth,
@@ -252,7 +256,7 @@ class _Objective(BuiltSection):
     apodization: Annotated[Number | list[Number], AfterValidator(_illumination)] = 0.0
 
     def build(self) -> Objective:
-        """Return the objective without what is between it and the emitter."""
+        """Return the objective without cover glass, films and sample."""
         return Objective(**{name: value for name, value in self if name != "dipping"})
 
 
@@ -293,9 +297,9 @@ class _Emission(BuiltSection):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return which two emitters there are, if there are."""
-        both = sorted({"emitter", "dipole", "beam"} & set(given))
-        return f"takes one of emitter, dipole and beam, got {' and '.join(both)}" if len(both) > 1 else None
+        """Return an error message if more than one emitter is given."""
+        kinds = sorted({"emitter", "dipole", "beam"} & set(given))
+        return f"takes one of emitter, dipole and beam, got {' and '.join(kinds)}" if len(kinds) > 1 else None
 
     def build(self) -> Emitter:
         """Return the emitter or the excitation beam."""
@@ -305,7 +309,7 @@ class _Emission(BuiltSection):
 
 
 class _Aberrations(Section):
-    zernike: Toml | None = None  # checked by `camera_files.read`
+    zernike: Toml | None = None  # checked by `camera_files.read_zernike`
 
 
 class _Stack(Section):
@@ -330,20 +334,20 @@ class _File(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return what is wrong with [coverslip] beside the objective."""
+        """Return an error message if [coverslip] contradicts the key "dipping" of the objective."""
         objective = given.get("objective")
         dipping = objective.get("dipping", False) if isinstance(objective, dict) else False
         if dipping is not ("coverslip" in given):
-            return None  # also where it is neither true nor false, which has an error of its own
-        what = "has no meaning for" if dipping else "is missing; leave it out only of"
-        return f"[coverslip] {what} an objective that dips into the sample, dipping = true"
+            return None  # also where `dipping` is not a boolean: that error is reported by its own check
+        reason = "has no meaning for" if dipping else "is missing; leave it out only of"
+        return f"[coverslip] {reason} an objective that dips into the sample, dipping = true"
 
 
 def _text(of: Microscope) -> str:
-    """Return a microscope as the text of a file."""
+    """Return the text of a microscope file."""
     one = of.objective
     if one.working_distance is None:
-        raise ValueError("the objective must have a working_distance to be written: files state it")
+        raise ValueError("the objective must have a working_distance: microscope files require it")
     lines = [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
     for name, entries in (*_layer_sections(one), *_light_sections(of), *_plane_sections(of)):
         lines.append(f"\n[{name}]")
@@ -414,7 +418,7 @@ def _plane_sections(of: Microscope) -> _Sections:
 
 
 def _metres(value: float) -> str:
-    # Twelve digits: a length in micrometres without digits of rounding.
+    # Twelve digits, so that rounding of the conversion to micrometres does not show.
     return f"{1e6 * value:.12g} um"
 
 
@@ -435,25 +439,27 @@ def describes_microscope(path: str | PathLike[str]) -> bool:
 def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> Microscope:
     """Read a microscope file.
 
-    Lengths are texts with a unit (``"170 um"``), angles also numbers of radians. Sections and keys: ``name`` (by
-    default that of the file) and ``source``; ``[objective]`` NA, magnification, working_distance, immersion (a
-    refractive index), dipping, true for one without a cover glass, and apodization, a number or the powers of a
-    :class:`lommel.Apodization`; ``[coverslip]`` index and thickness;
-    ``[[films]]``, one for each thin film from the glass to the sample, index and thickness; ``[design]`` immersion
-    and ``[design.coverslip]``, if the objective was corrected for other media than it is used with; ``[sample]``
-    index and depth, of the emitter from the glass; ``[emission]`` wavelength and emitter ("isotropic", which is the
-    default, or "scalar"), or else a section ``[emission.dipole]`` with polar, azimuth and wobble, or
-    ``[emission.beam]`` with polarization, for light focused into the sample; ``[aberrations.zernike]``, the
-    measured wavefront, at the wavelength of the emission unless it states its own, as in
-    :func:`lommel.load_instrument`; ``[errors]``, standard errors of
-    what was fitted, by name; ``[stack]`` planes, step and
-    origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
-    is one plane at the brightest focus; ``[sensor]`` camera, shape and integrate as of a lens, or pixel, on the
-    camera.
+    Lengths are strings with a unit (``"170 um"``); angles are strings with a unit or numbers in radians. Keys:
+
+    - ``name`` (by default the name of the file), ``source``
+    - ``[objective]``: NA, magnification, working_distance, immersion (refractive index), dipping (true for an
+      objective without a cover glass), apodization (a number, or the powers of :class:`lommel.Apodization`)
+    - ``[coverslip]`` and ``[[films]]`` (thin films in order from glass to sample): index, thickness
+    - ``[design]`` and ``[design.coverslip]``: media for which the objective was corrected, if it is used with others
+    - ``[sample]``: index, depth of the emitter below the cover glass
+    - ``[emission]``: wavelength, emitter ("isotropic", the default, or "scalar"); instead of emitter a section
+      ``[emission.dipole]`` (polar, azimuth, wobble) or, for an excitation beam, ``[emission.beam]`` (polarization)
+    - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; its wavelength is that of
+      the emission by default
+    - ``[errors]``: standard errors of fitted parameters, by name
+    - ``[stack]``: planes, step, origin of z at plane ``planes // 2`` ("brightest", the default, "paraxial" or
+      "coverslip"); without this section a single plane at the brightest focus
+    - ``[sensor]``: camera, or pixel (on the camera); shape and integrate as for a lens
 
     Parameters
     ----------
     path : path
+        Microscope file to read.
     folder_only : bool, default False
         Refuse tables of aberrations outside the folder of the file, as :func:`lommel.load_instrument` does.
 
@@ -464,10 +470,10 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     Raises
     ------
     LensFileError
-        If the file is not valid TOML, or for missing, unknown or invalid entries, all reported together with key and
-        line.
+        If the file is not valid TOML or has missing, unknown or invalid entries; all are reported together, with
+        key and line.
     OSError
-        If it cannot be read.
+        If the file cannot be read.
 
     Examples
     --------
@@ -488,16 +494,16 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
 
 def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Microscope:
-    used, design = None if file.coverslip is None else file.coverslip.build(), None
+    coverslip, design = None if file.coverslip is None else file.coverslip.build(), None
     if file.design is not None:
         glass = file.design.coverslip
-        meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
-        design = Design(meant, used if glass is None else glass.build())
+        immersion = file.objective.immersion if file.design.immersion is None else file.design.immersion
+        design = Design(immersion, coverslip if glass is None else glass.build())
     given: Toml = {name: value for name, value in file.objective if name != "dipping"}
     films = [film.build() for film in file.films]
-    objective = Objective(**given, coverslip=used, sample=file.sample.index, films=films, design=design)
+    objective = Objective(**given, coverslip=coverslip, sample=file.sample.index, films=films, design=design)
     stack = dict(file.stack) if file.stack is not None else {}
-    found = Microscope(
+    microscope = Microscope(
         stem if file.name is None else file.name,
         file.source,
         objective,
@@ -509,5 +515,5 @@ def _microscope(file: _File, *, table: ZernikeTable | None, stem: str) -> Micros
         **stack,
         **dict(file.sensor),
     )
-    replace(found, origin="paraxial").pupil()  # checks that the working distance reaches the focus
-    return found
+    replace(microscope, origin="paraxial").pupil()  # raises if the focus lies beyond the working distance
+    return microscope

@@ -151,7 +151,7 @@ def test_what_the_images_favour_within_chance_is_allowed_for_whole():
 
     def kept(log_bayes, *others):
         tests = [ScoreTest(one.name, np.zeros(1), np.ones(1), 0.0, log_bayes) for one in candidates]
-        return {one.name: one.scale for one in star_checks.unseen(candidates, tests, others)}
+        return {one.name: one.scale for one in star_checks.to_marginalize(candidates, tests, others)}
 
     assert kept(-0.1) == {"f_number": 0.1}
     assert kept(-0.1, "wings") == {"f_number": 0.1, "wings": 0.2}

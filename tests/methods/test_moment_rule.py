@@ -52,7 +52,7 @@ def test_sums_are_those_of_fourier_transforms(monkeypatch, aperture, shape, cent
 
     found = images(1e-6)
     assert made
-    monkeypatch.setattr(nonuniform_fft, "worth", lambda *args: False)
+    monkeypatch.setattr(nonuniform_fft, "moment_rule_is_faster", lambda *args: False)
     before = len(made)
     expected = images(1e-9)
     assert len(made) == before

@@ -281,11 +281,11 @@ CUT = Polygon([(-0.9, -0.7), (0.8, -0.8), (0.5, 0.9)])
 def test_images_of_a_real_pupil_are_those_of_one_side_of_the_axis(monkeypatch, shape, center, half):
     pupil, grid = Pupil(stop=CUT, apodization=0.4), lm.Grid(shape, 0.7, center=center)
     computed, rows = [], nonuniform_fft.row_images
-    monkeypatch.setattr(nonuniform_fft, "worth", lambda *_: False)
+    monkeypatch.setattr(nonuniform_fft, "moment_rule_is_faster", lambda *_: False)
     monkeypatch.setattr(nonuniform_fft, "row_images", lambda *args: computed.append(args[3].shape) or rows(*args))
     found = NonuniformFFT(1e-9).images(pupil, grid, Wanted())
     assert computed[0] == (half or grid.shape)
-    monkeypatch.setattr(nonuniform_fft, "_half", lambda _: None)
+    monkeypatch.setattr(nonuniform_fft, "_half_grid", lambda _: None)
     whole = NonuniformFFT(1e-9).images(pupil, grid, Wanted())
     assert np.abs(found.values - whole.values).max() < 1e-11
 
@@ -300,7 +300,7 @@ def test_images_of_a_real_pupil_are_those_of_one_side_of_the_axis(monkeypatch, s
 )
 def test_images_of_other_pupils_have_two_sides(monkeypatch, pupil):
     found = NonuniformFFT(1e-9).images(pupil, lm.Grid(33, 0.5), Wanted()).values[0]
-    monkeypatch.setattr(nonuniform_fft, "_half", lambda _: None)
+    monkeypatch.setattr(nonuniform_fft, "_half_grid", lambda _: None)
     whole = NonuniformFFT(1e-9).images(pupil, lm.Grid(33, 0.5), Wanted()).values[0]
     assert np.abs(found - whole).max() < 1e-11
     assert np.abs(whole[:, :16] - whole[::-1, :16:-1]).max() > 0.01 * whole.max()

@@ -12,7 +12,7 @@ from lommel.estimation import star_checks
 from lommel.estimation.field_signs import monomials
 from lommel.estimation.field_stars import Blocks, WholeField
 from lommel.estimation.sampled_pupil import FOLDS, SHIFT, SLANT, changes_of
-from lommel.estimation.star_checks import BLURS, Lacking
+from lommel.estimation.star_checks import BLURS, MissingEffect
 from lommel.estimation.star_images import Unknowns, label, next_terms, ripple_terms
 from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
@@ -42,9 +42,9 @@ def missing_tests(
     values, slopes = model.images(x)
     flux = model.parts(x)[2][:, 2].reshape(-1, 1, 1)
     edge = stars.one.unknowns.edge
-    lacking = [*star_checks.lacking_changes(edge, (flux * slope for slope in slopes), stars.exposures)]
-    lacking += _lacking_effects(model, x, places)
-    images = [image for one in lacking for image in one.images]
+    effects = [*star_checks.missing_drifts(edge, (flux * slope for slope in slopes), stars.exposures)]
+    effects += _missing_effects(model, x, places)
+    images = [image for one in effects for image in one.images]
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], images)[1]
     widths = stars.exposures * stars.widths
     shared = k + widths + len(images)
@@ -67,10 +67,10 @@ def missing_tests(
         for j, name in enumerate(stars.one.unknowns.terms)
         for part, columns in parts
     ]
-    missing = star_checks.candidates_of(lacking, at)
+    missing = star_checks.candidates_of(effects, at)
     tests = score_tests(matrix, right, estimated, [*candidates, *missing])
     # A blur that is stated is as it is.
-    unseen = star_checks.unseen([*candidates, *missing], tests, BLURS if stars.widths else ())
+    unseen = star_checks.to_marginalize([*candidates, *missing], tests, BLURS if stars.widths else ())
     marginal = marginalized(matrix, right, estimated, unseen, k * m)
     waves, fit = stars.one.unknowns, (matrix, estimated)
     means = [j * m for j in range(k)]
@@ -96,32 +96,32 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
     )
 
 
-def _lacking_effects(model: WholeField, x: Array, places: Array) -> list[Lacking]:
+def _missing_effects(model: WholeField, x: Array, places: Array) -> list[MissingEffect]:
     """Return candidates of effects that the model of the stars lacks, apart from polynomials of higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms, fine = next_terms(stars.one.unknowns.edge, ()), ripple_terms(stars.one.unknowns.edge)
-    constants = star_checks.lacking_constants(stars.one.pupil, stars.known, ())
+    constants = star_checks.constants_to_test(stars.one.pupil, stars.known, ())
     every = *terms, *constants, *fine
     made = stars.having(further=every).images(model.chosen, *parts, fast=True, slopes="others")
     flux = parts[2][:, 2].reshape(-1, 1, 1)
     image, *by = [flux * each for each in made]
     coarse = len(every) - len(fine)
-    found = [*star_checks.lacking_phases(terms, constants, by[:coarse], stars.one.pupil, stars.known)]
-    found += star_checks.lacking_ripples(fine, by[coarse : len(every)])
+    found = [*star_checks.missing_terms(terms, constants, by[:coarse], stars.one.pupil, stars.known)]
+    found += star_checks.missing_ripples(fine, by[coarse : len(every)])
     changes = changes_of(stars.lens)
     blurred = by[len(every) + sum(changes.values()) :]
-    found += star_checks.lacking_uneven_light(changes, by[len(every) : len(by) - len(blurred)])
-    found += star_checks.lacking_charge(image)
+    found += star_checks.missing_illumination(changes, by[len(every) : len(by) - len(blurred)])
+    found += star_checks.missing_charge_transfer(image)
     if (pupil := star_checks.apodized(stars.lens)) is not None:
         other = stars.having(lens=pupil).images(model.chosen, *parts, fast=True, slopes="none")[0]
-        found.append(star_checks.lacking_light(image, flux * other))
+        found.append(star_checks.missing_apodization(image, flux * other))
     if blurred:
         blurs = dict(zip(OTHER_BLURS, blurred, strict=True))
-        found += star_checks.lacking_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
+        found += star_checks.missing_blurs(blurs, e, gaussian="Gaussian" not in stars.blur.names)
         found.append(star_checks.uneven_blur(blurs["Gaussian"], np.repeat(places[model.chosen], e, axis=0), e))
     if not stars.sloped and not stars.cornered:
-        found.append(star_checks.lacking_slopes(r * e, stars.shape, e))
-    found.append(star_checks.lacking_gain(stars.expected(made[0], parts[2]).reshape(made[0].shape)))
+        found.append(star_checks.missing_gradients(r * e, stars.shape, e))
+    found.append(star_checks.missing_nonlinearity(stars.expected(made[0], parts[2]).reshape(made[0].shape)))
     return found
 
 
@@ -132,7 +132,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
         return []
     values, slopes = model.images(x)
     r, e = len(chosen), stars.exposures
-    others = star_checks.lacking_slopes(r * e, stars.shape, e).images
+    others = star_checks.missing_gradients(r * e, stars.shape, e).images
     local = stars.likelihood(chosen, [values, *slopes], model.parts(x)[2], others)[1]
     first = model.waves + e * stars.widths
     at, rest = np.arange(first, first + 2 * e), np.arange(first + 2 * e, local.shape[1] - 1)

@@ -1,4 +1,4 @@
-"""Checks of images of stars: what a model of them may lack, and whether standard errors hold."""
+"""Checks of fits to star images: score tests of effects missing from the model, and validity of standard errors."""
 
 from __future__ import annotations
 
@@ -53,26 +53,29 @@ from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
 from lommel.special import zernike
 
-_TERM = 0.1  # radians rms: expected size of a missing term
-_WIDTH, _SHARE = 0.1, 0.3  # expected sizes: pixels^2 of further blur; share of light behind a wider one
-_VARIED = 0.3  # pixels^2: expected difference of blur from the middle to the edge of the field
-_SLOPE, _NONLINEAR = 1.0, 0.05  # expected: electrons per pixel; share of electrons lost at 10^4
-_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, "defocus": 0.05}  # relative, but for the obscuration
-# Amplitude at the edge; radii; share of the scale.
+# Prior standard deviations of effects that the model does not include.
+_TERM = 0.1  # Zernike term, radians rms
+_WIDTH, _SHARE = 0.1, 0.3  # variance of an additional blur, pixels^2; share of light in a wider blur
+_VARIED = 0.3  # change of the blur variance from the middle to the edge of the field, pixels^2
+_SLOPE, _NONLINEAR = 1.0, 0.05  # background gradient, electrons per pixel; share of electrons lost at 10^4
+_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, "defocus": 0.05}  # relative errors, but for the obscuration
+# Relative amplitude at the pupil edge (SLANT, FOLDS), pupil radii (SHIFT), relative lengths (OVAL, ASPECT).
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
-_TRAIL, _LATE, _REACH = 0.01, 2.0, 8  # share of the charge, pixels of its decay to 1/e, pixels computed
-_KNOWN, _KEPT = 0.5, 0.25  # of expected sizes: how well constants are known, and how far charge is not late
-_ONE = 0.01  # share of a stated number whose effect is reported
-_CHANGED = 0.03  # radians rms: expected change of a term over the images
-_RIPPLES, _POLISHED = 0.1, 0.2  # radians rms of all ripples together; the share of these that is there unseen
+_TRAIL = 0.01  # share of deferred charge
+_CHANGED = 0.03  # change of a Zernike term over the images, radians rms
+_RIPPLES = 0.1  # all ripples of the wavefront together, radians rms
+_DEFOCUS = 0.1  # defocus of one image, radians at the pupil edge
+# Parts of these that are marginalized where the data do not favour the effect.
+_KNOWN_PART, _TRAIL_PART, _RIPPLE_PART = 0.5, 0.25, 0.2
+_TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e and length, pixels
+_ONE = 0.01  # relative change of a stated number whose effect is reported
 _CHANGES = " that changes over the images"
-_DEFOCUS = 0.1  # radians: expected error of the defocus of one image
-_MOST_FOCI = 9  # largest number of images whose defoci are tested one by one
-# Radians rms: where phases are known less well, other minima of the likelihood are often as deep.
+_MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
+# Standard error of the phase, radians rms, above which other minima of the likelihood are often as deep.
 _CERTAIN = 0.25
-# Factor by which a standard error may change within one standard deviation of the answer.
+# Accepted change factor of a standard error within one standard deviation of the estimate.
 _STEADY = 1.125
-APODIZED = 0.1  # exponent of the amplitude at the edge of the pupil, minus its logarithm
+APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
 _SHARP = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
 _UNEVEN = "blur that varies over the field"
@@ -84,175 +87,175 @@ _TRAILS = {
 }
 _ZONES, _FINE = "zones of the wavefront", "ripples of the wavefront"
 NUISANCES = (*_UNEVEN_LIGHT, *_TRAILS.values(), GRADIENT)
-"""What no fit estimates, and moves its answers unseen."""
+"""Effects that no fit estimates, and that bias estimates even if the images do not show them."""
 _GAIN = "non-linear gain"
 _WORDS = {
-    _GAUSSIAN: ("variance of a Gaussian blur besides", " pixels^2"),
+    _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
     _ELLIPSE: (
-        "blur that is not the same in all directions, as of tracking or wind: (rows - columns) / 2, covariance",
+        "elliptical blur, for example by tracking or wind: (rows - columns) / 2, covariance",
         " pixels^2",
     ),
-    _WINGS: ("wings of the blur: share of light that is blurred twice as far", ""),
-    _HALO: ("a halo of the blur: share of light that is blurred four times as far", ""),
-    _UNEVEN: ("blur that varies over the field: variance per half of it, columns and rows", " pixels^2"),
+    _WINGS: ("wings of the blur: share of light in a blur of twice the width", ""),
+    _HALO: ("a halo of the blur: share of light in a blur of four times the width", ""),
+    _UNEVEN: ("blur that varies over the field: change of variance over half the field, columns, rows", " pixels^2"),
     GRADIENT: ("backgrounds that slope", ""),
-    _ZONES: ("zones of the wavefront, as of polishing in rings", ""),
-    _FINE: ("ripples of the wavefront, finer than the terms that are tested", ""),
+    _ZONES: ("zones of the wavefront, for example from polishing", ""),
+    _FINE: ("ripples of the wavefront, finer than the tested terms", ""),
     _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
     SLANT: ("light that slopes across the pupil: by exp(-a y - b x), a, b", ""),
     SHIFT: ("an obscuration off the middle by (rows, columns)", " radii"),
     **{name: (f"{name}: amplitude at the edge by cosine and sine", "") for name in FOLDS},
-    ASPECT: ("an image that is longer along y and shorter along x than stated, each by a share of", ""),
+    ASPECT: ("an image that is longer along y and shorter along x than stated: relative change", ""),
     OVAL: ("an aperture that is not round: radius longer by s cos 2t + u sin 2t, s, u", ""),
     **{name: (f"{name}: share", "") for name in _TRAILS.values()},
     "f_number": ("another f-number: its difference from the stated one", ""),
     OBSCURATION: ("another obscuration: its difference from the stated one", ""),
-    "defocus": ("known defoci that are longer than stated: share of their length", ""),
+    "defocus": ("known defoci that are larger than stated: relative change", ""),
     "apodization": ("an amplitude that falls towards the edge of the pupil, by exp(-g rho^2), g", ""),
 }
 
 
-class Lacking(NamedTuple):
-    """What a model may lack: a name, the size that it may have, and derivatives of electrons by its columns."""
+class MissingEffect(NamedTuple):
+    """An effect that the model may lack: prior standard deviation, derivatives of electrons by its coefficients."""
 
     name: str
     scale: float
     images: tuple[Array, ...]
 
 
-def lacking_constants(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
-    """Return the constants that are tested by derivatives: the f-number, and (2, 0) for known defoci that differ."""
+def constants_to_test(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
+    """Return the constants to test: "f_number", and (2, 0), the scale of known defoci, if these differ."""
     scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
     f_number = ("f_number",) if scaled and not {"f_number", "wavelength"} & {*estimated} else ()
     return (*f_number, *([(2, 0)] if np.ptp(known) > 0.0 else []))
 
 
-def lacking_phases(
+def missing_terms(
     terms: Sequence[Term], constants: Sequence[Name], slopes: Sequence[Array], pupil: Pupil, known: Array
-) -> Iterator[Lacking]:
-    """Yield Zernike terms and constants, of derivatives of electrons by radians at the edge, and by constants.
+) -> Iterator[MissingEffect]:
+    """Yield Zernike terms and constants, given `slopes`: derivatives of electrons.
 
-    That of the known defoci is by the defocus of images.
+    Derivatives are with respect to terms (radians at the pupil edge), then to constants; for (2, 0), to defocus.
     """
     for term, slope in zip(terms, slopes, strict=False):
-        yield Lacking(label(term), _TERM, (slope * zernike.rms_factor(*term),))
+        yield MissingEffect(label(term), _TERM, (slope * zernike.rms_factor(*term),))
     for name, slope in zip(constants, slopes[len(terms) :], strict=True):
         if name != (2, 0):
             size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
-            yield Lacking(str(name), size, (slope,))
+            yield MissingEffect(str(name), size, (slope,))
             continue
         each = np.tile(known, len(slope) // len(known))[:, None, None]
-        yield Lacking("defocus", _CONSTANTS["defocus"], (slope * each,))
-        if 2 < len(known) <= _MOST_FOCI:  # of two, either is what the other is
+        yield MissingEffect("defocus", _CONSTANTS["defocus"], (slope * each,))
+        if 2 < len(known) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
             for k, one in enumerate(_alone(len(known), slope)):
-                yield Lacking(f"defocus of image {k + 1}", _DEFOCUS, (one,))
+                yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (one,))
 
 
-def lacking_ripples(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[Lacking]:
-    """Yield zones and other ripples of the wavefront, of derivatives of electrons by radians at the edge."""
+def missing_ripples(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[MissingEffect]:
+    """Yield zones and other ripples of the wavefront, given derivatives of electrons by terms (1 at the edge)."""
     for name, round_ in ((_ZONES, True), (_FINE, False)):
         each = zip(terms, slopes, strict=True)
         images = tuple(slope * zernike.rms_factor(*term) for term, slope in each if (term[1] == 0) == round_)
         if images:
-            yield Lacking(name, _RIPPLES / len(images) ** 0.5, images)
+            yield MissingEffect(name, _RIPPLES / len(images) ** 0.5, images)
 
 
-def lacking_changes(terms: Sequence[Term], slopes: Iterable[Array], exposures: int) -> Iterator[Lacking]:
-    """Yield estimated terms that change over the images, of derivatives of electrons by terms of 1 at the edge.
+def missing_drifts(terms: Sequence[Term], slopes: Iterable[Array], exposures: int) -> Iterator[MissingEffect]:
+    """Yield linear changes of estimated terms over the images, given derivatives of electrons by terms.
 
-    Sizes are half the difference of the last image from the first, radians rms.
+    The coefficient is half the difference between the last and the first image, radians rms.
     """
     if exposures > 1:
         for term, slope in zip(terms, slopes, strict=False):
             way = np.tile(np.linspace(-1.0, 1.0, exposures), len(slope) // exposures)[:, None, None]
-            yield Lacking(label(term) + _CHANGES, _CHANGED, (slope * way * zernike.rms_factor(*term),))
+            yield MissingEffect(label(term) + _CHANGES, _CHANGED, (slope * way * zernike.rms_factor(*term),))
 
 
 def apodized(pupil: Pupil) -> Pupil | None:
-    """Return a pupil whose amplitude falls towards the edge; None if that is not tested."""
+    """Return the pupil with additional apodization; None if the test does not support the pupil."""
     if pupil.circular and pupil.mask is None and isinstance(pupil.apodization, float):
         return replace(pupil, apodization=pupil.apodization + APODIZED)
     return None
 
 
-def lacking_light(image: Array, other: Array) -> Lacking:
-    """Return an amplitude that falls towards the edge, from electrons and those of the `apodized` pupil."""
-    return Lacking("apodization", APODIZED, ((other - image) / APODIZED,))
+def missing_apodization(image: Array, other: Array) -> MissingEffect:
+    """Return apodization, given the electrons of the pupil (`image`) and of the apodized pupil (`other`)."""
+    return MissingEffect("apodization", APODIZED, ((other - image) / APODIZED,))
 
 
-def lacking_uneven_light(
+def missing_illumination(
     changes: Mapping[str, int], images: Iterable[Array], estimated: Sequence[Name] = ()
-) -> Iterator[Lacking]:
-    """Yield uneven light and other edges of the pupil, from derivatives of electrons by `changes_of`."""
+) -> Iterator[MissingEffect]:
+    """Yield uneven illumination and other edges of the pupil, given derivatives of electrons by `changes_of`."""
     left, scales = iter(images), {**_UNEVEN_LIGHT, **_CONSTANTS}
     for name, count in changes.items():
         each = tuple(itertools.islice(left, count))
         if name not in estimated:
-            yield Lacking(name, scales[name], each)
+            yield MissingEffect(name, scales[name], each)
 
 
-def lacking_charge(image: Array) -> Iterator[Lacking]:
-    """Yield charge that arrives late along each axis, from electrons of stars alone (r * e, height, width)."""
-    later = np.exp(-np.arange(_REACH) / _LATE)
+def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
+    """Yield deferred charge in each direction, given the electrons of stars without background (r * e, h, w)."""
+    later = np.exp(-np.arange(_TRAIL_LENGTH) / _TRAIL_DECAY)
     for name, axis, way in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
-        kernel = np.concatenate([np.zeros(_REACH + 1), later / later.sum()])[::way]
-        # Charge leaves its own pixel for later ones: the sum stays.
-        yield Lacking(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
+        kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), later / later.sum()])[::way]
+        # The deferred charge moves to pixels read out later: the sum is conserved.
+        yield MissingEffect(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
 
 
-def lacking_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[Lacking]:
-    """Yield further blurs of each exposure, from derivatives of electrons by these (r * e, height, width)."""
+def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[MissingEffect]:
+    """Yield additional blurs of each exposure, given derivatives of electrons (r * e, height, width)."""
     if gaussian:
-        yield Lacking(_GAUSSIAN, _WIDTH, _alone(exposures, blurs["Gaussian"]))
-    yield Lacking(_ELLIPSE, _WIDTH, _alone(exposures, blurs["along rows"], blurs["oblique"]))
-    yield Lacking(_WINGS, _SHARE, _alone(exposures, blurs["wings"]))
-    yield Lacking(_HALO, _SHARE, _alone(exposures, blurs["halo"]))
+        yield MissingEffect(_GAUSSIAN, _WIDTH, _alone(exposures, blurs["Gaussian"]))
+    yield MissingEffect(_ELLIPSE, _WIDTH, _alone(exposures, blurs["along rows"], blurs["oblique"]))
+    yield MissingEffect(_WINGS, _SHARE, _alone(exposures, blurs["wings"]))
+    yield MissingEffect(_HALO, _SHARE, _alone(exposures, blurs["halo"]))
 
 
-def uneven_blur(image: Array, places: Array, exposures: int) -> Lacking:
-    """Return a blur that varies over the field, from derivatives of electrons by it, at places (r * e, 2)."""
-    return Lacking(_UNEVEN, _VARIED, _alone(exposures, *(image * each[:, None, None] for each in places.T)))
+def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect:
+    """Return a blur that varies over the field, given derivatives by its variance and positions (r * e, 2)."""
+    return MissingEffect(_UNEVEN, _VARIED, _alone(exposures, *(image * each[:, None, None] for each in positions.T)))
 
 
-def lacking_slopes(images: int, shape: tuple[int, int], exposures: int) -> Lacking:
-    """Return sloping backgrounds of each exposure, for `images` images."""
-    return Lacking(GRADIENT, _SLOPE, _alone(exposures, *slants(images, shape)))
+def missing_gradients(images: int, shape: tuple[int, int], exposures: int) -> MissingEffect:
+    """Return background gradients of each exposure, for `images` images."""
+    return MissingEffect(GRADIENT, _SLOPE, _alone(exposures, *slants(images, shape)))
 
 
-def lacking_gain(mean: Array) -> Lacking:
-    """Return a non-linear gain, from expected electrons."""
-    # Counts lack the share s m / 10^4 of m electrons: the derivative by s.
-    return Lacking(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
+def missing_nonlinearity(mean: Array) -> MissingEffect:
+    """Return a non-linear gain, given the expected electrons."""
+    # Of m electrons the share s m / 10^4 is lost; derivative with respect to s.
+    return MissingEffect(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
 
 
 def _alone(exposures: int, *each: Array) -> tuple[Array, ...]:
-    """Return images (r * e, height, width) that are 0 except in one exposure, for each exposure."""
+    """Return, for each exposure, the images (r * e, height, width) set to 0 in all other exposures."""
     of = np.arange(len(each[0])) % exposures
     return tuple(one * (of == i)[:, None, None] for i in range(exposures) for one in each)
 
 
-def candidates_of(lacking: Sequence[Lacking], first: int) -> list[Candidate]:
-    """Return candidates with consecutive columns, from `first` on."""
-    found = []
-    for one in lacking:
-        found.append(Candidate(one.name, tuple(range(first, first + len(one.images))), one.scale))
+def candidates_of(effects: Sequence[MissingEffect], first: int) -> list[Candidate]:
+    """Return score-test candidates with consecutive columns, from `first` on."""
+    candidates = []
+    for one in effects:
+        candidates.append(Candidate(one.name, tuple(range(first, first + len(one.images))), one.scale))
         first += len(one.images)
-    return found
+    return candidates
 
 
-def unseen(
+def to_marginalize(
     candidates: Sequence[Candidate], tests: Sequence[ScoreTest], others: Sequence[str] = ()
 ) -> list[Candidate]:
-    """Return the candidates that are marginalized, with the sizes that they may have unseen.
+    """Return the candidates to marginalize, with their prior standard deviations.
 
-    All that the data favour, though not beyond chance, have their whole size; of the others, what no fit estimates
-    has a part of it.
+    Nuisances, and candidates that the data favour, though not significantly, keep their prior. Constants, ripples and
+    deferred charge that the data do not favour have a part of it. All others are left out.
     """
     parts = dict.fromkeys((*NUISANCES, *others), 1.0)
     parts |= (
-        dict.fromkeys(_CONSTANTS, _KNOWN)
-        | dict.fromkeys((_ZONES, _FINE), _POLISHED)
-        | dict.fromkeys(_TRAILS.values(), _KEPT)
+        dict.fromkeys(_CONSTANTS, _KNOWN_PART)
+        | dict.fromkeys((_ZONES, _FINE), _RIPPLE_PART)
+        | dict.fromkeys(_TRAILS.values(), _TRAIL_PART)
     )
     parts |= dict.fromkeys(favoured(tests), 1.0)
     return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
@@ -265,99 +268,98 @@ def untested_constants(
     tests: Sequence[ScoreTest],
     fit: tuple[Array, Sequence[int]],
     waves: Unknowns,
-    places: Sequence[int],
+    columns: Sequence[int],
     never: Sequence[str] = (),
 ) -> list[Finding]:
-    """Return the finding of stated numbers that the images do not test.
+    """Return the finding on stated numbers that the images do not test.
 
-    `fit` has the information and the columns that are estimated, `places` those of the terms of `waves` among them;
-    `never` is what no image tests.
+    `fit` is the information matrix with the estimated columns, `columns` are those of the terms of `waves` among
+    them; `never` lists numbers that no image tests.
     """
     names = [label(name) for name in waves.terms]
     scale = _ONE * float(pupil.f_number or 1.0)
     f_number = [replace(one, scale=scale) for one in candidates if one.name == "f_number"]
-    found = untested(*fit, dict(zip(names, places, strict=True)), f_number, tests)
+    effects = untested(*fit, dict(zip(names, columns, strict=True)), f_number, tests)
     if np.ptp(known) == 0.0 != known[0] and (2, 0) in waves.edge:
-        # One focus shows the sum of what is known of the defocus and what is estimated.
+        # A single focus measures only the sum of the known defocus and the estimated one.
         shares = waves.directions[:, waves.edge.index((2, 0))] / np.abs(waves.directions).sum(axis=1)
         j = int(shares.argmax())
         by = _ONE * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
-        found["known defocus"] = names[j], float(by)
-    return untested_findings(found, dict.fromkeys(found, f"{100.0 * _ONE:g} % of it"), never=never)
+        effects["known defocus"] = names[j], float(by)
+    return untested_findings(effects, dict.fromkeys(effects, f"{100.0 * _ONE:g} % of it"), never=never)
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
-    """Return the finding on what the stars favour."""
+    """Return the finding on missing effects that the images favour."""
     likely = seen(tests)
     return [other_explanation(likely, [_in_words(test) for test in likely])] if likely else []
 
 
 def _in_words(test: ScoreTest) -> str:
     """Return the result of a test in words: "noll 22 secondary spherical = 0.100 +- 0.006 rad (17 sigma)"."""
-    what, unit = _WORDS.get(test.name, (test.name, " rad"))
+    name, unit = _WORDS.get(test.name, (test.name, " rad"))
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > (2 if test.name in _WORDS else 1):
-        return f"{what} {sigmas}"
+        return f"{name} {sigmas}"
     each = zip(test.size, test.errors, strict=True)
-    return f"{what} = {', '.join(' +- '.join(with_error(*one)) for one in each)}{unit} {sigmas}"
+    return f"{name} = {', '.join(' +- '.join(with_error(*one)) for one in each)}{unit} {sigmas}"
 
 
 def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
-    """Return score tests of what the images of one star at `x` (1, p) may lack, the likeliest first.
+    """Return score tests of effects missing from the model of one star at the estimate `x` (1, p), likeliest first.
 
-    And shared parameters that allow for what is no wavefront and too small to be seen; and the findings of what is
-    not tested.
+    Also return the shared parameters marginalized over undetected effects, and findings on effects not tested.
     """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     light = model.per_image(x)[0]
     flux = light[-2][:, None, None]
     known = model.base[:, 0] - model.fixed[0]
     terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
-    constants = lacking_constants(pupil, known, unknowns.pupil)
+    constants = constants_to_test(pupil, known, unknowns.pupil)
     values, slopes = model.images(x)
     _, further = model.images(x, fast=True, by=(*terms, *constants, *ripples))
     by = [flux * slope.values for slope in further]
-    lacking = [*lacking_phases(terms, constants, by[: len(by) - len(ripples)], pupil, known)]
-    lacking += lacking_ripples(ripples, by[len(by) - len(ripples) :])
-    lacking += lacking_changes(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
+    effects = [*missing_terms(terms, constants, by[: len(by) - len(ripples)], pupil, known)]
+    effects += missing_ripples(ripples, by[len(by) - len(ripples) :])
+    effects += missing_drifts(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
         phases = np.stack([np.broadcast_to(edge[term], model.count) for term in model.terms], axis=-1)
         uneven = UnevenLight(pupil[0], plan.grid(pupil), model.terms, phases).images()
-        lacking += lacking_uneven_light(changes, [flux * image for image in uneven], unknowns.pupil)
-    lacking += lacking_charge(flux * values)
+        effects += missing_illumination(changes, [flux * image for image in uneven], unknowns.pupil)
+    effects += missing_charge_transfer(flux * values)
     if (other := apodized(pupil)) is not None and plan.method is None:
-        lacking.append(lacking_light(flux * values, flux * np.asarray(plan(other).values)))
+        effects.append(missing_apodization(flux * values, flux * np.asarray(plan(other).values)))
     grid, scale = plan.grid(pupil), float(pupil.scale)
     reader = StarReadout(grid.shape, model.pixel / scale, 1.0, _SHARP, integrate=grid.integrate)
     fine = Plan(reader.shape, reader.step * scale, tol=model.loosest, integrate=False, threads=plan.threads or None)
     notes = []
     try:
         samples = np.asarray(fine(pupil).values, np.float32)
-    except (Declined, ToleranceError) as error:  # on a finer lattice than that of the pixels
+    except (Declined, ToleranceError) as error:  # the lattice of the blur is finer than that of the pixels
         notes.append(Finding("untested", "note", f"blur was not tested: {error}"))
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
-        lacking += lacking_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
+        effects += missing_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
     mean = flux * values + light[-1][:, None, None]
-    lacking += [lacking_slopes(model.count, grid.shape, model.count), lacking_gain(mean)]
-    _, products = model.products(x, values, slopes, [image for one in lacking for image in one.images])
-    found = products[0]
-    candidates, scores = candidates_of(lacking, model.size), (found[:-1, :-1], found[:-1, -1], range(model.size))
+    effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
+    _, products = model.products(x, values, slopes, [image for one in effects for image in one.images])
+    matrix = products[0]
+    candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
     tests = score_tests(*scores, candidates)
-    marginal = marginalized(*scores, unseen(candidates, tests), model.shared)
-    fit = found[:-1, :-1], range(model.size)
+    marginal = marginalized(*scores, to_marginalize(candidates, tests), model.shared)
+    fit = matrix[:-1, :-1], range(model.size)
     notes += untested_constants(pupil[0], known, candidates, tests, fit, unknowns, range(len(unknowns.terms)))
     return tests, marginal, notes
 
 
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
-    """Return findings on standard errors at the answer `x` that do not hold."""
+    """Return findings on standard errors that are not valid at the estimate `x`."""
     error, axes = uncertainty(model, inverse)
     if error > _CERTAIN:
         text = (
-            f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
-            "image, and other wavefronts may fit as well"
+            f"the standard errors are not to be trusted: together they amount to {error:.2g} rad rms of phase in an "
+            "image, and other wavefronts may fit equally well"
         )
         return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _CERTAIN})]
     factors = changes(model, x, inverse, axes)
@@ -367,7 +369,7 @@ def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]
     names = ", ".join(label(model.names[k]) for k in worst[:3])
     more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
     text = (
-        f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
+        f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the estimate "
         f"they change by a factor of up to {factors[worst[0]]:.3g}"
     )
     return [Finding("errors_change", "doubt", text, {label(model.names[k]): factors[k] for k in worst})]

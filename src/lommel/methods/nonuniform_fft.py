@@ -1,6 +1,7 @@
 """Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound.
 
-Small windows of many fields take another rule, with the moments of the aperture: certificate, section 18.
+Small windows of many fields (stacks, derivatives) use a rule of the disc with the moments of the aperture instead:
+certificate, section 18.
 
 References
 ----------
@@ -35,48 +36,51 @@ from lommel.special.legendre import gauss_legendre
 Complexes = NDArray[np.complex128]
 
 _UNIT = 2.0**-53
-_VALUES = 2**21  # values of the pupil function held at once
-_MOST_TERM = 12  # degree of terms up to which products of polynomials of x and y lose little by cancellation
-_LEAST_FIELDS = 4  # number of fields from which making the rule pays
-_LEAST_ERROR = 3e-12  # error of the field over its amplitude, below which roundings prevail
-_MOST_WAVES = 2**22  # values of waves that are kept
-_STEP = 32  # degrees are rounded up to multiples of this
+_MAX_VALUES = 2**21  # values of the pupil function in memory at a time
+_MAX_TERM_DEGREE = 12  # Zernike degree above which products of polynomials of x and y lose digits by cancellation
+_MIN_FIELDS = 4  # number of fields from which the moment rule saves time
+_MIN_FIELD_ERROR = 3e-12  # relative error of the field below which rounding errors dominate
+_MAX_WAVES = 2**22  # cached cosines and sines
+_DEGREE_STEP = 32  # degrees are rounded up to multiples of this
 
 
-# A rule of an aperture is a functional L of polynomials. On polynomials up to a degree D it is their integral times
-# one polynomial g: the nodes of a rule of the disc exact to the degree 2 D, weighted by g, give the same. These are
-# D + 1 chords of D + 1 nodes, for any number of vanes or segments. Weights may be negative or complex; their moduli
-# sum to at most ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area (certificate,
-# section 18, "Moments").
+# Moment rule. A quadrature rule of the aperture is a linear functional L. For polynomials p up to degree D there is
+# one polynomial g with L(p) = integral of p g over the disc. A rule of the disc that is exact to degree 2 D, its
+# weights omega multiplied by g, is therefore equal to L: D + 1 chords of D + 1 nodes, for any number of vanes or
+# segments. The products may be negative or complex; their moduli sum to at most
+# ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area (certificate, section 18,
+# "Moments").
 #
-# g is the sum of ``L(phi) phi`` over an orthonormal basis of products of Gegenbauer polynomials of y and Legendre
-# polynomials along the chord at y (Koornwinder 1975), which take one recurrence along each axis.
+# g is the sum of ``L(phi) phi`` over an orthonormal basis phi: products of Gegenbauer polynomials of y and Legendre
+# polynomials along the chord at y (Koornwinder 1975), computed by one recurrence along each axis.
 
 
-def worth(pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float) -> bool:
+def moment_rule_is_faster(
+    pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float
+) -> bool:
     """Return whether the moment rule takes less time than transforms of rows; arguments as of :func:`moment_rule`."""
     count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
     fields, most, (height, width) = 1 + len(terms), 1 + highest, grid.shape
-    rows = degree + _STEP / 2
-    if count * fields < _LEAST_FIELDS or highest > _MOST_TERM or error < _LEAST_ERROR * pupil.amplitude:
+    rows = degree + _DEGREE_STEP / 2
+    if count * fields < _MIN_FIELDS or highest > _MAX_TERM_DEGREE or error < _MIN_FIELD_ERROR * pupil.amplitude:
         return False
-    if most * rows**2 / 4 * max(height, width) > _MOST_WAVES:
+    if most * rows**2 / 4 * max(height, width) > _MAX_WAVES:
         return False
-    # Costs per PSF, in the time of one sample of a Fourier transform, fitted to stacks of 1 to 27 PSFs of 17 to 257
-    # pixels a side; four stacks or steps of a fit take the same rule.
+    # Cost per PSF, in units of the time per sample of the Fourier transform, fitted to timings of stacks of 1 to 27
+    # PSFs of 17 to 257 pixels a side. The cost of the rule is shared by an assumed four stacks or steps of a fit.
     _, sampled, power = _rounded(degree, fine, error)
     samples = _samples(pupil.opening, sampled, power)
-    making = 0.16 * samples * rows / (4 * count)
+    setup = 0.16 * samples * rows / (4 * count)
     sums = 1.6 * rows**2 + most * rows**2 * width / 300 + (most**2 * rows / 240 + fields / 3) * height * width
-    return making + sums < (fields + 0.3) * samples + fields * (0.8 * height * width + 1700.0)
+    return setup + sums < (fields + 0.3) * samples + fields * (0.8 * height * width + 1700.0)
 
 
 class MomentRule(NamedTuple):
     """Weights of the nodes of the disc rule, shape (rows, rows)."""
 
     weight: Complexes
-    total: float  # sum of their moduli
-    lost: float  # error by edges misplaced by rounding
+    total: float  # sum of the moduli of the weights
+    lost: float  # error due to edges displaced by rounding
 
     @property
     def rows(self) -> int:
@@ -85,85 +89,85 @@ class MomentRule(NamedTuple):
 
 
 class Nodes(NamedTuple):
-    """Rule of the disc: rows at `y`, nodes `x` (rows, rows), and the weight of each node."""
+    """Rule of the unit disc: rows at `y`, nodes `x` along each row, shape (rows, rows), and their weights."""
 
     y: Array
     x: Array
-    along: Array  # x over half the length of the chord
+    along: Array  # node positions in units of half the length of the chord
     weight: Array
 
 
 @lru_cache(maxsize=8)
 def nodes(rows: int) -> Nodes:
-    """Return the rule of the disc exact to the degree ``2 rows - 1``, symmetric about both axes."""
-    # Chords at cos(i pi / (N + 1)) with weights sin^2 / (N + 1): section 8 of the certificate, here along y.
+    """Return the rule of the disc that is exact to degree ``2 rows - 1`` and symmetric about both axes."""
+    # Chords at y = cos(t_i), t_i = i pi / (N + 1), with weights sin^2 t_i / (N + 1): certificate, section 8.
     theta = (np.arange(rows) + 1.0) * (math.pi / (rows + 1))
     half, (along, each) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
     return Nodes(np.cos(theta), np.outer(half, along), np.asarray(along), np.outer(half**2 / (rows + 1), each))
 
 
 def moment_rule(opening: Opening, degree: int, fine: int, error: float) -> MomentRule:
-    """Return the rule that equals that of :meth:`Opening.rows` for `fine` on polynomials up to a `degree`.
+    """Return the moment rule that is equal to the rule of :meth:`Opening.rows` for polynomials up to `degree`.
 
-    The phases of segments are in its weights, which `fine` allows for.
+    `fine` is the degree of the latter, which also integrates the phase factors of segments contained in the weights.
     """
-    return _made(opening, *_rounded(degree, fine, error))
+    return _moment_rule(opening, *_rounded(degree, fine, error))
 
 
 def degrees_and_error(pupil: Pupil, reach: float, aim: float) -> tuple[int, int, float]:
-    """Return the degrees for :func:`moment_rule` for v up to `reach`, and the resulting error of U.
+    """Return `degree` and `fine` of :func:`moment_rule` for v up to `reach`, and the resulting error of U.
 
-    Polynomials are off by `aim`. The caller adds the degree of a term that multiplies the pupil function to both.
+    `aim` is the error of polynomial approximations. For derivatives add the degree of the Zernike term to both.
     """
     terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
     phases = pupil.opening.phases
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
     degree = degree_needed(terms, reach, pupil.illumination, aim)
-    # Waves of segments are approximated by a polynomial, whose degree adds to that of the pupil function.
+    # The phase factor of a segment is approximated by a polynomial, whose degree adds to that of the pupil function.
     fine = degree + (degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0)
     # a (1 + W) / 2 + (1 + a / 2) a of section 18, "A polynomial", with W <= 1 + a.
     return degree, fine, 1.1 * aim + (1.0 + aim) * aim + phase_roundings(pupil)
 
 
 def phase_roundings(pupil: Pupil) -> float:
-    """Bound the change of U by roundings of the phases of segments, however many turns they have."""
-    # 8 u s ||A|| of section 18, "Phases"; ||A||^2 is at most the amplitude.
+    """Bound the error of U due to rounding of segment phases, which may be many turns."""
+    # Certificate, section 18, "Phases": 8 u s ||A||, where ||A||^2 is at most the amplitude.
     return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
 def _rounded(degree: int, fine: int, error: float) -> tuple[int, int, int]:
-    """Return degrees rounded up and the exponent of the error rounded down, so that searches make few rules."""
-    first, second = (_STEP * math.ceil(each / _STEP) for each in (degree, max(fine, degree)))
+    """Return degrees rounded up and the exponent of the error rounded down, so that searches reuse cached rules."""
+    first, second = (_DEGREE_STEP * math.ceil(each / _DEGREE_STEP) for each in (degree, max(fine, degree)))
     return first, second, 2 * math.floor(0.5 * math.log10(error))
 
 
 @lru_cache(maxsize=16)
 def _samples(opening: Opening, fine: int, power: int) -> int:
-    """Return the number of nodes along rows for a Fourier transform."""
+    """Return the number of nodes in all rows, which the Fourier transform sums."""
     return sum(rule.nodes.shape[1] for rule in opening.rows(fine, 10.0**power))
 
 
 @lru_cache(maxsize=16)
-def _made(opening: Opening, degree: int, fine: int, power: int) -> MomentRule:
+def _moment_rule(opening: Opening, degree: int, fine: int, power: int) -> MomentRule:
     moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
     for rule, phase in zip(opening.rows(fine, 10.0**power), opening.phases, strict=True):
-        # Moments L(phi) of the basis: Legendre sums along each row first, then Gegenbauer polynomials of y.
+        # Moments L(phi): sums with Legendre polynomials along each row, then with Gegenbauer polynomials of y.
         x, y, weight = rule.nodes
         if not x.size:
             continue
         firsts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
         half = np.sqrt((1.0 - y) * (1.0 + y))
-        # Whole turns are removed exactly before the cosine, which rounds large angles.
-        still = math.remainder(phase[0], 2.0 * math.pi)
-        turned = weight * np.exp(1j * (still + phase[1] * x + phase[2] * y))
+        # Whole turns are removed exactly: cosines of large angles lose digits.
+        piston = math.remainder(phase[0], 2.0 * math.pi)
+        phased = weight * np.exp(1j * (piston + phase[1] * x + phase[2] * y))
         along = np.clip(x / half, -1.0, 1.0)
-        sums = np.array([np.add.reduceat(turned * part, firsts) for part in _legendre(degree, along)])
-        for m, part in enumerate(_across(degree, y[firsts])):
+        sums = np.array([np.add.reduceat(phased * part, firsts) for part in _legendre(degree, along)])
+        for m, part in enumerate(_gegenbauer(degree, y[firsts])):
             moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
-    # g = sum L(phi) phi at the nodes, times the weights of the disc (whose sum is 1, of area pi).
+    # Values of g = sum L(phi) phi at the nodes, times the weights of the disc (normalized to sum 1, hence pi).
     at = nodes(degree + 2)
     values = np.zeros((degree + 1, at.y.size), dtype=np.complex128)
-    for m, part in enumerate(_across(degree, at.y)):
+    for m, part in enumerate(_gegenbauer(degree, at.y)):
         values[: len(part)] += part * moments[: len(part), m, None]
     weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, at.along))) * (math.pi * at.weight))
     weight.flags.writeable = False
@@ -179,9 +183,9 @@ def _legendre(degree: int, x: Array) -> Iterator[Array]:
         before, here = here, ((2 * k + 1) * x * here - k * before) / (k + 1)
 
 
-def _across(degree: int, y: Array) -> Iterator[Array]:
-    """Yield the functions of y of the basis for m = 0, 1, ...: [k, y] for all k up to ``degree - m``."""
-    # (1 - y^2)^(k / 2) times polynomials orthonormal for the weight (1 - y^2)^(k + 1/2).
+def _gegenbauer(degree: int, y: Array) -> Iterator[Array]:
+    """Yield the y factors of the basis for degrees m = 0, 1, ..., each as an array [k, y] for k <= ``degree - m``."""
+    # (1 - y^2)^(k / 2) times polynomials of degree m, orthonormal with the weight (1 - y^2)^(k + 1/2).
     k = np.arange(degree + 1.0)[:, None]
     area = np.cumprod(np.concatenate([[0.5 * math.pi], (k[1:, 0] + 0.5) / (k[1:, 0] + 1.0)]))
     half = np.sqrt((1.0 - y) * (1.0 + y))
@@ -189,27 +193,29 @@ def _across(degree: int, y: Array) -> Iterator[Array]:
     before = np.zeros_like(here)
 
     # Off-diagonal coefficient of the orthonormal Gegenbauer recurrence, for each k.
-    def beside(m: int) -> Array:
+    def off_diagonal(m: int) -> Array:
         return np.sqrt(m * (m + 2.0 * k + 1.0) / (4.0 * (m + k + 1.0) * (m + k)))
 
     for m in range(degree + 1):
         yield here
         count = degree - m
-        last = beside(m)[:count] * before[:count] if m else 0.0
-        before, here = here, (y * here[:count] - last) / beside(m + 1)[:count]
+        last = off_diagonal(m)[:count] * before[:count] if m else 0.0
+        before, here = here, (y * here[:count] - last) / off_diagonal(m + 1)[:count]
         k = k[:count]
 
 
 def field_sums(
     rule: MomentRule, pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...]
 ) -> tuple[Array, Array, Array]:
-    """Return I (n, h, w), its derivatives by terms (k, n, h, w), and the rounding errors of U and of its slopes."""
-    # Cosines and sines are even or odd along x and y, and so are the products of Chebyshev polynomials that terms are
-    # sums of. A quarter of the nodes and pixels suffices, and one sum along rows for each power of x.
+    """Return I (n, h, w), its derivatives by terms (k, n, h, w), and rounding error bounds of U and its derivatives.
+
+    Waves and Chebyshev products T_a(x) T_b(y), of which terms are sums, are even or odd in x and in y: a quarter of
+    the nodes and pixels suffices. The sums along rows are shared by all terms with the same a.
+    """
     at, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
-    light = rule.weight
+    amplitude = rule.weight
     if not pupil.illumination.uniform:
-        light = light * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
+        amplitude = amplitude * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
     phases, shares = _polynomials(pupil.wavefront.terms, rule.rows), _products(((0, 0), *terms))
     most, (height, width) = shares.shape[1], grid.shape
     step = grid.step(pupil) / grid.side
@@ -217,26 +223,25 @@ def field_sums(
     across, upward = _waves(rule.rows, step, tuple(right.tolist()), most), _rows(rule.rows, step, down, most)
     signs = (np.ones(width), np.sign(grid.x)), (np.ones((height, 1)), np.sign(grid.y)[:, None])
     values, slopes = np.empty((count, height, width)), np.empty((len(terms), count, height, width))
-    many = max(1, _VALUES // (4 * most * q * q))
+    many = max(1, _MAX_VALUES // (4 * most * q * q))
     for first in range(0, count, many):
         part = slice(first, min(first + many, count))
-        # Row by row the products are too small for threads of BLAS, which would wait for one another.
         angle = edge[part] @ phases
-        wave = _turned(light[:, None], np.cos(angle), np.sin(angle))
+        wave = _times_wave(amplitude[:, None], np.cos(angle), np.sin(angle))
         parts = _parts(wave, q)
         size = len(edge[part])
         field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
         for i in range(2):
-            # For both parities along y: [term, row of pixels, pupil, real or imaginary, column].
+            # Both parities along y: [parity, term, row of pixels, pupil, real or imaginary, column].
             sums = np.zeros((2, len(shares), down.size, size, 2, right.size))
             for a in range(most):
                 for c in range(2):
                     along = parts[i ^ (a & 1), c].reshape(q, -1, q) @ across[i][a]
-                    found = upward[c][: most - a] @ along.reshape(q, -1)
-                    found = found.reshape(most - a, *sums.shape[2:])
+                    product = upward[c][: most - a] @ along.reshape(q, -1)
+                    product = product.reshape(most - a, *sums.shape[2:])
                     for b in range(min(2, most - a)):
-                        sums[c ^ b] += np.tensordot(shares[:, a, b : most - a : 2], found[b::2], 1)
-            # e^{-i v.r} = (cos - i sin)(cos - i sin): each odd part has a factor -i and the sign of its coordinate.
+                        sums[c ^ b] += np.tensordot(shares[:, a, b : most - a : 2], product[b::2], 1)
+            # e^{-i v.r} = (cos - i sin)(cos - i sin): an odd part has a factor -i and the sign of its coordinate.
             for j in range(2):
                 both = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
                 field += ((-1j) ** (i + j) * signs[0][i] * signs[1][j]) * both
@@ -245,25 +250,24 @@ def field_sums(
         # dI/dc = -2 Im(conj(U) D): certificate, section 8, "Derivatives".
         slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
-    lost = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
-    return values, slopes, lost
+    rounding = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
+    return values, slopes, rounding
 
 
 def roundings(rule: MomentRule, pupil: Pupil, reach: float, *, single: bool = False) -> float:
-    """Bound the error of U by roundings up to `reach` in v; with `single`, those of sums in single precision too."""
-    # Phases of terms and of waves, sums along both axes, and weights: certificate, section 18, "Phases" and
-    # "Moments".
+    """Bound the rounding error of U for v up to `reach`; `single`: with sums in single precision."""
+    # Rounding of phases, waves, sums along both axes, and weights: certificate, section 18, "Phases", "Moments".
     edge = pupil.wavefront.flattened().edge
-    size_of = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
-    turned = float((np.abs(edge) @ size_of).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
-    # Sums of pairs of chords and nodes, and phases in multiples of 2^-32 turns: section 8, "In single precision".
+    per_term = np.array([4.0 * n * n + 14.0 + len(edge[0]) for n, _ in pupil.wavefront.terms])
+    units = float((np.abs(edge) @ per_term).max()) + 6.0 * reach + 20.0 * rule.rows + pupil.illumination.slope + 40.0
+    # Sums over mirrored chords and nodes, and phases in multiples of 2^-32 turns: section 8, "In single precision".
     more = 2.0**-24 * (36.0 + 0.875 * rule.rows) + 7.4e-10 * (len(edge[0]) + 6) if single else 0.0
-    return (_UNIT * turned + more) * rule.total + rule.lost
+    return (_UNIT * units + more) * rule.total + rule.lost
 
 
 @lru_cache(maxsize=8)
 def _products(terms: tuple[tuple[int, int], ...]) -> Array:
-    """Return terms as sums of products T_a(x) T_b(y), shape (terms, a, b)."""
+    """Return the Chebyshev coefficients of Zernike terms, the factors of T_a(x) T_b(y), shape (terms, a, b)."""
     from numpy.polynomial.chebyshev import chebvander
 
     count = 1 + max(n for n, _ in terms)
@@ -271,20 +275,21 @@ def _products(terms: tuple[tuple[int, int], ...]) -> Array:
     x = np.cos((np.arange(count) + 0.5) * (math.pi / count))
     back = np.linalg.inv(chebvander(x, count - 1))
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x, x[:, None])
-    found = np.array([back @ zernike.polynomial(n, m, rho, theta) @ back.T for n, m in terms])
-    # Entries of the wrong parity are rounding errors, and cost a sum each.
-    return np.where(np.abs(found) > 1e-14 * np.abs(found).max(), found, 0.0)
+    products = np.array([back @ zernike.polynomial(n, m, rho, theta) @ back.T for n, m in terms])
+    # Coefficients of the wrong parity are rounding errors; each would cost a sum.
+    return np.where(np.abs(products) > 1e-14 * np.abs(products).max(), products, 0.0)
 
 
-def _turned(light: Complexes, cosine: Array, sine: Array) -> Array:
-    """Return light times wave, [row, pupil, real or imaginary, node]."""
-    if not light.imag.any():
-        return np.stack([light.real * cosine, light.real * sine], axis=2)
-    return np.stack([light.real * cosine - light.imag * sine, light.real * sine + light.imag * cosine], axis=2)
+def _times_wave(amplitude: Complexes, cosine: Array, sine: Array) -> Array:
+    """Return amplitude * (cosine + i sine), [row, pupil, real or imaginary, node]."""
+    real, imag = amplitude.real, amplitude.imag
+    if not imag.any():
+        return np.stack([real * cosine, real * sine], axis=2)
+    return np.stack([real * cosine - imag * sine, real * sine + imag * cosine], axis=2)
 
 
 def _parts(wave: Array, q: int) -> dict[tuple[int, int], Array]:
-    """Return sums over four mirror images of each node of a quarter, by parity along x and y; [row, ..., node]."""
+    """Return even and odd parts along x and y at the nodes of a quarter of the disc, by parity: [row, ..., node]."""
     y = [wave[:q] + sign * wave[: q - 1 : -1] for sign in (1.0, -1.0)]
     mirrored = [part[..., : q - 1 : -1] for part in y]
     return {
@@ -305,7 +310,7 @@ def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
 
 @lru_cache(maxsize=4)
 def _waves(rows: int, step: float, at: tuple[float, ...], most: int) -> tuple[Array, Array]:
-    """Return cosines and sines at columns times T_a(x), for a quarter of the nodes, shape (a, row, node, column)."""
+    """Return T_a(x) times cosines and sines of step * x * column, for a quarter: (a, row, node, column)."""
     q = rows // 2
     x = nodes(rows).x[:q, :q]
     turn = step * x[:, :, None] * np.array(at)
@@ -314,7 +319,7 @@ def _waves(rows: int, step: float, at: tuple[float, ...], most: int) -> tuple[Ar
 
 
 def _rows(rows: int, step: float, at: Array, most: int) -> tuple[Array, Array]:
-    """Return the same for rows, shape (b, row of pixels, node row); cosine and sine exchanged for odd b."""
+    """Return T_b(y) times cosines and sines, exchanged for odd b: (b, row of pixels, row of nodes)."""
     y = nodes(rows).y[: rows // 2]
     turn = step * np.outer(at, y)
     powers = np.polynomial.chebyshev.chebvander(y, most - 1).T[:, None]
@@ -323,49 +328,46 @@ def _rows(rows: int, step: float, at: Array, most: int) -> tuple[Array, Array]:
     return np.where(swapped, odd, even), np.where(swapped, even, odd)
 
 
-_FEWEST = 4  # number of images and derivatives from which vector lanes are shared
-_STEPS = 8  # stacks, or steps of a fit, with the same rule (assumed)
-_MAKING, _NODE_SUMS, _SAMPLE = (
-    2.4e-5,
-    5.5e-8,
-    1.15e-4,
-)  # measured costs in ms: rule (times rows cubed), sums (times products), filter (times samples)
-_LARGEST = 400  # degree
-_SINGLE = 0.5  # share of an error for sums in single precision
-_LEAST_NODES = 1e-12  # error of the field, below which roundings prevail
+_MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
+_STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
+_RULE_COST = 2.4e-5  # ms per cubed number of rows (measured, as the next two)
+_SUM_COST = 5.5e-8  # ms per product of a sum
+_SAMPLE_COST = 1.15e-4  # ms per filtered sample
+_MAX_DEGREE = 400
+_SINGLE_SHARE = 0.5  # share of the tolerance for sums in single precision
+_MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
 
 
-# Averages over pixels by nodes of the window, from a rule with the moments of the aperture. Its nodes are those of
-# the chordal rule of the disc, its weights complex: pupils are computed side by side in vector lanes, as those of
-# circular apertures are.
+# Averages over pixels use the moment rule at the nodes of the window. The nodes of the moment rule are those of the
+# chordal rule of the disc: the core sums pupils side by side in vector lanes, as for circular apertures.
 
 
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
-    """Return the intensity averaged over each pixel with bounds below `tol`; None if not applicable or slow."""
+    """Return pixel averages with bounds below `tol`; None if inapplicable or slower than filtering."""
     highest = max((n for n, _ in wanted.terms), default=0)
     fields = math.prod(pupil.shape) * (1 + len(wanted.terms))
-    if pupil.mask is not None or wanted.powers or fields < _FEWEST:
+    if pupil.mask is not None or wanted.powers or fields < _MIN_IMAGES:
         return None
     stack, window = disk_stack(pupil), window_of(pupil, grid)
 
     def rule(reach: float, tol: float, single: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
         aim = 0.15 * tol
-        if aim < _LEAST_NODES:
+        if aim < _MIN_NODE_ERROR:
             return None
         degree, fine, missed = degrees_and_error(pupil, reach, aim)
-        sums = _NODE_SUMS * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
-        if degree + highest > _LARGEST or not _pays(fields, degree + highest + 20.0, sums, window):
+        sums = _SUM_COST * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
+        if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
             return None
-        made = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
-        lost = roundings(made, pupil, reach, single=True)
-        single = single and lost < _SINGLE * tol
-        off = missed + 1.1 * aim + (lost if single else roundings(made, pupil, reach))
-        return of_quadrant(made, pupil), off, single
+        moments = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
+        rounding = roundings(moments, pupil, reach, single=True)
+        single = single and rounding < _SINGLE_SHARE * tol
+        error = missed + 1.1 * aim + (rounding if single else roundings(moments, pupil, reach))
+        return of_quadrant(moments, pupil), error, single
 
-    # Chords of this rule are rows of the aperture, those of the core are columns: x and y are exchanged.
+    # Chords are rows of the aperture here, but columns in the core: x and y are exchanged.
     by, signs = exchanged(wanted.terms)
     images = aperture_averages(
-        turned(stack),
+        transposed(stack),
         window._replace(shape=window.shape[::-1], center=window.center[::-1]),
         pupil.likely_strehl,
         pupil.transmission,
@@ -373,71 +375,75 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
         wanted._replace(out=None, terms=tuple((int(n), int(m)) for n, m in by)),
         rule,
     )
-    return None if images is None else _turned_back(images, signs, wanted.out)
+    return None if images is None else _transposed_back(images, signs, wanted.out)
 
 
-def _turned_back(images: Images, signs: Array, out: Pixels | None) -> Images:
+def _transposed_back(images: Images, signs: Array, out: Pixels | None) -> Images:
     """Return images with x and y exchanged, and derivatives multiplied by `signs`."""
     values = np.empty_like(images.values.swapaxes(1, 2), order="C") if out is None else out
     values[...] = images.values.swapaxes(1, 2)
     slopes = images.slopes
     if slopes is not None:
-        turned_slopes = slopes.values.swapaxes(2, 3) * signs[:, None, None, None].astype(slopes.values.dtype)
-        slopes = Slopes(np.ascontiguousarray(turned_slopes), slopes.error)
+        transposed_slopes = slopes.values.swapaxes(2, 3) * signs[:, None, None, None].astype(slopes.values.dtype)
+        slopes = Slopes(np.ascontiguousarray(transposed_slopes), slopes.error)
     return images._replace(values=values, slopes=slopes)
 
 
-def _pays(count: int, rows: float, sums: float, window: Window) -> bool:
-    """Return whether sums over nodes take less time than filtering samples, with the cost of the rule shared."""
-    samples = _SAMPLE * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
-    return _MAKING * rows**3 < _STEPS * count * (samples - sums)
+def _nodes_are_faster(count: int, rows: float, sums: float, window: Window) -> bool:
+    """Return whether sums over nodes take less time than filtering samples, with a rule shared by several stacks."""
+    samples = _SAMPLE_COST * math.prod(window.step / 1.2 * n + 20.0 for n in window.shape)
+    return _RULE_COST * rows**3 < _STEPS * count * (samples - sums)
 
 
 def exchanged(terms: Sequence[tuple[int, int]] | NDArray[np.int32]) -> tuple[NDArray[np.int32], Array]:
-    """Return terms with x and y exchanged (cosines and sines of odd orders change places), and their signs."""
+    """Return Zernike terms with x and y exchanged, and their signs; odd orders exchange cosine and sine."""
     n, m = np.reshape(np.asarray(terms, dtype=np.int32), (-1, 2)).T
     odd, order = m % 2 != 0, np.abs(m)
-    # cos(m (pi / 2 - theta)) and sin(m (pi / 2 - theta)), by the remainder of m by 4.
+    # cos(m (pi / 2 - theta)) and sin(m (pi / 2 - theta)) depend on m modulo 4.
     half = np.where(order // 2 % 2 == 0, 1.0, -1.0)
     other = np.stack([n, np.where(odd, -m, m)], axis=1)
     return np.ascontiguousarray(other, dtype=np.int32), np.where(odd, half, np.where(m < 0, -half, half))
 
 
-def turned(stack: DiskStack) -> DiskStack:
+def transposed(stack: DiskStack) -> DiskStack:
     """Return the stack with x and y exchanged."""
     terms, signs = exchanged(stack.terms)
     return stack._replace(terms=terms, edge=stack.edge * signs)
 
 
 def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
-    """Return the weights of a rule times the amplitude of a pupil in the core's layout, (chords, nodes, 8)."""
+    """Return the weights times the pupil amplitude in the layout of the core, (chords, nodes, 8).
+
+    The last axis has the four mirror images of a node of the top right quadrant, each as real and imaginary part.
+    """
     weight, half = rule.weight, rule.rows // 2
     if not pupil.illumination.uniform:
         at = nodes(rule.rows)
         weight = weight * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
-    # Rows run from the top down, nodes along them from left to right.
+    # y decreases with the row index, x increases with the node index.
     top, bottom = weight[:half], weight[: half - 1 : -1]
     parts = [part for rows in (top, bottom) for part in (rows[:, : half - 1 : -1], rows[:, :half])]
     return np.stack([part for each in parts for part in (each.real, each.imag)], axis=2)
 
 
-_LEAST = 4e-15  # least error of U over its largest value
-_SUMS = 0.25  # share of the error of U for the sums
-_FEWER = 0.75  # largest share of pixels on one side of the axis for which mirroring the others pays
+_MIN_ERROR = 4e-15  # smallest error of U to aim at, over the largest possible value of U
+_SUM_SHARE = 0.25  # share of the sums in the error of U
+_MAX_HALF_SHARE = 0.75  # share of the pixels in the half image up to which mirroring it saves time
 
 
 @dataclass(frozen=True)
 class NonuniformFFT(Method[Pupil]):
     r"""Gauss quadrature along the rows of the clear aperture, transformed onto the pixels by two non-uniform FFTs.
 
-    Supports all pupils of a lens: any wavefront, spiders, vignetting, stops of any shape, segments, masks, apodized.
+    Supports all pupils of a lens: any wavefront, spiders, vignetting, stops of any shape, segments, masks and
+    apodization.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Bound on ``max|I - I_exact| / max I``, 1e-12 to below 0.1; max I is the largest value in the window, or that
-        found on a coarse lattice over the whole blur. It is a contract: :class:`ToleranceError` is raised if it
-        cannot be met. A mask is the sum of its samples.
+        Bound on ``max|I - I_exact| / max I``, 1e-12 to below 0.1; max I is the largest value in the window or on a
+        coarse lattice over the whole blur. :class:`ToleranceError` is raised if the bound cannot be met. The exact
+        image of a mask is the sum over its samples.
 
     Raises
     ------
@@ -446,20 +452,20 @@ class NonuniformFFT(Method[Pupil]):
 
     Notes
     -----
-    Lines of constant y cut the aperture in intervals. Gauss-Legendre rules along these, and across them between the
-    places where edges meet, are off by a proven amount for every polynomial of a degree that is at most 1 on the unit
-    disc; and a polynomial of that degree is proven to be close to the integrand there
-    (:func:`lommel.optics.aperture.opening.degree_needed`). Waves of the nodes of a row are added to a fine grid by
-    the taps of a kernel and transformed to the columns, those of the rows likewise to the pixels; aliases of it and
-    all roundings are bounded too. Derived in docs/certificate.md, section 18. Averages over pixels filter samples.
-    Small windows of many fields (stacks, derivatives) are products of matrices with a rule of the disc that has the
-    moments of the aperture (``lommel.methods.nonuniform_fft``).
+    Lines of constant y cut the aperture into intervals. Gauss-Legendre rules are used along the intervals, and across
+    them between the intersections of edges. Their error is bounded for all polynomials of a given degree with modulus
+    at most 1 on the unit disc, and the integrand is proven to be close to such a polynomial
+    (:func:`lommel.optics.aperture.opening.degree_needed`). The non-uniform FFT spreads the nodes of each row to a
+    fine grid with a kernel and transforms it to the columns; the second one transforms the rows in the same way.
+    Aliasing and rounding errors are included in the bound: docs/certificate.md, section 18. Pixel-integrated values
+    are filtered samples. Small windows of many fields (stacks, derivatives) are matrix products with a rule of the
+    disc that has the moments of the aperture.
 
     References
     ----------
     Lloyd N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's
     rule. Magnus Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J.
-    32, 197 (1985), doi:10.1307/mmj/1029003186: how fast polynomials grow off the disc.
+    32, 197 (1985), doi:10.1307/mmj/1029003186: growth of polynomials outside the disc.
     Alok Dutt and V. Rokhlin, "Fast Fourier transforms for nonequispaced data", SIAM J. Sci. Comput. 14, 1368 (1993),
     doi:10.1137/0914081.
     """
@@ -468,7 +474,7 @@ class NonuniformFFT(Method[Pupil]):
     tol: float = 1e-6
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
+        """Return I, sampled at or averaged over the pixels, shape ``(n, height, width)``, with its error bound."""
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
@@ -479,89 +485,90 @@ class NonuniformFFT(Method[Pupil]):
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         grid.require_one_axis()
         if grid.integrate:
-            made = averaged_apertures(pupil, grid, self.tol, wanted)
-            if made is not None:
-                return made
-        # Errors of averages are over the largest value anywhere; those of samples in a dark window would not be.
+            averages = averaged_apertures(pupil, grid, self.tol, wanted)
+            if averages is not None:
+                return averages
+        # Errors of averages are relative to the peak of the PSF, also if the window does not contain it.
         sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
         return averaged_images(sample, pupil, grid, self.tol, wanted)
 
 
 def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
-    """Return samples of the flattened stack, with bounds over the peak below `tol` after storing."""
+    """Return samples of the flattened stack, with bounds relative to the peak below `tol`, storage included."""
     if pupil.mask is not None and not pupil.mask.squares:
-        needed, why = samples_needed(pupil, grid)
+        needed, reason = samples_needed(pupil, grid)
         if needed > pupil.mask.side:
             raise Declined(
-                f"the mask of side {pupil.mask.side} is too coarse: {why} need a side of at least {needed:.5g}"
+                f"the mask of side {pupil.mask.side} is too coarse: {reason} need a side of at least {needed:.5g}"
             )
-    room = tol - (1.0 + tol) * storing(wanted.dtype)
+    budget = tol - (1.0 + tol) * storing(wanted.dtype)
     if wanted.scale is None:
-        room *= 0.49  # values divided by their own largest one have twice the error (section 6)
-    # Estimate of the field for light spread evenly over the blur; where it gathers the peak is brighter.
+        budget *= 0.49  # division by the computed peak doubles the error (section 6)
+    # Estimate of the peak field, for light spread evenly over the blur; usually an underestimate.
     bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
-    elsewhere: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
-    # Section 6: the first error is for a likely peak, and is reduced if the peak that is found does not prove the
+    outer_peak: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
+    # Section 6: the first error assumes the estimated peak; it is reduced if the computed peak is too dim for the
     # bound.
     for _ in range(8):
-        asked = max(0.45 * room * bright / pupil.amplitude, _LEAST)
-        values, slopes, off, off_slopes = _sums(pupil, grid, asked, wanted)
+        requested = max(0.45 * budget * bright / pupil.amplitude, _MIN_ERROR)
+        values, slopes, field_bounds, slope_bounds = _sums(pupil, grid, requested, wanted)
         peak = values.max(axis=(1, 2))
-        made, error = _judged(values, peak if elsewhere is None else np.maximum(peak, elsewhere), off, wanted)
-        if elsewhere is None and (error > tol or (everywhere and float(peak.min()) < bright**2)):
-            elsewhere = _elsewhere(pupil, max(asked, 1e-4 * bright / pupil.amplitude), wanted.threads)
-            made, error = _judged(values, np.maximum(peak, elsewhere), off, wanted)
-        if error <= tol or asked <= _LEAST:
+        intensities, error = _with_bounds(
+            values, peak if outer_peak is None else np.maximum(peak, outer_peak), field_bounds, wanted
+        )
+        if outer_peak is None and (error > tol or (everywhere and float(peak.min()) < bright**2)):
+            outer_peak = _peak_bound(pupil, max(requested, 1e-4 * bright / pupil.amplitude), wanted.threads)
+            intensities, error = _with_bounds(values, np.maximum(peak, outer_peak), field_bounds, wanted)
+        if error <= tol or requested <= _MIN_ERROR:
             break
-        # The next budget follows the peak that was found.
-        assert made.peak is not None
-        bright = min(0.9 * math.sqrt(max(float(made.peak.min()), 1e-300)), 0.5 * bright)
+        assert intensities.peak is not None
+        bright = min(0.9 * math.sqrt(max(float(intensities.peak.min()), 1e-300)), 0.5 * bright)
     if not error <= tol:
         raise not_met(tol, error, "the peak")
-    answer = to_images(made, grid, wanted)
+    answer = to_images(intensities, grid, wanted)
     if not wanted.terms:
         return answer
-    peak = np.asarray(made.peak)
-    # I' = 2 Re(conj(U) U'), and |U'| is at most the amplitude.
-    rise = 2.0 * (np.sqrt(peak) * off_slopes + (pupil.amplitude + off_slopes) * off) / peak
+    peak = np.asarray(intensities.peak)
+    # Error of I' = 2 Re(conj(U) U'), where |U'| is at most the amplitude.
+    rise = 2.0 * (np.sqrt(peak) * slope_bounds + (pupil.amplitude + slope_bounds) * field_bounds) / peak
     scaled = (slopes * answer.scale[:, None, None]).astype(wanted.dtype)
     error = rise + (np.abs(slopes).max(axis=(2, 3)) / peak + rise) * storing(wanted.dtype)
     return answer._replace(slopes=Slopes(scaled, error))
 
 
-def _judged(values: Array, peak: Array, off: Array, wanted: Wanted) -> tuple[Intensities, float]:
-    """Return intensities with bounds over a peak, from those of U, and the largest bound after storing."""
-    made = Intensities(values, relative_error(peak[:, None], off), peak)
-    return made, float(np.max(with_storage_rounding(made, wanted)))  # type: ignore[arg-type]
+def _with_bounds(values: Array, peak: Array, field_bounds: Array, wanted: Wanted) -> tuple[Intensities, float]:
+    """Return intensities with bounds relative to `peak`, and the largest bound after storing."""
+    bounded = Intensities(values, relative_error(peak[:, None], field_bounds), peak)
+    return bounded, float(np.max(with_storage_rounding(bounded, wanted)))  # type: ignore[arg-type]
 
 
-def _elsewhere(pupil: Pupil, error: float, threads: int) -> Array:
+def _peak_bound(pupil: Pupil, error: float, threads: int) -> Array:
     """Return a lower bound on the peak of each PSF, from a coarse lattice over the whole blur."""
     blur = float(pupil.v(pupil.geometric_radius()).max())
     far = Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale)
-    values, _, off, _ = _sums(pupil, far, error, Wanted(threads=threads))
-    return np.asarray(np.maximum(np.sqrt(values.max(axis=(1, 2))) - off, 0.0) ** 2)
+    values, _, field_bounds, _ = _sums(pupil, far, error, Wanted(threads=threads))
+    return np.asarray(np.maximum(np.sqrt(values.max(axis=(1, 2))) - field_bounds, 0.0) ** 2)
 
 
-def _real(pupil: Pupil) -> bool:
-    """Return whether the pupil function is real, so that images equal themselves turned by half a turn."""
+def _real_pupil(pupil: Pupil) -> bool:
+    """Return whether the pupil function is real, so that images are symmetric under rotation by 180 degrees."""
     return pupil.wavefront.flat and not pupil.phase_mask and not pupil.opening.phases.any()
 
 
-def _half(grid: Grid) -> Grid | None:
-    """Return the pixels on one side of the axis, whose mirror images the others are; None if not much fewer."""
+def _half_grid(grid: Grid) -> Grid | None:
+    """Return the pixels on one side of the axis; None if mirroring them does not save time."""
     if not grid.mirrored:
         return None
     down, across = (max(c, side - 1 - c) for c, side in zip(grid.axis, grid.shape, strict=True))
     first = grid.axis[1] % 1.0
     shape = int(2.0 * down) + 1, int(across - first) + 1
-    if math.prod(shape) > _FEWER * math.prod(grid.shape):
+    if math.prod(shape) > _MAX_HALF_SHARE * math.prod(grid.shape):
         return None
     return Grid(shape, grid.pixel, center=(down, -first))
 
 
 def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
-    """Return images on the pixels of `grid` from those on its :func:`_half`."""
+    """Return images on the pixels of `grid` from those on its :func:`_half_grid`."""
     (row, column), (down, _) = grid.axis, half.axis
     left, top, end = math.ceil(column), int(down - row), int(down + row) + 1
     out = np.empty((len(values), *grid.shape))
@@ -575,39 +582,39 @@ def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
     """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term.
 
-    `error` is the requested error of U over its largest value; the bounds will be close to it.
+    `error` is the requested error of U relative to the amplitude; the bounds will be close to it.
     """
-    half = None if wanted.terms or not _real(pupil) else _half(grid)
+    half = None if wanted.terms or not _real_pupil(pupil) else _half_grid(grid)
     if half is not None:
-        values, slopes, off, off_slopes = _sums(pupil, half, error, wanted)
-        return _mirrored(values, half, grid), slopes, off, off_slopes
+        values, slopes, field_bounds, slope_bounds = _sums(pupil, half, error, wanted)
+        return _mirrored(values, half, grid), slopes, field_bounds, slope_bounds
     step, amplitude = grid.step(pupil), pupil.amplitude
     reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
     factor = max((n for n, _ in wanted.terms), default=0)
     phases = pupil.opening.phases.copy()
     if pupil.mask is None:
-        # To [-pi, pi): large phases of segments lose digits in the sine.
+        # Reduced to [-pi, pi): sines of large phases lose digits.
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
         aim = 0.3 * error * amplitude
         degree, fine, missed = degrees_and_error(pupil, reach, aim)
         degree, fine = degree + factor, fine + factor
-        if worth(pupil, grid, wanted.terms, degree, fine, aim):
+        if moment_rule_is_faster(pupil, grid, wanted.terms, degree, fine, aim):
             rule = moment_rule(pupil.opening, degree, fine, aim)
-            values, slopes, lost = field_sums(rule, pupil, grid, wanted.terms)
-            off, off_slopes = np.tile((missed + 1.1 * aim + lost)[:, None], len(values))
-            return values, slopes, off, off_slopes
+            values, slopes, rounding = field_sums(rule, pupil, grid, wanted.terms)
+            field_bounds, slope_bounds = np.tile((missed + 1.1 * aim + rounding)[:, None], len(values))
+            return values, slopes, field_bounds, slope_bounds
         rules = pupil.opening.rows(degree_needed(terms, reach + steepest, pupil.illumination, aim) + factor, aim)
     else:
         phases, rules, missed = np.zeros((1, 3)), pupil.samples, phase_roundings(pupil)
     window = window_of(pupil, grid)
-    values, slopes, lost = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUMS * error, wanted)
+    values, slopes, sum_error = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUM_SHARE * error, wanted)
     if pupil.mask is not None and pupil.mask.squares:
-        # Square cells: the field of samples times sinc along each axis (section 18, "The light of a mask"); squared
-        # for I.
+        # Square cells multiply the field by sinc along each axis, and I by its square (section 18, "The light of a
+        # mask").
         down, across = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * at) ** 2 for at in (grid.y, grid.x))
         cells = down[:, None] * across
         values, slopes = values * cells, slopes * cells
-    off = missed + lost
-    return values, slopes, off, off
+    field_bounds = missed + sum_error
+    return values, slopes, field_bounds, field_bounds

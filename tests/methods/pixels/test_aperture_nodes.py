@@ -12,7 +12,7 @@ from lommel.core.answers import Wanted
 from lommel.core.engine import aperture_averages, disk_averages
 from lommel.methods import nonuniform_fft
 from lommel.methods.nijboer_zernike import disk_stack, window_of
-from lommel.methods.nonuniform_fft import averaged_apertures, turned
+from lommel.methods.nonuniform_fft import averaged_apertures, transposed
 from lommel.optics.grid import Grid
 from pixel_samples import averages_of_samples
 
@@ -34,7 +34,7 @@ def by_rows(pupil, grid, count):
 
 @pytest.fixture(autouse=True)
 def every_stack(monkeypatch):
-    monkeypatch.setattr(nonuniform_fft, "_MAKING", 0.0)
+    monkeypatch.setattr(nonuniform_fft, "_RULE_COST", 0.0)
 
 
 @pytest.mark.parametrize(
@@ -84,7 +84,7 @@ def test_sums_are_those_of_the_disk_where_weights_are(tol):
         return weights, 0.5 * given[1], given[2]
 
     for swap in (False, True):
-        by = (turned(stack), window._replace(shape=(7, 4), center=(3.2, 1.7))) if swap else (stack, window)
+        by = (transposed(stack), window._replace(shape=(7, 4), center=(3.2, 1.7))) if swap else (stack, window)
         made = aperture_averages(*by, 0.8, 1.0, tol, Wanted(threads=1), rule)
         values = made.values.swapaxes(1, 2) if swap else made.values
         np.testing.assert_allclose(values, exact.values, atol=1e-5 if tol > 1e-6 else 1e-9)
@@ -108,7 +108,7 @@ def test_derivatives_are_those_of_samples():
     }
     made = lm.psf(pupil, (5, 8), 1.3, tol=1e-6, **more)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(nonuniform_fft, "_FEWEST", 10**9)
+        patch.setattr(nonuniform_fft, "_MIN_IMAGES", 10**9)
         exact = lm.psf(pupil, (5, 8), 1.3, tol=1e-9, **more)
     for name in more["derivatives"]:
         off = np.abs(made.derivatives[name] - exact.derivatives[name]).max(axis=(1, 2))
@@ -131,5 +131,5 @@ def test_apertures_that_do_not_serve_have_none():
 def test_a_rule_is_made_where_enough_pupils_take_it(monkeypatch):
     rng = np.random.default_rng(3)
     wanted, grid = Wanted(dtype=np.float64, threads=1), Grid(15, 2.0, integrate=True)
-    monkeypatch.setattr(nonuniform_fft, "_MAKING", 1.0)
+    monkeypatch.setattr(nonuniform_fft, "_RULE_COST", 1.0)
     assert averaged_apertures(pupils(rng, 5, 0.1, spider=VANES), grid, 1e-4, wanted) is None

@@ -10,44 +10,44 @@ from typing import Any, TypeVar
 
 from lommel.base.validation import shown
 
-_Door = TypeVar("_Door", bound=Callable[..., object])
+_Callable = TypeVar("_Callable", bound=Callable[..., object])
 
 
-def shares(keywords: type, source: Callable[..., object], **defaults: object) -> Callable[[_Door], _Door]:
+def shares(keywords: type, source: Callable[..., object], **defaults: object) -> Callable[[_Callable], _Callable]:
     """Return a decorator that lists the options of `keywords` in a signature and its docstring (``{options}``).
 
     `source` is a dataclass or function that has them; a subclass may restate the default and text of an option.
     """
 
-    def show(door: _Door) -> _Door:
-        made: Any = door.__init__ if isinstance(door, type) else door  # type: ignore[misc]
-        found = inspect.signature(made)
-        own = [p for p in found.parameters.values() if p.kind is not p.VAR_KEYWORD]
+    def show(function: _Callable) -> _Callable:
+        call: Any = function.__init__ if isinstance(function, type) else function  # type: ignore[misc]
+        signature = inspect.signature(call)
+        own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
         shared = [
             p.replace(kind=p.KEYWORD_ONLY, default=defaults.get(p.name, p.default))
             for p in inspect.signature(source).parameters.values()
             if p.name in keywords.__annotations__
         ]
-        made.__signature__ = found.replace(parameters=[*own, *shared])
-        if door.__doc__:  # there is none with python -OO
+        call.__signature__ = signature.replace(parameters=[*own, *shared])
+        if function.__doc__:  # there is none with python -OO
             names = {p.name for p in shared}
             text = "\n".join(
-                f"{head} : {said}" for head, said in _texts(source).items() if names & {*head.split(", ")}
+                f"{head} : {body}" for head, body in _texts(source).items() if names & {*head.split(", ")}
             )
-            door.__doc__ = inspect.cleandoc(door.__doc__).replace("{options}", text)
-        return door
+            function.__doc__ = inspect.cleandoc(function.__doc__).replace("{options}", text)
+        return function
 
     return show
 
 
 def sentence(source: Callable[..., object], name: str) -> str:
-    """Return the description of one option from a docstring, in one line and without its type."""
-    found = (said for head, said in _texts(source).items() if name in head.split(", "))
-    return " ".join(next(found, "").partition("\n")[2].split())
+    """Return the description of an option from the docstring of `source`, in one line and without its type."""
+    texts = (body for head, body in _texts(source).items() if name in head.split(", "))
+    return " ".join(next(texts, "").partition("\n")[2].split())
 
 
 def _texts(source: Callable[..., object]) -> dict[str, str]:
-    """Return the entries of the section Parameters by their names, of base classes first: text from the type on."""
+    """Return the entries of the section Parameters, those of base classes first: names, and the text after the colon."""
     found: dict[str, str] = {}
     for kind in reversed(getattr(source, "__mro__", (source,))):
         section = inspect.cleandoc(kind.__doc__ or "").partition("Parameters\n----------\n")[2]
@@ -56,16 +56,16 @@ def _texts(source: Callable[..., object]) -> dict[str, str]:
     return found
 
 
-def require_known(door: Callable[..., object], given: Mapping[str, object], keywords: type) -> None:
-    """Raise TypeError for an option that is not one of these keywords, naming all that `door` takes."""
-    if stray := [name for name in given if name not in keywords.__annotations__]:
-        known = [p.name for p in inspect.signature(door).parameters.values() if p.kind is p.KEYWORD_ONLY]
-        raise TypeError(f"{door.__qualname__}() has no option {shown(stray[0])}; {near(stray[0], known)}")
+def require_known(function: Callable[..., object], given: Mapping[str, object], keywords: type) -> None:
+    """Raise TypeError for an option that `keywords` lacks; the message lists the options of `function`."""
+    if unknown := [name for name in given if name not in keywords.__annotations__]:
+        known = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
+        raise TypeError(f"{function.__qualname__}() has no option {shown(unknown[0])}; {near(unknown[0], known)}")
 
 
 def near(name: str, known: Iterable[str]) -> str:
     """Return a suggestion for a misspelt name, or the list of all valid ones."""
     each = {one.lower(): one for one in known}
-    # Cut to 60 letters: difflib takes time in proportion to the square of the length.
-    found = difflib.get_close_matches(name[:60].lower(), each, n=1)
-    return f"did you mean {each[found[0]]}?" if found else f"known are {', '.join(each.values())}"
+    # Limited to 60 characters: the time of difflib grows with the square of the length.
+    matches = difflib.get_close_matches(name[:60].lower(), each, n=1)
+    return f"did you mean {each[matches[0]]}?" if matches else f"known are {', '.join(each.values())}"

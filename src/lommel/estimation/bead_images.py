@@ -303,7 +303,7 @@ class BeadImages:
         squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
         # The rms phase of the terms, and the largest tilt by drift.
         phase = math.sqrt(float((plain * plain) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
-        made = light_by_rule.enough(max(ends) * window.step, phase)
+        made = light_by_rule.search_rule(max(ends) * window.step, phase)
         if made.chords > _MOST_NODES:
             raise Declined("aberrations are too strong")
         return made

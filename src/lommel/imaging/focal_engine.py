@@ -1,4 +1,4 @@
-"""Tables and streams of one kind of frames, as live depth and depth from photographs share them."""
+"""Filter tables and streams shared by live depth and depth from photographs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from lommel.recorded.noise import Noise
 Frame = Values
 
 MAGNIFICATIONS = ("registered", "lens")
-"""How frames of different focus are magnified: alike, or as by a lens at their sensor distances."""
+"""Magnification of frames of different focus: equal (registered), or proportional to the sensor distances."""
 
 
 class DefocusKeywords(TypedDict, total=False):
@@ -64,7 +64,7 @@ class DefocusOptions:
 
 
 def relative_exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
-    """Return exposures over the first; TypeError or ValueError unless they are `count` numbers above 0."""
+    """Return exposures relative to the first; TypeError or ValueError unless they are `count` positive numbers."""
     values = validation.real_array("exposures", given, least=1e-6, most=1e6)
     if values.shape != (count,):
         raise ValueError(f"exposures must be {count} numbers > 0, one for each lens, got {validation.shown(given)}")
@@ -72,12 +72,12 @@ def relative_exposures(given: Sequence[float], count: int) -> tuple[float, ...]:
 
 
 class Registration:
-    """Frames at the scale of the first, about their middle.
+    """Resampling of frames to the magnification of the first, about the image centre.
 
     Parameters
     ----------
     magnification : {"registered", "lens"}
-        How they differ.
+        Magnification of the frames; see MAGNIFICATIONS.
     lenses : sequence of Lens
     size : (int, int)
         Height and width, pixels.
@@ -86,44 +86,44 @@ class Registration:
     Attributes
     ----------
     scales : tuple of float
-        Pitch that each frame has since, in pixels.
+        Original pixel pitch of each resampled frame, in its new pixels.
     """
 
     def __init__(self, magnification: str, lenses: Sequence[Lens], size: tuple[int, int], threads: int) -> None:
         self.scales = (1.0,) * len(lenses)
         if validation.choice("magnification", magnification, MAGNIFICATIONS) == "lens":
-            # The image of a direction is as large as the sensor is distant from the pupil.
+            # Image height is proportional to the distance from pupil to sensor.
             self.scales = tuple(lens.sensor_distance / lenses[0].sensor_distance for lens in lenses)
         self._scales = [FocalScale(*size, scale, threads) if scale != 1.0 else None for scale in self.scales]
-        self._made = [None if one is None else np.empty(size, dtype=np.float32) for one in self._scales]
+        self._buffers = [None if one is None else np.empty(size, dtype=np.float32) for one in self._scales]
 
     def __bool__(self) -> bool:
         """Whether any frame is resampled."""
         return any(self._scales)
 
     def __call__(self, frames: list[Frame], full: float, known: NDArray[np.uint8] | None) -> list[Frame]:
-        """Return frames, in arrays that the next call overwrites; NaN where they depend on unknown pixels."""
-        made = list(frames)
-        for k, (scale, out) in enumerate(zip(self._scales, self._made, strict=True)):
+        """Return resampled frames, in arrays that the next call overwrites; NaN where unknown pixels contribute."""
+        resampled = list(frames)
+        for k, (scale, out) in enumerate(zip(self._scales, self._buffers, strict=True)):
             if scale is not None and out is not None:
                 scale(frames[k], full, known, out)
-                made[k] = out
-        return made
+                resampled[k] = out
+        return resampled
 
 
 class FrameForm:
-    """What frames of one camera have in common; TypeError or ValueError that names the argument at fault.
+    """Shape, noise and valid pixels of the frames of a camera; TypeError or ValueError for invalid arguments.
 
     Parameters
     ----------
     shape : (int, int) or (int, int, int)
         Height, width, and channels if any.
     noise : Noise
-        With numbers, not maps.
+        Noise, the same for all pixels.
     saturation : float or None
-        Value from which on pixels are full, as is the largest of unsigned integers.
+        Pixel value from which on pixels are saturated. The largest unsigned integer counts as saturated too.
     known : array_like of bool, or None
-        Pixels of the sensor that are not broken.
+        True for working pixels of the sensor, False for defective ones.
     """
 
     def __init__(
@@ -138,8 +138,8 @@ class FrameForm:
         self.channels = validation.integer("shape[2]", shape[2], least=1, most=16) if len(shape) == 3 else 1
         if validation.instance("noise", noise, Noise).excess != 1.0:
             raise ValueError(
-                f"noise must have no excess for live frames, got excess={noise.excess:g}: give noise.poisson, whose "
-                "electrons are those of the light over it"
+                f"noise must have no excess for live frames, got excess={noise.excess:g}: give noise.poisson, which "
+                "counts electrons divided by the excess"
             )
         for name in ("white", "read", "offset"):
             if not isinstance(getattr(noise, name), float | None):
@@ -158,7 +158,7 @@ class FrameForm:
 
     @property
     def masked(self) -> bool:
-        """Whether some pixels of the sensor are broken."""
+        """True if some pixels of the sensor are defective."""
         return self._known is not None
 
     def checked(self, name: str, frame: Frame) -> Frame:
@@ -179,7 +179,7 @@ class FrameForm:
         return min(self._saturation, float(np.iinfo(dtype).max) if dtype.kind == "u" else math.inf)
 
     def known(self, frames: Sequence[Frame], full: float, given: ArrayLike | None) -> NDArray[np.uint8] | None:
-        """Return the known pixels of the sensor and of frames, in all channels and by mask; None if all are."""
+        """Return the mask of pixels that are valid in the sensor, in `given` and in all channels; None if all are."""
         masks = [] if self._known is None else [self._known]
         if given is not None:
             masks.append(self._mask(given))
@@ -199,7 +199,7 @@ class FrameForm:
         return np.ascontiguousarray(mask).view(np.uint8)
 
     def image(self, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
-        """Return the array an image is written to; ValueError unless `out` is a frame of float32."""
+        """Return `out`, or a new array for an image; ValueError unless `out` is a contiguous frame of float32."""
         if out is None:
             return np.empty(self.shape, dtype=np.float32)
         if out.shape != self.shape or out.dtype != np.float32 or not out.flags.c_contiguous:
@@ -208,25 +208,25 @@ class FrameForm:
 
 
 BLOCK = 4
-"""Pixels a side of the blocks that energies are summed over."""
+"""Side, in pixels, of the blocks over which the energies of filtered images are summed."""
 
 CONTRAST = 0.2
-"""Of the texture that filters are designed for: the rms over the mean of structures of 2 to 128 pixels."""
+"""Texture contrast for which filters are designed: rms over mean of structures of 2 to 128 pixels."""
 
-_USUAL = 61  # least number of candidates by default
-_STEP, _LARGEST_STEP = 0.75, 2.0  # radians of defocus from one candidate to the next
-_EDGE = 0.3  # or pixels of movement of the blur's edge, where that is more
-_MOST_RANK = 48  # largest number of images whose products make energies
-_KNOWN = 0.17  # of the range of vergence: largest standard error of a known depth
-_MARGIN = 0.02  # of the range, by which the vergence of what is known may lie beyond it
-_CHANGE = 0.01  # relative change of f-numbers, and of candidates, for derivatives
-_SOME = 15  # candidates at which these derivatives are computed
-_FOCI = 5  # foci that the basis of refocused images is made from
-_MOST_WEIGHTS = 30  # largest number of weights on a side of a window
+_MIN_CANDIDATES = 61  # smallest default number of candidate depths
+_STEP, _LARGEST_STEP = 0.75, 2.0  # defocus between neighbouring candidates, radians at the pupil edge
+_EDGE = 0.3  # change of the blur radius between neighbouring candidates, pixels, if that is a larger step
+_MAX_RANK = 48  # largest number of filtered images per channel
+_KNOWN = 0.17  # largest standard error of a known depth, as a share of the vergence range
+_MARGIN = 0.02  # margin outside the range for estimated depths, as a share of the vergence range
+_CHANGE = 0.01  # finite difference for derivatives: relative change of f-numbers, share of a candidate step
+_DERIVATIVE_CANDIDATES = 15  # number of candidates at which these derivatives are computed
+_FOCI = 5  # number of foci from which the basis of refocused images is computed
+_MAX_WEIGHTS = 30  # largest number of block weights on each side of a window
 
 
 class FocalTask(NamedTuple):
-    """Frames and the request for depths: blocks of `block` pixels a side, with `fine` depths along either axis."""
+    """Frames and requested depth map: blocks of `block` pixels a side, `fine` depths along each axis of a block."""
 
     lenses: Sequence[Lens]
     vergence: Array
@@ -243,7 +243,7 @@ class FocalTask(NamedTuple):
     def model(
         self, light: FocalLight, channel: int = 0, binning: int = 1, lenses: Sequence[Lens] | None = None
     ) -> FocalModel:
-        """Return the model of a channel, in squares of pixels, of these lenses or others."""
+        """Return the model of a channel with pixels binned, for `lenses` or by default those of the task."""
         return FocalModel.of(
             lenses or self.lenses,
             self.vergence,
@@ -259,7 +259,7 @@ class FocalTask(NamedTuple):
 def ranged(
     between: tuple[float, float], lenses: Sequence[Lens], pixel: float, count: int | None, most: int
 ) -> tuple[tuple[float, float], Array]:
-    """Return a range of distances and the vergence of its candidates; TypeError or ValueError."""
+    """Return the checked range of distances, and the vergences (1/m) of the candidate depths in it."""
     if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
         raise TypeError(f"between must be the nearest and the farthest distance, got {validation.shown(between)}")
     near = validation.real("between[0]", between[0], above=0.0, unit="metres")
@@ -268,15 +268,15 @@ def ranged(
         raise ValueError(f"between must be the nearest and the farthest distance, got {near:g} and {far:g} m")
     span = 0.0
     for lens in lenses:
-        # The edge of the blur moves by 4 lambda N / pi a radian.
+        # The blur radius changes by 4 lambda N / pi per radian of defocus.
         wide = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
         span = max(span, float(abs(np.diff(lens.defocus([near, far]))[0])) * min(1.0, wide / _EDGE))
     if count is None:
-        count = max(_USUAL, math.ceil(span / _STEP) + 1)
+        count = max(_MIN_CANDIDATES, math.ceil(span / _STEP) + 1)
         if count > most:
             raise ValueError(
-                f"between spans defocus for which it takes {count} candidates, more than {most}: name nearer limits, "
-                "stop down, or bin pixels"
+                f"between spans so much defocus that {count} candidates are needed, more than {most}: name nearer "
+                "limits, stop down, or bin pixels"
             )
     else:
         count = validation.integer("candidates", count, least=max(9, math.ceil(span / _LARGEST_STEP) + 1), most=most)
@@ -284,13 +284,13 @@ def ranged(
 
 
 class FocalEngine:
-    """Tables for one level of light; streams for frames of any shape.
+    """Filter tables for one light level, and streams that filter frames of any shape.
 
     Parameters
     ----------
     task : FocalTask
     light : FocalLight
-        Of a pixel of each channel.
+        Light per pixel of each channel.
     """
 
     def __init__(self, task: FocalTask, light: FocalLight) -> None:
@@ -303,11 +303,11 @@ class FocalEngine:
             for channel in range(1, len(task.spectra))
         ]
         self.channels = [first, *rest]
-        if self.rank > _MOST_RANK:
+        if self.rank > _MAX_RANK:
             near, far = task.between
             raise ValueError(
-                f"between must span less defocus: depths from {near:g} to {far:g} m take {self.rank} filters, more "
-                f"than {_MOST_RANK}; name nearer limits, stop down, or bin pixels"
+                f"between must span less defocus: depths from {near:g} to {far:g} m need {self.rank} filters, more "
+                f"than {_MAX_RANK}; name nearer limits, stop down, or bin pixels"
             )
         self._low, self._high = ((1.0 / each - first.vergence[0]) / first.step for each in task.between[::-1])
         self._factors = lru_cache(maxsize=16)(self._factors_of)
@@ -315,12 +315,12 @@ class FocalEngine:
 
     @property
     def binning(self) -> int:
-        """Pixels a side of the squares that frames are filtered in."""
+        """Binning of frames before filtering, pixels along each axis."""
         return self.channels[0].binning
 
     @property
     def rank(self) -> int:
-        """Number of images whose products make all energies of a channel."""
+        """Number of filtered images, whose products give all energies of a channel."""
         return max(one.rank for one in self.channels)
 
     @property
@@ -338,38 +338,38 @@ class FocalEngine:
 
     @property
     def design_error(self) -> float:
-        """Largest bias of the filters by themselves within the range, in standard errors of a window."""
+        """Largest bias of the filter design within the range, in standard errors of a window."""
         inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
-        found = [np.abs(one.bias / one.errors)[inner].max() for one in self.channels]
-        # Tables give biases and errors of a pixel; the error of a window of n independent pixels is sqrt(n) less.
-        return float(max(found)) * math.sqrt(self._pixels) / self.binning
+        ratios = [np.abs(one.bias / one.errors)[inner].max() for one in self.channels]
+        # Errors in tables are those of one pixel; a window of n independent pixels has sqrt(n) smaller ones.
+        return float(max(ratios)) * math.sqrt(self._pixels) / self.binning
 
     def by_lenses(self, vergence: Array) -> Array:
-        """Return how vergences that are found, of any shape, change with those stated: (1 + frames, *that shape).
+        """Return derivatives of the estimated vergence by lens parameters, (1 + frames, *vergence.shape).
 
-        First with the logarithm of all f-numbers, 1 / m, then with the vergence in focus of each frame.
+        First by the logarithm of all f-numbers (1 / m), then by the in-focus vergence of each frame.
         """
         at, changes = self._by_lenses
         return np.stack([np.interp(vergence, at, each) for each in changes])
 
     @cached_property
     def _by_lenses(self) -> tuple[Array, Array]:
-        """Derivatives at some candidates, (1 + frames, candidates), and before them the vergence of these."""
+        """Vergences of a few candidates, and the derivatives there, (1 + frames, candidates)."""
         step, every = self.channels[0].step, self.task.vergence
-        at = every[np.linspace(1, len(every) - 2, _SOME).round().astype(int)]
+        at = every[np.linspace(1, len(every) - 2, _DERIVATIVE_CANDIDATES).round().astype(int)]
         threes = self.task._replace(vergence=(at[:, None] + step * np.arange(-1.0, 2.0)).ravel())
         model = threes.model(self.light, 0, self.binning)
         closed = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
         other = self.task._replace(vergence=at).model(self.light, 0, self.binning, closed)
-        found = [step / _CHANGE * shifts(model, other)]
+        changes = [step / _CHANGE * shifts(model, other)]
         # Central differences: groups of three candidates, one step apart.
         slope, own = 0.5 * (model.transfer[2::3] - model.transfer[::3]), model.at(slice(1, None, 3))
         for frame in range(len(closed)):
-            # The transfer function is that of the difference of the vergence from that in focus, but for 1 - f u.
+            # The transfer function depends on vergence minus in-focus vergence u, apart from 1 - f u.
             transfer = own.transfer.copy()
             transfer[:, frame] -= _CHANGE * slope[:, frame]
-            found.append(shifts(model, replace(own, transfer=transfer)) / _CHANGE)
-        return at, np.array(found)
+            changes.append(shifts(model, replace(own, transfer=transfer)) / _CHANGE)
+        return at, np.array(changes)
 
     @property
     def known(self) -> float:
@@ -379,18 +379,18 @@ class FocalEngine:
 
     @property
     def of_least(self) -> float:
-        """Mean amount by which the least of an energy is below that of the true depth."""
+        """Mean difference between the energy of the true depth and the minimum energy, which is smaller."""
         return self.binning**2 / self._pixels
 
     def averaged(self, blocks: Array) -> Array:
-        """Return means of blocks, (rows, columns), over windows."""
+        """Return weighted means of blocks, (rows, columns), over the window of each block."""
         from scipy.ndimage import correlate1d
 
         along = np.append(self._weights[:0:-1], self._weights)
         return np.asarray(correlate1d(correlate1d(blocks, along, 0), along, 1))
 
     def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
-        """Compute tables of sharp images, and of other foci; with the filters of depth if a stream is shared."""
+        """Compute tables of sharp images, and of refocused ones; `shared`: with the filters of the depth stream."""
         task, tables = self.task, self.channels[0]
         taps, degree = (tables.taps, tables.degree) if shared else (Taps.of(5), 12)
         near, far = (1.0 / each for each in task.between)
@@ -403,11 +403,11 @@ class FocalEngine:
             self.images.append(SharpTables(model, taps, degree, targets))
 
     def stream(self, shape: tuple[int, int], *, images: bool = False) -> FocalStream:
-        """Return the stream that finds depth in frames of a shape, and makes images of the first channel."""
+        """Return the stream that estimates depth from frames of a shape, and sharp images of the first channel."""
         tables, rank = self.channels[0], self.rank
         residuals = np.zeros((len(self.channels), rank, *tables.basis.shape[1:]))
         forms = []
-        # Channels have different ranks: all are filled up with zeros to the largest.
+        # Channels of lower rank are padded with zeros.
         for one, basis in zip(self.channels, residuals, strict=True):
             basis[: one.rank] = one.basis
             forms.append(one.forms(rank))
@@ -419,13 +419,13 @@ class FocalEngine:
         )
 
     def image_stream(self, shape: tuple[int, int], channel: int = 0) -> FocalStream:
-        """Return the stream that makes sharp images of a channel of frames of a shape."""
+        """Return the stream that computes sharp images of a channel from frames of a shape."""
         tables = self.images[channel]
         none = np.zeros((1, 0, *tables.basis.shape[1:]))
         return self._stream(shape, 1, tables.taps, none, tables.basis, np.zeros((0, 0)), np.zeros((5, 0)))
 
     def tables(self, white: float, offset: float, full: float) -> bytes:
-        """Return tables of one channel and of sharp images, as cpp/include/lommel/focal/file.hpp reads them."""
+        """Return tables of one channel and of sharp images in the format of cpp/include/lommel/focal/file.hpp."""
         one, count = self.channels[0], len(self.task.vergence)
         images = self.images[0] if self.images else None
         taps, degree = (one.taps, one.degree) if images is None else (images.taps, images.degree)
@@ -455,7 +455,7 @@ class FocalEngine:
         """Return the scalar parameters of a stream."""
         tables, margin = self.channels[0], _MARGIN * len(self.task.vergence)
         return (
-            # Sums over binning^2 pixels have binning^2 times the variance of reading.
+            # The read-noise variance of a sum of binning^2 pixels is binning^2 times that of one.
             (self.light.read * binning) ** 2,
             self._pixels / binning**2,
             float(tables.vergence[0]),
@@ -490,7 +490,7 @@ class FocalEngine:
         )
 
     def factors(self, channel: int, lens: Lens | None) -> NDArray[np.float32]:
-        """Return the weights that mix basis images to a sharp one of a channel, or to that of a lens."""
+        """Return the weights of basis images in the sharp image of a channel, or in the image of `lens`."""
         return self._factors(channel, lens)
 
     def _factors_of(self, channel: int, lens: Lens | None) -> NDArray[np.float32]:
@@ -499,22 +499,22 @@ class FocalEngine:
         return np.ascontiguousarray(images.mixes(target), dtype=np.float32)
 
     def _target(self, lens: Lens, spectrum: Spectrum, model: FocalModel) -> Array:
-        """Return the transfer function of a lens for each candidate, with that of the pixel."""
+        """Return the transfer function of lens and pixel for each candidate."""
         curve = self.task.transfer(lens, self.task.vergence, spectrum, self.task.pixel)
         band = model.band
-        # A square pixel's transfer function, sinc fx sinc fy, with frequencies in cycles a pixel.
+        # Square pixel: sinc(fx) sinc(fy), frequencies in cycles per pixel.
         return np.asarray(curve(np.hypot(band.fx, band.fy)) * (np.sinc(band.fx) * np.sinc(band.fy)))
 
 
 def block_weights(window: float, block: int) -> tuple[Array, float]:
-    """Return block weights from the middle on, for a window of an rms width in pixels, and its independent pixels."""
-    # The variance of a block's own width, side^2 / 12, is part of the window's.
+    """Return block weights for an rms width `window`, and the number of independent pixels."""
+    # The variance of the window includes that of a block, side^2 / 12.
     rms = math.sqrt(max(window**2 - block**2 / 12.0, 0.04)) / block
-    away = np.arange(min(math.ceil(2.0 * rms), _MOST_WEIGHTS) + 1)
+    away = np.arange(min(math.ceil(2.0 * rms), _MAX_WEIGHTS) + 1)
     weights = np.exp(-0.5 * (away / rms) ** 2)
     weights /= weights[0] + 2.0 * weights[1:].sum()
     along = float(weights[0] ** 2 + 2.0 * (weights[1:] ** 2).sum()) / block
-    # Independent pixels of weights w: (sum w)^2 / sum w^2, along each axis.
+    # Along each axis, weights w have (sum w)^2 / sum w^2 independent pixels.
     return weights, 1.0 / along**2
 
 

@@ -32,8 +32,8 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_MARGIN = 8.0  # radians of defocus drawn beyond all foci
-_NEAREST = 0.05  # of the sensor's distance: least distance of a drawn sensor from the lens
+_MARGIN = 8.0  # defocus drawn beyond the outermost foci, radians
+_NEAREST = 0.05  # smallest drawn distance from lens to sensor, as a share of the actual distance
 
 
 class Moved(NamedTuple):
@@ -42,11 +42,12 @@ class Moved(NamedTuple):
     Attributes
     ----------
     at : ndarray, shape (n,)
-        Shift of the sensor away from the lens, metres; for pupils in units of lambda*N the added C_d, radians.
+        Shift of the sensor away from the lens, metres. For pupils in units of lambda*N the added defocus coefficient
+        C_d, radians at the pupil edge.
     metric : bool
-        Whether `at` is in metres.
+        True if `at` is in metres.
     pupils : tuple of Pupil
-        For a lens one for each position, with its working f-number there; for a pupil one stack.
+        For a lens one pupil for each position, with the working f-number there; for a pupil a single stack.
     """
 
     at: Array
@@ -62,10 +63,10 @@ def moved(
     Parameters
     ----------
     thing : Lens or Pupil
-        A single one. For a lens the shifts are exact. A pupil with a wavelength keeps its f-number: a shift by z adds
-        ``C_d = -pi z / (8 lambda N^2)``, for z small compared with the sensor distance.
+        Lens or single pupil. For a lens the shifts are exact. A pupil with a wavelength keeps its f-number N: a shift
+        by z adds ``C_d = -pi z / (8 lambda N^2)``, valid for z small compared with the sensor distance.
     object_distance : float, optional
-        Object distance of a lens, metres; by default that in focus.
+        Object distance of a lens, metres; by default the focus distance.
     reach : float, optional
         Largest shift in both directions: metres, or radians for a pupil in units of lambda*N. By default it includes
         the focus of each zone of the aperture and the sensor, with a margin.
@@ -84,45 +85,45 @@ def moved(
     n = validation.integer("count", count, least=3, most=4096)
     lens = thing if isinstance(thing, Lens) else None
     if lens is None and object_distance is not None:
-        raise ValueError("object_distance must be None for a pupil, which has its object; pass the lens")
+        raise ValueError("object_distance must be None for a pupil, whose object is fixed; pass the lens")
     pupil = checked_psf(thing if lens is None else lens.pupil(object_distance))
     if pupil.shape != ():
         raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}")
     low, high = _foci(pupil)
     if lens is not None:
-        at = _places(lens, low, high) if reach is None else _even(reach, lens.sensor_distance, n)
+        at = _shift_range(lens, low, high) if reach is None else _even_shifts(reach, lens.sensor_distance, n)
         at = np.linspace(at[0], at[-1], n)
         lenses = (replace(lens, sensor_distance=lens.sensor_distance + float(z)) for z in at)
         distance = pupil.geometry.object_distance[0] if pupil.geometry else object_distance
         return Moved(at, True, tuple(each.pupil(distance) for each in lenses))
     step = 1.0 if pupil.wavelength is None else -8.0 * pupil.scale**2 / (math.pi * pupil.wavelength)
     first, last = sorted((step * low, step * high))
-    at = np.linspace(first, last, n) if reach is None else _even(reach, math.inf, n)
+    at = np.linspace(first, last, n) if reach is None else _even_shifts(reach, math.inf, n)
     stack = replace(pupil, wavefront=pupil.wavefront + Wavefront(at / step), geometry=None)
     return Moved(at, pupil.wavelength is not None, (stack,))
 
 
 def section(through: Moved, x: Array) -> Array:
-    """Return the intensity along x, through the axis, for each sensor position.
+    """Return the intensity along x, on a line through the axis, for each sensor position.
 
     Parameters
     ----------
     through : Moved
     x : ndarray, shape (m,)
-        Equally spaced, odd in number, the central one 0; metres or units of lambda*N.
+        Equally spaced positions, odd in number, with 0 at the centre; metres or units of lambda*N.
 
     Returns
     -------
     ndarray, shape (n, m)
-        Intensity relative to the same aperture without aberration, in focus at the initial sensor position; within
-        1e-6 of the peak of each position, the tolerance of the default method.
+        Intensity relative to the peak of the same aperture without aberration, in focus at the initial sensor
+        position. The error is below 1e-6 of the peak at each position, the tolerance of the default method.
     """
     middle = through.pupils[len(through.pupils) // 2]
     step = float(x[-1] - x[0]) / max(x.size - 1, 1)
     rows = []
     for pupil in through.pupils:
-        # Intensity per area falls with the square of the scale.
-        spread = (middle.scale / pupil.scale) ** 2  # the same light on more of the sensor
+        # Irradiance is inversely proportional to the square of the scale lambda*N.
+        spread = (middle.scale / pupil.scale) ** 2
         if pupil.radial:
             method: Method = of_profiles()
             v, back = np.unique(pupil.v(np.abs(x)), return_inverse=True)
@@ -130,34 +131,37 @@ def section(through: Moved, x: Array) -> Array:
         else:
             grid = Grid((1, x.size), step, center=(0.0, float(x.size // 2)))
 
-            def ask(way: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
-                return way.images(pupil, grid, Wanted())
+            def compute(method: Method, pupil: Pupil = pupil, grid: Grid = grid) -> Images:
+                return method.images(pupil, grid, Wanted())
 
-            method, made = first_within_tolerance(candidates(pupil, grid), ask)
-            values = made.values[:, 0]
+            method, images = first_within_tolerance(candidates(pupil, grid), compute)
+            values = images.values[:, 0]
         rows.append(values * (spread / method.unaberrated_peak(pupil)))
     return np.concatenate(rows).astype(np.float64)
 
 
 def _foci(pupil: Pupil) -> tuple[float, float]:
-    """Return the range of defocus, radians, that brings each zone to focus, including 0 and a margin."""
+    """Return a range of added defocus, radians, that includes the focus of every zone, 0 and a margin."""
     t = np.linspace(pupil.obscuration**2, 1.0, 129)
-    # The defocus that brings a zone to focus cancels the slope of the phase in t = rho^2; defocus is C_d (2 t - 1).
+    # Defocus C_d (2 t - 1), t = rho^2, brings a zone to focus if it cancels the slope of the phase in t.
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     low, high = min(-0.5 * float(slope.max()), 0.0), max(-0.5 * float(slope.min()), 0.0)
-    room = _MARGIN + 0.25 * (high - low)
-    return low - room, high + room
+    margin = _MARGIN + 0.25 * (high - low)
+    return low - margin, high + margin
 
 
-def _places(lens: Lens, low: float, high: float) -> Array:
-    """Return the sensor shifts that add so much defocus, ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2``."""
+def _shift_range(lens: Lens, low: float, high: float) -> Array:
+    """Return the sensor shifts that add the defocus ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2`` = high and low.
+
+    R is the aperture radius, d and d' are the sensor distances before and after the shift.
+    """
     d, radius = lens.sensor_distance, 0.5 * lens.aperture_diameter
     vergence = 1.0 / d + np.array([high, low]) * (2.0 * lens.wavelength / (math.pi * radius**2))
-    # Where a focus is beyond all distances, as far as it is light.
+    # Distances are limited to 0.05 to 3 times the actual one; a focus may lie at infinity.
     return np.asarray(1.0 / np.clip(vergence, 1.0 / (3.0 * d), 1.0 / (_NEAREST * d)) - d)
 
 
-def _even(reach: float, sensor_distance: float, count: int) -> Array:
+def _even_shifts(reach: float, sensor_distance: float, count: int) -> Array:
     far = validation.real("reach", reach, above=0.0)
     if far >= sensor_distance:
         raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {far:g}")
@@ -165,7 +169,7 @@ def _even(reach: float, sensor_distance: float, count: int) -> Array:
 
 
 _ACROSS = 241  # points along x
-_CUTOFF_SHARES = (0.1, 0.25, 0.5)  # of the cutoff
+_CUTOFF_SHARES = (0.1, 0.25, 0.5)  # default frequencies as shares of the cutoff
 _TOL = 1e-6
 
 
@@ -184,17 +188,17 @@ def through_focus(
     Parameters
     ----------
     thing : Lens or Pupil
-        A single one. For a pupil in units of lambda*N the horizontal axis is the added defocus C_d, radians, which
-        decreases as the sensor moves away.
+        Lens or single pupil. For a pupil in units of lambda*N the horizontal axis is the added defocus coefficient
+        C_d (radians at the pupil edge), which decreases as the sensor moves away.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title and a bar.
+        By default a new figure with a title and a colour bar.
     object_distance : float, optional
-        Object distance of a lens, metres; by default that in focus.
+        Object distance of a lens, metres; by default the focus distance.
     reach : float, optional
         Largest shift of the sensor in both directions: metres, or radians; see :func:`lommel.show.curves.moved`.
     half_width : float, optional
-        Half width in x, metres or units of lambda*N; by default the extent of the rays. For a long range around a
-        sharp focus, which may fall between the 241 points, give `half_width` and `reach`.
+        Half width in x, metres or units of lambda*N; by default that of the geometric blur. A sharp focus in a long
+        range may fall between the 241 points along x: give `half_width` and `reach` there.
     planes : int, default 161
         Number of sensor positions.
     stretch : {"sqrt", "linear", "log"}
@@ -257,15 +261,16 @@ def focus_curves(
     Parameters
     ----------
     thing : Lens or Pupil
-        A single one; for an aperture that is not circular or annular only the Strehl ratio is drawn.
+        Lens or single pupil. For a pupil with a mask only the Strehl ratio is drawn.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title.
+        By default a new figure with a title.
     object_distance, reach
-        As of :func:`lommel.show.curves.through_focus`.
+        See :func:`lommel.show.curves.through_focus`.
     frequency : float or sequence of float, optional
-        Cycles per metre, or per lambda*N; by default a tenth, a quarter and half of the cutoff. Curves along y are
-        dashed where they differ from those along x.
+        Frequencies in cycles per metre, or per lambda*N; by default a tenth, a quarter and half of the cutoff. If the
+        MTF along y differs from that along x it is drawn as dashed curves.
     planes : int, default 61
+        Number of sensor positions.
 
     Returns
     -------
@@ -302,7 +307,7 @@ def focus_curves(
 
 
 def _shift(through: Moved) -> tuple[Array, str]:
-    """Return the sensor positions as axes show them, and their label."""
+    """Return the sensor positions in the unit of the drawn axis, and the axis label."""
     if not through.metric:
         return through.at, "added defocus C_d (rad)"
     millimetres = float(np.abs(through.at).max()) >= 1e-3
@@ -311,7 +316,7 @@ def _shift(through: Moved) -> tuple[Array, str]:
 
 
 def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: float | None) -> str:
-    """Return a title: f-number, wavelength, object, and what the dashed line is."""
+    """Return a title: f-number, wavelength, object distance, and the meaning of the dashed line."""
     text = "through focus"
     if pupil.wavelength is not None:
         text = f"f/{pupil.f_number:.3g}, {drawing.length_in_words(pupil.wavelength)}"
@@ -322,23 +327,23 @@ def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: flo
 
 
 _POINTS = 129
-_MOST = 8  # largest number of pupils of a stack
+_MOST = 8  # largest number of curves drawn for a stack
 
 
 @display.register("mtf")
 def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:
-    """Draw the MTF along x and along y, with that of the unaberrated aperture and of the pixel.
+    """Draw the MTF along x and along y, with the MTF of the unaberrated aperture and of the pixel.
 
     Parameters
     ----------
     thing : Pupil or PSF
-        Of a stack at most eight are drawn, evenly spaced. The curves of a PSF include its blur and pixels:
-        :meth:`lommel.PSF.mtf`.
+        Pupil or PSF; of a stack at most eight evenly spaced members are drawn. The MTF of a PSF includes its blur and
+        pixels: :meth:`lommel.PSF.mtf`.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title.
+        By default a new figure with a title.
     pixel : float, optional
-        Pixel pitch, metres or units of lambda*N; by default that of a pixel-integrated PSF. The curves then include
-        the pixel; a dotted one is of the pixel alone, and a line marks the Nyquist frequency.
+        Pixel pitch for a pupil, metres or units of lambda*N; a PSF has its own. All curves then include the pixel, a
+        dotted curve is the MTF of the pixel alone, and a line marks the Nyquist frequency.
 
     Returns
     -------
@@ -347,7 +352,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     Raises
     ------
     TypeError, ValueError
-        If `thing` is neither, or a pixel is given for a PSF, which has its own.
+        If `thing` is of another type, or a pixel is given for a PSF.
     ImportError
         If matplotlib is not installed.
     """
@@ -361,15 +366,15 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
         pupil = checked_pupil(thing)
         side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
         sides = side, side
-    places = drawing.evenly_spaced_members(pupil.shape, _MOST)
-    words = drawing.of_pupils(pupil)
+    members = drawing.evenly_spaced_members(pupil.shape, _MOST)
+    titles = drawing.of_pupils(pupil)
     axes = drawing.new_axes(ax)
     factor, unit = drawing.frequencies(pupil.unit)
     most = pupil.cutoff * (thing.method.stretch(pupil) if is_psf(thing) else 1.0)
     f, zero = np.linspace(0.0, most, _POINTS), np.zeros(_POINTS)
-    for k, (place, index) in enumerate(places.items()):
+    for k, (place, index) in enumerate(members.items()):
         one = thing[index] if pupil.shape else thing
-        name = f"{words[place]}, " if pupil.shape else ""
+        name = f"{titles[place]}, " if pupil.shape else ""
         if _same_along_both(one, sides):
             axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
             continue
@@ -400,24 +405,24 @@ def _same_along_both(thing: Any, sides: tuple[float, float]) -> bool:
     """Return whether the curves along x and y coincide."""
     if not is_psf(thing):
         return bool(thing.radial)
-    turned = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
-    return thing.pupil.radial and sides[0] == sides[1] and not turned
+    directional = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
+    return thing.pupil.radial and sides[0] == sides[1] and not directional
 
 
 def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Array:
-    """Return the MTF of a single pupil with pixels of such sides, or of a single PSF."""
+    """Return the MTF of a single pupil with pixels of the given sides (y, x), or of a single PSF."""
     if not is_psf(thing):
         return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
     return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
 
 
 def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:
-    what = "modulation transfer function"
+    title = "modulation transfer function"
     if pixel is None:
-        return what
+        return title
     factor, unit = drawing.lengths(pupil.unit)
     sides = (pixel,) if isinstance(pixel, float) else pixel
-    return f"{what} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"
+    return f"{title} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"
 
 
 _RADII = 129
@@ -426,16 +431,16 @@ _SHARES = (0.5, 0.8)
 
 @display.register("encircled energy")
 def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-    """Draw the encircled energy about the axis, with that of the unaberrated aperture.
+    """Draw the encircled energy about the axis, with the encircled energy of the unaberrated aperture.
 
     Parameters
     ----------
     psf : PSF
-        Of a stack at most eight are drawn, evenly spaced.
+        Single PSF, or a stack, of which at most eight evenly spaced members are drawn.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title, for a single PSF with the radii of 50 and 80 %.
+        By default a new figure with a title, which gives the radii of 50 and 80 % of a single PSF.
     radius : float, optional
-        Largest radius, metres or units of lambda*N; by default that of the circle that fits into the window.
+        Largest radius, metres or units of lambda*N; by default that of the largest circle inside the window.
 
     Returns
     -------
@@ -450,8 +455,8 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
 
     Notes
     -----
-    The curve is :func:`lommel.measures.energy.encircled_energy`, with blur and pixels. For a single PSF of a lens the
-    dashed curve is that of the same aperture in focus and without aberration.
+    The curve is :func:`lommel.measures.energy.encircled_energy`, with blur and pixels. For a single PSF of a lens a
+    dashed curve shows the same aperture in focus and without aberration.
     """
     pupil = checked(psf, "psf").pupil
     validation.axes("ax", ax)
@@ -470,10 +475,10 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
         if isinstance(pupil, Pupil):
             ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), at)
             axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
-        found = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
-        told = [f"{percent(share)} within {half * factor:.3g} {unit}" for share, half in found.items()]
-        title = ", ".join([title, *told])
-        for share, half in found.items():
+        radii = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
+        notes = [f"{percent(share)} within {half * factor:.3g} {unit}" for share, half in radii.items()]
+        title = ", ".join([title, *notes])
+        for share, half in radii.items():
             axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)
     own, limits = title if ax is None else None, (0.0, far * factor)
     ylabel = "fraction of all light"
@@ -482,7 +487,7 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
 
 
 def _fitting(psf: PSFLike) -> float:
-    """Return the radius of the largest circle about the axis in all windows; for others half their longer side."""
+    """Return the radius of the largest circle about the axis in all windows, or else half of the longer side."""
     ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
     inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
     sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))

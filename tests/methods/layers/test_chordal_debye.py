@@ -178,7 +178,7 @@ def test_terms_of_high_degree_hardly_reach_a_small_window(seed):
     each = [fine(lambda rho, theta, n=n: zernike.radial(int(n), q, rho) * wave(rho, theta)) for n in degrees]
     # The worst amplitude of norm 1 without terms up to the degree.
     exact = np.sqrt(((degrees + 1.0) * np.abs(each) ** 2).sum())
-    bound = chordal_debye.left_out(size, degree)
+    bound = chordal_debye.truncation_error(size, degree)
     assert 1e-5 * bound <= exact + 1e-13 <= bound + 2e-13
 
 
@@ -273,7 +273,7 @@ def test_errors_of_fields_become_those_of_intensities_and_slopes(monkeypatch):
     pupil = OIL.pupil(depth=1e-6, z=0.2e-6, wavelength=WAVE, emitter=lm.Scalar("aplanatic"), aberrations=FIVE)
     grid, d = lm.Grid(7, PIXEL), 1e-3
     chordal_debye._case.cache_clear()
-    monkeypatch.setattr(chordal_debye, "left_out", lambda *_: 0.0)
+    monkeypatch.setattr(chordal_debye, "truncation_error", lambda *_: 0.0)
     monkeypatch.setattr(chordal_debye, "chordal_field_errors", lambda *_: np.full((3, 1, 1), d))
     by = chordal_debye.By((1,), ((2, 2),))
     values, error, largest = chordal_debye.intensities(pupil, grid, 1e-9, 1, by)

@@ -1,6 +1,6 @@
 """Small windows of a microscope with a measured wavefront: the chordal Gauss rule with projected amplitudes.
 
-For images the numbers of chords and nodes are proven; searches use stated ones, without a bound.
+Images use numbers of chords and nodes that are proven to suffice; searches choose their own, without a bound.
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_B = np.geomspace(0.03, 2.7, 64)  # displacements of the paths from the real angles; each proves a bound
+_B = np.geomspace(0.03, 2.7, 64)  # imaginary parts b of the shifted integration paths; each b gives a bound
 _SINH = np.sinh(_B)
-# Solved for half of each number: bounds fall like exp(-2 n b), and the core returns n / 2.
+# Bounds decrease like exp(-2 n b); the core solves them for n / 2.
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
 # cosh^2 b over half of cosh 2b: certificate, section 16, "Chords and nodes".
 _TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # weight of chords on the paths over its mean
 _ETA = np.linspace(0.0, 1.0, 17)
-# 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
-_BESSEL = math.pi / 8.0  # exp(-s) I_0(s) is at most the root of this over s
+# exp(-s) I_0(s) <= sqrt(_BESSEL / s), by 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
+_BESSEL = math.pi / 8.0
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
-_MOST_NODES, _MOST_DEGREE = 256, 250  # up to which sums of exp(n b) are finite
+_MOST_NODES, _MOST_DEGREE = 256, 250  # limits that keep sums of exp(n b) finite
 _ROUNDING = 2.0**-53
 # Shares of the error of a field: projection, sum over chords, sum over nodes.
 _SHARES = (0.25, 0.3, 0.3)
@@ -61,7 +61,7 @@ _QUADRATURE = 0.05
 
 
 class By(NamedTuple):
-    """Derivatives by depth (0) and focus (1) over the steepest phase, by ln k, and by Zernike terms."""
+    """Parameters of derivatives: depth (0) and focus (1), normalized to the steepest phase; ln k; Zernike terms."""
 
     rates: tuple[int, ...] = ()
     terms: tuple[tuple[int, int], ...] = ()
@@ -76,14 +76,14 @@ _Made = TypeVar("_Made")
 class ChordalDebye(AberratedMethod):
     r"""Debye-Wolf integral of an objective in small windows, with or without aberrations, by sums over chords.
 
-    Supports the pupils of :meth:`lommel.Objective.pupil` only, with any emitter. Those without aberrations take less
-    time by :class:`Stratified`, which has no derivatives by Zernike terms.
+    Supports the pupils of :meth:`lommel.Objective.pupil` only, with any emitter. Without aberrations
+    :class:`Stratified` is faster, but has no derivatives by Zernike terms.
 
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance relative to the largest value in the window, 1e-12 to 1e-1; :class:`ToleranceError` is raised where
-        it cannot be met, as in a window far from the light.
+        Tolerance relative to the largest value in the window, 1e-12 to 1e-1; :class:`ToleranceError` is raised if
+        it cannot be met, for example in a window far from the image.
 
     Raises
     ------
@@ -92,11 +92,12 @@ class ChordalDebye(AberratedMethod):
 
     Notes
     -----
-    Every field is ``(1/pi) int t(rho) exp(i q theta + i W - i v.r) dx dy`` over the unit disc, t being the amplitude
-    times the phase of the layers, which have a kink at the critical angle. In place of t stands its series of
-    radial polynomials ``R_n^q`` up to a degree D; what is left out is orthogonal to all polynomials up to that
-    degree, and ``exp(i W - i v.r)`` in a small window nearly is one. The rule of :class:`ChordalGauss` integrates the
-    rest. Degree, chords and nodes are proven to suffice; see docs/certificate.md, section 16.
+    Every field is ``(1/pi) int t(rho) exp(i q theta + i W - i v.r) dx dy`` over the unit disc, where t is the
+    amplitude with the phase of the layers, W the measured wavefront (radians) and v the image position. t has a kink
+    at the critical angle; it is replaced by its series of radial polynomials ``R_n^q`` up to degree D. The remainder
+    is orthogonal to all polynomials of lower degree, and in a small window ``exp(i W - i v.r)`` is nearly such a
+    polynomial, so that the remainder contributes little. The rule of :class:`ChordalGauss` integrates the product.
+    Degree, chords and nodes are proven to suffice; see docs/certificate.md, section 16.
 
     References
     ----------
@@ -119,8 +120,8 @@ class ChordalDebye(AberratedMethod):
     ) -> tuple[Images, Array, Array, Array]:
         """Return I of a `pupil` at the pixel centres of `grid`, and derivatives `by` parameters.
 
-        Derivatives are of I, (k, n, height, width), without a tolerance; with bounds on their errors and largest
-        moduli, (k, n). Raises ToleranceError and ValueError as ``images``.
+        Derivatives of I have shape (k, n, height, width) and no tolerance; bounds on their errors and on their
+        largest moduli, (k, n), follow. Raises ToleranceError and ValueError like ``images``.
         """
         n = pupil.depth.size
         if not grid.stack:
@@ -142,7 +143,7 @@ class ChordalDebye(AberratedMethod):
     def _refined(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
     ) -> tuple[Images, Array, Array, Array]:
-        """Return the same around one axis, with I within `tol` of its largest value."""
+        """Return the result of :meth:`differentiated` for one axis, with the error of I below `tol` of its peak."""
 
         def made(field: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
             found = intensities(pupil, grid, field, wanted.threads, by)
@@ -159,15 +160,14 @@ class ChordalDebye(AberratedMethod):
     def _proven(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Made, Array, Array]]
     ) -> tuple[_Made, Array, Array]:
-        """Return a result of fields that are exact enough, the largest I, and its relative error.
+        """Return the result for fields accurate search_rule for `tol`, the largest I, and its relative error.
 
         `made` returns the result, the largest I and its error for a given error of fields. ToleranceError if `tol`
         cannot be met.
         """
-        # Values divided by their own largest one have twice the error, and are rounded twice.
+        # Division by the computed peak doubles the error and rounds a second time.
         twice = 2.0 if wanted.scale is None else 1.0
-        # The first error of fields assumes a quarter of the likely peak; the next ones follow the peak that was
-        # found.
+        # The first error of fields assumes a quarter of the likely peak; it is reduced until the bound is proven.
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
@@ -181,7 +181,7 @@ class ChordalDebye(AberratedMethod):
                 return found, top, relative
             if field <= LEAST or (not worst < np.inf and peak < 1e-12):
                 raise not_met(self.tol, worst, "the largest value in the window")
-            # The peak was lower than expected, or the bound less tight: fields must be more exact.
+            # The peak is lower than assumed, or the bound is less tight: reduce the error of fields.
             peak, aim = peak * 0.25, aim * max(1e-3, min(0.5, 0.5 * tol / worst))
 
     def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
@@ -194,7 +194,7 @@ class ChordalDebye(AberratedMethod):
         pupil : ObjectivePupil
         grid : Grid
         weights : ndarray, shape (n, height, width)
-            Of the pixels of each image of the flattened stack.
+            Weights of the pixels in each image of the flattened stack.
         by : By
         threads : int, default 0
             Maximum number of threads; 0 for the number of processors.
@@ -202,7 +202,7 @@ class ChordalDebye(AberratedMethod):
         Raises
         ------
         ToleranceError, ValueError
-            If images cannot meet the tolerance, or take too many nodes.
+            If images cannot meet the tolerance, or need too many nodes.
         """
         wanted = Wanted(1.0, np.dtype(np.float64), threads=threads)
 
@@ -220,15 +220,17 @@ class ChordalDebye(AberratedMethod):
         return averaged_gradient(sampled, pupil, grid, self.tol, weights)
 
 
-_TOGETHER, _APART = 0.2, 0.15  # distances of axes, over the side of a window, up to which they share one
+# Largest extent of the axes of a group, and side of the cells into which they are grouped beyond it; in window sides.
+_MAX_SPREAD, _CELL = 0.2, 0.15
 
 
 def gathered(
     pupil: ObjectivePupil, grid: Grid, *, apart: bool
 ) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
-    """Yield groups of planes around one axis, with tilts for small shifts: their indices, planes and grid.
+    """Yield groups of planes around a common axis: indices, planes and grid.
 
-    Planes with neighbouring axes share a group; with `apart` each is alone, without tilts.
+    Planes with neighbouring axes share a group, in which tilts of the wavefront replace small shifts of the axis.
+    With `apart` each plane is a group of its own, without tilts.
     """
     if apart or pupil.depth.size == 1:
         for i, k in enumerate(np.ndindex(pupil.shape)):
@@ -237,8 +239,8 @@ def gathered(
     flat = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)]
     axes, side = np.stack([np.ravel(part) for part in grid.center], axis=1), np.array(grid.shape)
     cells = np.zeros(len(axes), dtype=np.int64)
-    if (np.ptp(axes, axis=0) > _TOGETHER * side).any():
-        cells = np.unique(np.floor(axes / (_APART * side)), axis=0, return_inverse=True)[1].ravel()
+    if (np.ptp(axes, axis=0) > _MAX_SPREAD * side).any():
+        cells = np.unique(np.floor(axes / (_CELL * side)), axis=0, return_inverse=True)[1].ravel()
     for cell in range(int(cells.max(initial=0)) + 1):
         these = np.flatnonzero(cells == cell)
         here, planes = axes[these], flat[these]
@@ -251,13 +253,14 @@ def gathered(
         yield these, planes, Grid(grid.shape, grid.side, center=(float(middle[0]), float(middle[1])))
 
 
-_MOST_SAMPLES = 50000  # of all planes; beyond, tables over circles are shared by more samples
-_MOST_PLACES = 10000  # of a plane with its own axis, which shares none
-_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # without aberrations, where circles are shared by all azimuths
+# Limits above which methods over circles are faster, because more samples share their tables.
+_MOST_SAMPLES = 50000  # samples of all planes
+_MOST_PLANE_SAMPLES = 10000  # samples of a plane with its own axis
+_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # planes and samples without aberrations
 
 
 class ChordalDebyeIfCheaper(ChordalDebye):
-    """ChordalDebye where it is estimated to be faster than methods over circles; elsewhere Declined, at once."""
+    """ChordalDebye where it is estimated to be faster than methods over circles; raises Declined elsewhere."""
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
@@ -266,8 +269,8 @@ class ChordalDebyeIfCheaper(ChordalDebye):
         planes, samples = pupil.depth.size, pupil.depth.size * math.prod(grid.shape)
         plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
         shared = not grid.stack or planes == 1
-        if plain or samples > (_MOST_SAMPLES if shared else planes * _MOST_PLACES):
-            raise Declined("so many samples take less time by circles")
+        if plain or samples > (_MOST_SAMPLES if shared else planes * _MOST_PLANE_SAMPLES):
+            raise Declined("methods over circles are faster for so many samples")
         return super().differentiated(pupil, grid, tol, wanted, by)
 
     @property
@@ -277,7 +280,7 @@ class ChordalDebyeIfCheaper(ChordalDebye):
 
 
 class Rule(NamedTuple):
-    """Even numbers of chords and of nodes on each, and the degree of the radial series."""
+    """Number of chords and number of nodes per chord (both even), and the degree of the radial series."""
 
     chords: int
     nodes: int
@@ -290,8 +293,8 @@ class Fields(NamedTuple):
     given: tuple[NodeTables, Complex, NodeWaves, Window]
     sets: NDArray[np.int32]  # see :func:`all_sets`
     terms: NodeTerms
-    wrong: Array  # bounds on errors, (sets, planes, fields)
-    turns: tuple[float, float]  # divisors of the two sets of derivatives by ln k, the second that of W
+    field_errors: Array  # bounds on errors, (sets, planes, fields)
+    turns: tuple[float, float]  # normalization of the two sets of derivatives by ln k: phases of layers, and W
 
 
 @dataclass(frozen=True, eq=False)
@@ -307,33 +310,33 @@ class _Case:
     degree: int
     norm: float
     largest: float  # bound on W, where W is a factor
-    own: NDArray[np.int32] | None  # index of the wave of each plane, if these differ
+    own: NDArray[np.int32] | None  # index of the wavefront of each plane; None if all planes share one
     sizes: Growth  # for each set, (sets, b)
-    chosen: Array  # bounds by which numbers of chords and nodes are chosen, (2, b)
+    chosen: Array  # bounds from which numbers of chords and nodes are computed, (2, b)
     powers: Array  # bound on each term on the paths, (terms, b)
-    ends: NDArray[np.int32]  # end of the terms of each part
+    ends: NDArray[np.int32]  # index after the last term of each part
     series: NDArray[np.int32]  # series of each set
     left: Array  # truncation error of each set of fields, (sets,)
-    lost: Array  # rounding errors without those that grow with the rule, (sets,)
-    rules: dict[Rule, _Ruled]
+    lost: Array  # part of the rounding errors that does not depend on the rule, in units of _ROUNDING, (sets,)
+    rules: dict[Rule, _RuleTables]
 
-    def ruled(self, rule: Rule) -> _Ruled:
-        """Return the quantities that depend on the numbers of chords and nodes."""
-        found = self.rules.get(rule)
-        if found is None:
+    def rule_tables(self, rule: Rule) -> _RuleTables:
+        """Return the tables for given numbers of chords and nodes."""
+        result = self.rules.get(rule)
+        if result is None:
             of_phases = node_terms(rule.chords, rule.nodes, self.wavefront.terms)
             weight = quadrant(rule.chords, rule.nodes).weight
             waves = folded_waves(of_phases, self.wavefront.edge, weight, self.largest)
             tables = node_tables(rule, self.orders, self.emitter)
             rounding = _ROUNDING * (2.0 * (rule.chords + rule.nodes) + self.lost)
             terms = node_terms(rule.chords, rule.nodes, self.by.terms)
-            found = _Ruled(tables, waves, terms, curves(self.sizes, rule), rounding)
+            result = _RuleTables(tables, waves, terms, curves(self.sizes, rule), rounding)
             if len(self.rules) < _MOST_RULES and waves.nbytes <= _MOST_BYTES:
-                self.rules[rule] = found
-        return found
+                self.rules[rule] = result
+        return result
 
 
-class _Ruled(NamedTuple):
+class _RuleTables(NamedTuple):
     """Tables for the fields of one rule."""
 
     tables: NodeTables
@@ -343,11 +346,11 @@ class _Ruled(NamedTuple):
     rounding: Array  # rounding error over the moduli of amplitudes, (sets,)
 
 
-_MOST_RULES, _MOST_BYTES = 8, 2**20  # rules that are kept, and the size of their waves
+_MOST_RULES, _MOST_BYTES = 8, 2**20  # number of cached rules, and largest size of the waves of one
 
 
 def all_sets(by: By, *, turned: bool) -> list[tuple[int, int, int]]:
-    """Return the sets of fields for derivatives: (series, term or -1, kind of waves); `turned` adds waves times W."""
+    """Return the sets of fields, (series, term or -1, kind): kind 1, added by `turned`, has a factor W."""
     sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
     return [*sets, (0, -1, 1)] if turned else sets
 
@@ -358,7 +361,7 @@ def _case(
 ) -> _Case:
     wavefront, model = (aberrations or _FLAT).flattened(), emitter.light.model
     axis, shape = np.array(window.center), np.array(window.shape)
-    # Derivatives by ln k have i W as a factor of the waves: section 16, "Their derivatives".
+    # Derivatives by ln k multiply the waves by i W: section 16, "Their derivatives".
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
     plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
     highest = max((n for n, _ in phases), default=0)
@@ -370,12 +373,12 @@ def _case(
     sets = all_sets(by, turned=largest > 0.0)
     factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
     sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
-    # Films change s and p waves by different factors, and a part is their sum: sqrt 2 of the norm.
+    # Films multiply s and p waves by different factors; a part is their sum, hence sqrt(2) times the norm.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
-    left = np.array([norms[series] for series, _, _ in sets]) * left_out(sizes.across, degree)
+    left = np.array([norms[series] for series, _, _ in sets]) * truncation_error(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
-    # Section 16, "Rounding": 2 N + 2 K are added where the rule is known.
+    # Section 16, "Rounding", without 2 N + 2 K of the rule.
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
     # Further rounding of a factor of degree n: section 8, "Derivatives".
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
@@ -395,18 +398,20 @@ def _case(
 
 
 def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
-    """Return fields around one axis with errors of about `field`, and those of derivatives `by` parameters."""
+    """Return arguments for fields of one axis and their derivatives, with errors of about `field`."""
     window = Window(grid.shape, grid.axis, grid.step(pupil))
     case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
-    found = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
+    series = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
     # Weights of the rule sum to 1: an amplitude is at most the sum of the moduli of its terms.
-    sizes, chords, nodes = chordal_series_sizes(found.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
-    ruled = case.ruled(Rule(_even(chords), _even(nodes), case.degree))
+    sizes, chords, nodes = chordal_series_sizes(series.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
+    tables_of_rule = case.rule_tables(Rule(_even(chords), _even(nodes), case.degree))
     shares = _shares(pupil.emitter)
-    wrong = chordal_field_errors(sizes, case.series, ruled.curves, case.left, ruled.rounding, shares, found.error)
+    field_errors = chordal_field_errors(
+        sizes, case.series, tables_of_rule.curves, case.left, tables_of_rule.rounding, shares, series.error
+    )
     own = np.zeros(pupil.depth.size, dtype=np.int32) if case.own is None else case.own
-    given = ruled.tables, found.coefficients, NodeWaves(ruled.waves, own), window
-    return Fields(given, case.sets, ruled.terms, wrong, (found.steepest, case.largest))
+    given = tables_of_rule.tables, series.coefficients, NodeWaves(tables_of_rule.waves, own), window
+    return Fields(given, case.sets, tables_of_rule.terms, field_errors, (series.steepest, case.largest))
 
 
 def intensities(
@@ -414,11 +419,11 @@ def intensities(
 ) -> tuple[Array, Array, Array]:
     """Return I at pixel centres around one axis and its derivatives, (1 + k, n, height, width).
 
-    Fields have errors of about `field`. With bounds on errors, and on the largest moduli, (1 + k, n).
+    Fields have errors of about `field`. Bounds on errors and on the largest moduli, (1 + k, n), follow.
     """
     made = fields(pupil, grid, field, by)
     of_layers, measured = made.turns
-    found = chordal_series_light(*made.given, made.sets, made.terms, made.wrong, pupil.power, threads)
+    found = chordal_series_light(*made.given, made.sets, made.terms, made.field_errors, pupil.power, threads)
     if projection.WAVENUMBER in by.rates:
         at = 1 + by.rates.index(projection.WAVENUMBER)
         for each in found:
@@ -433,16 +438,16 @@ def intensities(
 def sums(
     pupil: ObjectivePupil, grid: Grid, field: float, weights: Array, threads: int, by: By
 ) -> tuple[Array, Array, Array]:
-    """Return weighted sums of I around one axis and their derivatives, (n, 1 + k); the largest I and its error."""
+    """Return weighted sums of I and their derivatives for one axis, (n, 1 + k), the largest I, and its error."""
     made = fields(pupil, grid, field, by)
     asked = np.array(_series(by), dtype=np.int32)
     found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
-    top, error = largest[:, 0], error_of_light(made.wrong[0], largest[:, 1:])
+    top, error = largest[:, 0], error_of_light(made.field_errors[0], largest[:, 1:])
     return found / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
 
 
 def _series(by: By) -> list[tuple[int, int, int]]:
-    """Return the sets of fields with a series of their own."""
+    """Return the sets of fields that have their own radial series."""
     return [(k, -1, 0) for k in range(1 + len(by.rates))]
 
 
@@ -453,13 +458,13 @@ def error_of_light(off: Array, largest: Array) -> Array:
 
 @lru_cache(maxsize=64)
 def _rows(emitter: Emitter) -> Complex:
-    """Return the fields of an emitter as sums of its waves; their squares add up to its intensity."""
+    """Return the fields of an emitter as linear combinations of its waves; I is the sum of their squares."""
     return squares(emitter.light.waves.form)
 
 
 @lru_cache(maxsize=64)
 def _shares(emitter: Emitter) -> Array:
-    """Return the moduli of the shares that parts of the amplitudes have in the fields of an emitter."""
+    """Return the moduli of the coefficients of amplitude parts in the fields of an emitter."""
     parts, count = np.array(emitter.light.waves.parts), len(emitter.light.model.orders)
     return np.asarray(np.abs(_rows(emitter)) @ (parts[:, None] == np.arange(count)).astype(np.float64))
 
@@ -501,7 +506,7 @@ def growth(
     """
     terms, reach = wavefront.edge_terms(), []
     for edges, term in zip(zip(low.tolist(), high.tolist(), strict=True), ((1, -1), (1, 1)), strict=True):
-        # A tilt shifts the window: only v less the tilt counts.
+        # A tilt shifts the image: only v minus the tilt matters.
         tilt = terms.get(term, 0.0)
         reach.append(max(float(np.abs(edge - tilt).max()) for edge in edges))
     total = np.zeros(_B.shape)
@@ -516,7 +521,7 @@ def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
     # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
     across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
-    # The mean over a chord of a convex function lies below that of its trapezoids.
+    # The trapezoidal rule overestimates the mean of a convex function.
     each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
     held = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
     around = s + np.minimum(0.0, np.log(_TWICE * (0.5 * (held[:, 1:] + held[:, :-1])).mean(axis=1)))
@@ -525,56 +530,57 @@ def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
     return across, around, along + np.minimum(0.0, 0.5 * np.log(_BESSEL / along))
 
 
-def left_out(size: Array, degree: int) -> Array:
-    """Bound the terms of higher degree in a field, over their norm, for `size` of shape (..., b)."""
-    return np.asarray(np.exp(np.minimum(700.0, (size + _beyond(degree)).min(axis=-1))))
+def truncation_error(size: Array, degree: int) -> Array:
+    """Bound the contribution of terms above `degree` to a field, over their norm, for `size` of shape (..., b)."""
+    return np.asarray(np.exp(np.minimum(700.0, (size + _tail_exponent(degree)).min(axis=-1))))
 
 
 @lru_cache(maxsize=256)
-def _beyond(degree: int) -> Array:
+def _tail_exponent(degree: int) -> Array:
     return np.asarray(_tail(degree + 1.0) - (degree + 1.0) * _B)
 
 
 def _tail(first: Array | float) -> Array:
-    """Return the logarithm of the tail from a degree on, without the exponential of that degree."""
-    # The sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b), less its first exponential.
+    """Return the logarithm of the tail of the series from degree `first` on, without exp(-first b)."""
+    # The squared tail is the sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b).
     terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
 
 
 _FIRST_TAIL = _tail(40.0)
+_TOO_LARGE = "ChordalDebye takes smaller windows and aberrations only"
 
 
 def degree_for(size: Array, norm: float, error: float) -> int:
-    """Return a degree beyond which the terms of amplitudes of this norm add at most about `error`."""
+    """Return the degree at which truncation of amplitudes of this norm costs at most about `error`."""
     needed = size + math.log(norm / error)
-    # The tail depends on the degree weakly: two steps of a fixed-point iteration are enough.
+    # The tail depends weakly on the degree: two steps of a fixed-point iteration suffice.
     first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
     first = np.maximum((needed + _tail(first)) / _B, 1.0)
     degree = math.ceil(float(first.min())) - 1
     if degree > _MOST_DEGREE:
-        raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
+        raise Declined(_TOO_LARGE)
     return degree
 
 
 def _even(halved: float) -> int:
-    """Return the least even number of chords or nodes that is proven to suffice."""
+    """Return the smallest even number of chords or nodes that is proven to suffice."""
     needed = 2 * max(2, math.ceil(halved))
     if needed > _MOST_NODES:
-        raise Declined(f"{ChordalDebye.__name__} takes smaller windows and aberrations only")
+        raise Declined(_TOO_LARGE)
     return needed
 
 
 def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
-    """Return the factors of bounds on amplitudes on the paths: of chords and of nodes."""
-    of_chords, of_nodes = _falling(rule.chords, rule.nodes)
+    """Return the error of the sum over chords and of the sum over nodes, per unit amplitude on the paths."""
+    of_chords, of_nodes = _rule_errors(rule.chords, rule.nodes)
     return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
 
 
 @lru_cache(maxsize=64)
-def _falling(chords: int, nodes: int) -> tuple[Array, Array]:
-    """Return the logarithms of the errors of sums over chords and over nodes, over the bound on the integrand."""
-    # Certificate, section 8: e_N and e_K over the means.
+def _rule_errors(chords: int, nodes: int) -> tuple[Array, Array]:
+    """Return the logarithms of the relative errors of sums over chords and over nodes."""
+    # Certificate, section 8: e_N and e_K, divided by the mean of the integrand on the paths.
     around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
     return around, _OVER_NODES - 2.0 * nodes * _B
 
@@ -589,8 +595,8 @@ class Quadrant(NamedTuple):
 
 @lru_cache(maxsize=16)
 def quadrant(chords: int, nodes: int) -> Quadrant:
-    """Return the nodes of a quadrant of a rule, and their weights."""
-    # The other three quadrants are mirror images, whose waves the core folds onto these nodes.
+    """Return the nodes of a rule in the quadrant x, y > 0, and their weights."""
+    # The other quadrants are mirror images, which the core folds onto this one.
     angle = np.pi / (chords + 1) * np.arange(1, chords // 2 + 1)[:, None]
     eta, weight = (each[::-1][: nodes // 2] for each in gauss_legendre(nodes, -1.0, 1.0))
     x, y = np.cos(angle) + 0.0 * eta, np.sin(angle) * eta
@@ -631,41 +637,41 @@ def node_terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> N
     return NodeTerms(np.reshape(values, (len(terms), *at.rho.shape)), 2 * odd_x + odd_y)
 
 
-# Means over discs are sums over the chords of the same rule: certificate, "Scanning microscopes and beads".
+# Averages over discs use the chords of the same rule: certificate, "Scanning microscopes and beads".
 _DISC_B = np.geomspace(0.02, 6.0, 96)
 _MOST_DISC_CHORDS = 200
 
 
 def chords_for(radius: float, error: float) -> int:
-    """Return an even number of chords of a disc for which the error of their sum is at most `error`."""
+    """Return the smallest even number of chords with which the error of a disc average is at most `error`."""
     for chords in range(2, _MOST_DISC_CHORDS + 1, 2):
         if chord_error(radius, chords) <= error:
             return chords
     raise Declined(
-        "with aberrations means are over discs of 15 Airy units at most; ask for a smaller pinhole or bead"
+        "with aberrations, averages are limited to discs of 15 Airy units; ask for a smaller pinhole or bead"
     )
 
 
 def chord_error(radius: float, chords: int) -> float:
-    """Bound the error of the response of a sum over chords of a disc."""
-    # Section 8 with exp(i s w.r), abs(w) <= 2, for the integrand.
+    """Bound the error of the transfer function of a disc of `radius` (in v), summed over chords."""
+    # Section 8 with the integrand exp(i s w.r), abs(w) <= 2.
     grown = np.exp(np.minimum(2.0 * radius * np.sinh(_DISC_B) - 2.0 * chords * _DISC_B, 600.0))
     return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
 
 
-# Searches evaluate many images to a small part of the noise, and check their result with a certified image. So they
-# use rules of stated size: half as many chords and nodes as the proof requires are enough. Pixels, a bead and a blur
-# are filters of such samples: as ``OTF(w)`` vanishes beyond ``|w| = 2``, weights are fitted to the response at
-# frequencies w by least squares, weighted by the transfer function of a circular aperture.
+# Parameter searches need errors of a small fraction of the noise only, and a certified image checks their result.
+# They use rules of fixed size: about half as many chords and nodes as the proof requires. Pixel, bead and blur are
+# linear filters of the samples. Filter weights are fitted to the transfer function at frequencies abs(w) <= 2, beyond
+# which the OTF is 0, by least squares weighted with the OTF of a circular aperture.
 
 Term = tuple[int, int]
-HALF = 7  # least number of samples on either side of a filter
+HALF = 7  # smallest number of samples on each side of a filter
 _FARTHEST = 1.535  # v between samples; pi/2 is the Nyquist limit
 _BAND = 2.0 * np.cos((np.arange(160) + 0.5) * (0.5 * math.pi / 160))  # Chebyshev points of [0, 2]
 _CUT = 0.5 * _BAND
 _WEIGHT = 2.0 / math.pi * (np.arccos(_CUT) - _CUT * np.sqrt(1.0 - _CUT * _CUT)) + 1e-3
-_DISC = 1e-4  # error of the response of a disc
-# OTF of a circular aperture; a thousandth more keeps the fit determined at the end of the band.
+# _WEIGHT is the OTF of a circular aperture, plus 0.001 to keep the fit determined at the end of the band.
+_DISC = 1e-4  # error of the transfer function of a disc
 
 
 class Planes(NamedTuple):
@@ -677,16 +683,16 @@ class Planes(NamedTuple):
 
 
 class SampleLattice(NamedTuple):
-    """Lattice of samples for pixels around an axis, with a margin of `half` samples for filters."""
+    """Lattice of samples from which pixels are filtered, with a margin of `half` samples."""
 
     shape: tuple[int, int]
-    center: tuple[float, float]  # of the axis, pixels
-    step: float  # v from pixel to pixel
+    center: tuple[float, float]  # (row, column) of the axis, pixels
+    step: float  # pixel pitch in v
     half: int
 
     @property
     def stride(self) -> int:
-        """Number of samples a pixel."""
+        """Number of samples per pixel along each axis."""
         return max(1, math.ceil(self.step / _FARTHEST))
 
     @property
@@ -698,9 +704,9 @@ class SampleLattice(NamedTuple):
         return Window((height, width), (row, column), self.step / s)
 
 
-def enough(reach: float, waves: float) -> Rule:
-    """Return a rule for samples up to `reach` in v along an axis, and phases up to `waves` (radians)."""
-    # Fitted to images of stacks over 2 um at NA 1.2 to 1.49: errors of 1e-4 of the peak.
+def search_rule(reach: float, waves: float) -> Rule:
+    """Return a rule for samples up to `reach` in v along each axis, and phases up to `waves` (radians)."""
+    # Fitted to stacks over 2 um at NA 1.2 to 1.49, with errors of 1e-4 of the peak.
     count = 2 * math.ceil(0.5 * (0.54 * reach + 17.0 + 0.9 * waves))
     return Rule(count + 2, count, count - 4)
 
@@ -718,11 +724,11 @@ def light(
     by_amplitude: tuple[int, ...] = (),
     threads: int = 0,
 ) -> Array:
-    """Return I, before division by the light collected, and its derivatives, (1 + k, n, height, width).
+    """Return I, not normalized to the collected light, and its derivatives, (1 + k, n, height, width).
 
-    `terms` are those of the phases of the planes. Derivatives are by the focus (1/metres, `by_focus`), by radial
-    terms of the logarithm of the amplitude (degrees `by_amplitude`, nepers rms), and by the terms `by` (radians at
-    the edge).
+    `terms` are the Zernike terms of `planes.edge`. Derivatives are with respect to focus (per metre, `by_focus`),
+    radial terms of the logarithm of the amplitude (degrees `by_amplitude`, nepers rms), and the terms `by` (radians
+    at the edge).
     """
     model = emitter.light.model
     coefficients = _amplitudes(layers, model, planes, rule.degree, by_amplitude, by_focus=by_focus)
@@ -735,24 +741,23 @@ def light(
     which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
     own = node_terms(rule.chords, rule.nodes, by)
     sets = [*((k, -1, 0) for k in range(len(coefficients))), *((0, k, 0) for k in range(len(by)))]
-    # The stated rule has no bound: errors of fields are 0 here.
+    # The rule has no error bound: errors of fields are set to 0.
     no_error = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
     given = tables, coefficients, NodeWaves(waves, which), samples.window, np.array(sets, dtype=np.int32)
     return chordal_series_light(*given, own, no_error, np.ones(count), threads)[0]
 
 
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
-    """Return the light collected at each depth, as :attr:`lommel.ObjectivePupil.power`."""
-    each, place = np.unique(depth, return_inverse=True)
-    # Each distinct depth is integrated once.
-    near, _ = debye.power(layers, each, emitter.light.model)
-    return np.asarray((near @ emitter.light.shares)[place.ravel()])
+    """Return the collected light at each depth; see :attr:`lommel.ObjectivePupil.power`."""
+    each, index = np.unique(depth, return_inverse=True)
+    power, _ = debye.power(layers, each, emitter.light.model)
+    return np.asarray((power @ emitter.light.shares)[index.ravel()])
 
 
 def _amplitudes(
     layers: Layers, model: Model, planes: Planes, degree: int, by_amplitude: tuple[int, ...], *, by_focus: bool
 ) -> Complex:
-    """Return the series of the amplitudes of planes, (1 + rates, n, terms), by a rule of stated size."""
+    """Return the radial series of the amplitudes of planes and their derivatives, (1 + rates, n, terms)."""
     rates, weights, rho = _integrals(layers, model, degree, _nodes(layers, planes, degree))
     fixed, by_depth, by_stage = rates
     waves = np.exp(1j * (fixed + np.outer(planes.depth, by_depth) + np.outer(planes.focus, by_stage)))
@@ -764,9 +769,9 @@ def _amplitudes(
 
 
 def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
-    """Return the number of angles of each section for the degree of the series and the change of the phases."""
+    """Return the number of quadrature angles per section, from the degree and the phase change over the pupil."""
     of = layers.rates(layers.cosine(np.array([0.0, 0.7, min(1.0, layers.sample / layers.NA)])))
-    # Change of the phase from the axis to the rim, or to the critical angle.
+    # Phase change from the axis to the rim, or to the critical angle.
     swing = [float(np.abs(np.ptp(rate.real)) + np.abs(np.ptp(rate.imag))) for rate in of]
     turns = swing[0] + swing[1] * float(planes.depth.max()) + swing[2] * float(np.abs(planes.focus).max())
     return 8 * math.ceil((20.0 + 0.5 * degree + 0.6 * turns) / 8.0)
@@ -776,7 +781,7 @@ def _nodes(layers: Layers, planes: Planes, degree: int) -> int:
 def _integrals(
     layers: Layers, model: Model, degree: int, nodes: int
 ) -> tuple[tuple[Complex, Complex, Complex], Complex, Array]:
-    """Return rates of the phase at the angles of a rule, weights of the angles in the terms of all parts, and rho."""
+    """Return phase rates at the quadrature angles, weights of the angles in each radial term, and rho."""
     cut = debye.pieces(layers, model)
     rho, parts, rates = debye.tabulated(cut, model, (nodes,) * len(cut))
     columns: list[Complex] = []
@@ -788,13 +793,13 @@ def _integrals(
 
 
 class Filter(NamedTuple):
-    """Sum of products of a filter of rows and one of columns: pairs of matrices from samples to pixels."""
+    """Sum of separable filters: pairs of matrices (rows, columns) from samples to pixels."""
 
     parts: tuple[tuple[Array, Array], ...]
 
     def of(self, samples: Array) -> Array:
         """Return pixels (..., height, width) from samples."""
-        # One small product for each image: a threaded BLAS would take longer to start than to compute.
+        # Small products for each image, for which BLAS starts no threads.
         total: Array = np.zeros(())
         for rows, columns in self.parts:
             down, across = (each.astype(samples.dtype, copy=False) for each in (rows, columns))
@@ -805,11 +810,11 @@ class Filter(NamedTuple):
 def pixel_filter(
     samples: SampleLattice, disc: float = 0.0, variance: float = 0.0, *, integrate: bool = True
 ) -> Filter:
-    """Return the filter of pixels, of means over discs (radius in v) and of a Gaussian blur (variance in v^2)."""
+    """Return the filter of pixel integration, a disc (radius `disc` in v) and a Gaussian blur (`variance` in v^2)."""
     s, half, side = samples.stride, samples.half, samples.step if integrate else 0.0
     h = samples.step / s
 
-    # Pixel, Gaussian and one chord of the disc: a sinc along the chord, a cosine of its distance across.
+    # Transfer function along one axis: pixel, Gaussian, and a chord (sinc along it) with its mirror image (cosine).
     def along(w: Array, mean: float, cosine: float) -> Array:
         plain = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
         return np.asarray(plain * np.sinc(mean * w / math.pi) * np.cos(cosine * w))
@@ -827,13 +832,13 @@ def pixel_filter(
 
 
 def _fitted(response: Array, h: float, half: int) -> Array:
-    """Return the weights of samples `h` apart that fit a response."""
+    """Return filter weights, for samples with spacing `h` in v, fitted to a transfer function."""
     return np.asarray(_inverse(h, half) @ (_WEIGHT * response))
 
 
 @lru_cache(maxsize=64)
 def _inverse(h: float, half: int) -> Array:
-    """Return the matrix from responses to weights on both sides."""
+    """Return the least-squares matrix from transfer functions to symmetric filter weights."""
     x = h * np.arange(half + 1)
     basis = np.where(x > 0.0, 2.0, 1.0) * np.cos(np.outer(_BAND, x))
     found = np.linalg.pinv(_WEIGHT[:, None] * basis, rcond=1e-10)

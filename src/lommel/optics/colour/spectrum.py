@@ -24,10 +24,10 @@ class Component(NamedTuple):
     Attributes
     ----------
     share : float
-        Fraction of the light.
+        Fraction of the total light.
     stretch : float
-        Reference wavelength over the wavelength of this component. Multiplied by `stretch`, v of the reference
-        becomes v of this component: the image at a shorter wavelength is smaller.
+        Ratio of the reference wavelength to the wavelength of this component. The optical coordinate v of a point is
+        larger by this factor than at the reference wavelength: the image at a shorter wavelength is smaller.
     pupil : Pupil
         Pupil at the wavelength of this component.
     """
@@ -38,7 +38,7 @@ class Component(NamedTuple):
 
     @property
     def weight(self) -> float:
-        """Unaberrated peak of this component over that of all light at the reference wavelength."""
+        """Unaberrated peak of this component, relative to that of all light at the reference wavelength."""
         return self.share * self.stretch**2
 
 
@@ -49,15 +49,15 @@ class Spectrum:
     Parameters
     ----------
     wavelengths : sequence of float
-        Metres.
+        Wavelengths, metres.
     weights : sequence of float, optional
         Share of the light at each wavelength, >= 0; normalised to sum 1. By default all are equal.
 
     Raises
     ------
     TypeError, ValueError
-        If there is no wavelength or one is invalid; if the number of weights is not that of the wavelengths; or if a
-        weight is negative or all are 0.
+        If there is no wavelength or one is invalid, if the numbers of weights and wavelengths differ, or if a weight
+        is negative or all are 0.
     """
 
     wavelengths: tuple[float, ...]
@@ -75,9 +75,9 @@ class Spectrum:
         vars(self).update(wavelengths=waves, weights=tuple((shares / shares.sum()).tolist()))
 
     def components(self, pupil: BasePupil) -> list[Component]:
-        """Return the component for each wavelength; ValueError if `pupil`, at the reference wavelength, has none."""
+        """Return the component of each wavelength; ValueError if `pupil` has no (reference) wavelength."""
         if pupil.wavelength is None:
-            raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
+            raise ValueError("a spectrum needs a pupil with a wavelength, which is its reference wavelength")
         return [
             Component(share, pupil.wavelength / w, pupil.in_light(w))
             for w, share in zip(self.wavelengths, self.weights, strict=True)
@@ -95,32 +95,30 @@ def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
 
 
 # Error of replacing the integral over a spectrum by a sum over few wavelengths. The intensity at a point of the
-# sensor is a sum over pairs of points of the pupil: of ``exp(2 pi i L / lambda) / lambda^2`` times factors that do
-# not depend on the wavelength, where L is the difference of the optical paths from the two points to the sensor.
-# Relative to the unaberrated peak the error is therefore at most the largest of
+# sensor is a sum over pairs of points of the pupil. Each pair contributes ``exp(2 pi i L / lambda) / lambda^2`` times
+# factors independent of the wavelength, where L is the difference of the optical paths from the two points.
+# Relative to the unaberrated peak the error is therefore at most the maximum of
 #
 # ``E(L) = | sum_k u_k exp(2 pi i L s_k) - int q(s) exp(2 pi i L s) ds |``,  s = 1 / lambda,
 #
-# over all path differences L that occur. Here q is the spectrum times 1 / lambda^2, with integral 1, and u_k are the
-# weights of the wavelengths including the same factor. The s_k are Gauss nodes over the spectrum, and the u_k >= 0
-# are fitted by least squares over L.
+# over all path differences L that occur. Here q is the spectrum times 1 / lambda^2, normalised to integral 1, and the
+# weights u_k include the same factor. The wavenumbers s_k are Gauss nodes, and the u_k >= 0 are fitted by least
+# squares over L.
 
 _MAX_WAVELENGTHS = 256
 _MAX_BLOCK = 2**20  # largest number of complex values computed in one call
-_SLACK = (
-    0.1  # fraction of the tolerance: bound on the increase of |E| between the values of L at which it is computed
-)
+_SLACK = 0.1  # bound on the increase of |E| between the sampled values of L, as a fraction of the tolerance
 
 
 def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Array, Array, float]:
-    """Return few wavelengths, weights of each channel that sum to 1, and a bound on the PSF error they cause.
+    """Return wavelengths, weights of each channel (sum 1), and a bound on the PSF error of this sampling.
 
     `wavelengths` (n,) and `curves` (channels, n) are measured responses, and `paths` is the largest optical path
-    difference in the pupil, metres. ValueError beyond 256 wavelengths.
+    difference in the pupil, metres. ValueError if more than 256 wavelengths are needed.
     """
-    # Curves are linear between their wavelengths: light extends to the first dark wavelength on either side.
-    lit = np.flatnonzero(curves.any(axis=0))
-    first, last = max(lit[0] - 1, 0), min(lit[-1] + 1, wavelengths.size - 1)
+    # Curves are interpolated linearly: the response extends to the first zero on either side.
+    nonzero = np.flatnonzero(curves.any(axis=0))
+    first, last = max(nonzero[0] - 1, 0), min(nonzero[-1] + 1, wavelengths.size - 1)
     low, high = 1.0 / wavelengths[last], 1.0 / wavelengths[first]
     phase = math.pi * (high - low) * paths  # half the range of 2 pi L / lambda over the spectrum
     count = max(1, int(0.5 * phase / math.pi))
@@ -128,16 +126,16 @@ def few(wavelengths: Array, curves: Array, paths: float, tol: float) -> tuple[Ar
         raise _too_many(paths, tol)
     dense, light = _dense(wavelengths, curves, paths)
     path = np.linspace(0.0, paths, math.ceil(phase / (2.0 * math.sqrt(_SLACK * tol))) + 2)
-    # E is a mean of waves and at most 2 (plus its error at L = 0, which is below tol). Their phases change by up to
-    # phase / (path.size - 1) = Bh between two values of L at which E is computed. By Bernstein's inequality for the
-    # second derivative, E between these exceeds the larger of both by at most (Bh)^2 / 8 times that.
+    # E is a mean of waves of modulus at most 2 + tol, whose phases change by at most phase / (path.size - 1) = Bh
+    # between two neighbouring samples of L. By Bernstein's inequality for the second derivative, E exceeds the larger
+    # of the two samples by at most (Bh)^2 / 8 times 2 + tol.
     slack = (1.0 + tol) * (0.5 * phase / (path.size - 1)) ** 2
     middle = 0.5 * (low + high)
     spectrum = light / dense**2  # q, times the weights of the quadrature
     spectrum /= spectrum.sum(axis=1, keepdims=True)
     blocks = np.array_split(path, math.ceil(path.size * dense.size / _MAX_BLOCK))
     exact = np.concatenate([spectrum @ _waves(dense, block, middle).T for block in blocks], axis=1)
-    mean_squares = spectrum @ dense**2  # of the wavelength
+    mean_squares = spectrum @ dense**2  # mean squared wavelength of each channel
     while count <= _MAX_WAVELENGTHS:
         nodes = 1.0 / (low + (high - low) * gauss_legendre(count, 0.0, 1.0)[0][::-1])
         waves = _waves(nodes, path, middle)
@@ -161,9 +159,9 @@ def _too_many(paths: float, tol: float) -> ValueError:
 
 
 def _dense(wavelengths: Array, curves: Array, paths: float) -> tuple[Array, Array]:
-    """Return the nodes (m,) of a quadrature over the spectrum, exact to about 1e-10, and light times weight there.
+    """Return nodes (m,) of a quadrature over the spectrum, and response times weight at each, (channels, m).
 
-    The latter has the shape (channels, m).
+    The error of the quadrature is about 1e-10.
     """
     nodes, weights = gauss_legendre(4, 0.0, 1.0)
     ends = [wavelengths[:1]]
@@ -183,17 +181,17 @@ def _waves(wavelengths: Array, path: Array, middle: float) -> Array:
 
 
 def _fitted_weights(waves: Array, exact: Array, nodes: Array, mean_square: float) -> Array:
-    """Return the weights of the nodes that minimise E over the paths by nonnegative least squares, of sum 1.
+    """Return the weights of the nodes, of sum 1, that minimise E by nonnegative least squares over the paths.
 
-    `exact` (paths,) are the integrals in E, and `mean_square` is the mean squared wavelength of the spectrum q.
+    `exact` (paths,) is the integral in E, and `mean_square` is the mean squared wavelength of the spectrum q.
     """
     from scipy.optimize import nnls
 
     # A few paths for each unknown suffice for the fit; `few` computes the error at all of them.
     sampled = waves[:: max(1, len(waves) // (8 * nodes.size + 32))]
     target = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
-    scale = mean_square / nodes**2  # u_k over the weight of a node
-    # One more row: the sum of the weights is 1.
+    scale = mean_square / nodes**2  # ratio of u_k to the weight of a node
+    # The last row requires that the weights sum to 1.
     sum_row = math.sqrt(len(sampled)) * np.ones((1, nodes.size))
     rows = np.concatenate([sampled.real * scale, sampled.imag * scale, sum_row])
     try:
@@ -224,7 +222,7 @@ class Channels:
     Parameters
     ----------
     wavelengths : sequence of float, shape (n,)
-        Metres, all different.
+        Wavelengths, metres, all different.
     weights : array_like, shape (channels, n)
         Response of each channel at each wavelength, >= 0, not all 0 in any channel.
     names : sequence of str, optional
@@ -235,19 +233,19 @@ class Channels:
     names : tuple of str
     wavelengths : tuple of float
     weights : tuple of tuple of float
-        Weights of each channel, of sum 1.
+        Weights of each channel, with sum 1.
     light : tuple of float
-        Total response of each channel relative to the largest.
+        Total response of each channel, relative to the largest.
     error : float
         Bound on the PSF error due to sampling measured curves at these wavelengths, relative to the unaberrated peak;
-        0 for channels that are not from :meth:`from_curves`.
+        0 unless channels are from :meth:`from_curves`.
     paths : float or None
-        Largest optical path difference in the pupil for which `error` holds, metres; else None.
+        Largest optical path difference in the pupil for which `error` is valid, metres; None without measured curves.
 
     Raises
     ------
     TypeError, ValueError
-        If numbers or names are not as stated.
+        If an argument has an invalid value, shape or type.
 
     Examples
     --------
@@ -293,7 +291,7 @@ class Channels:
 
     @classmethod
     def rgb(cls, width: float = 0.0, count: int = 5) -> Channels:
-        """Return red, green and blue around 600, 540 and 460 nm.
+        """Return red, green and blue channels at 600, 540 and 460 nm.
 
         Parameters
         ----------
@@ -305,7 +303,7 @@ class Channels:
         Raises
         ------
         TypeError, ValueError
-            As :meth:`bands`.
+            See :meth:`bands`.
         """
         if validation.real("width", width, least=0.0) == 0.0:
             return cls(RED_GREEN_BLUE, np.eye(3))
@@ -320,10 +318,11 @@ class Channels:
         Parameters
         ----------
         centers : sequence of float
-            Metres.
+            Central wavelength of each band, metres.
         width : float
-            Metres, from edge to edge.
+            Width of each band, metres.
         names : sequence of str, optional
+            Names of the channels; see :class:`Channels`.
         count : int, default 5
             Number of wavelengths in a band, the nodes of a Gauss-Legendre rule.
 
@@ -363,30 +362,32 @@ class Channels:
         tol: float = 1e-3,
         paths: float = 5e-6,
     ) -> Channels:
-        """Return channels from measured response curves, with as few wavelengths as a tolerance allows.
+        """Return channels from measured response curves, sampled at as few wavelengths as the tolerance allows.
 
         Parameters
         ----------
         wavelengths : array_like, shape (n,)
-            Metres, ascending, at least two.
+            Wavelengths, metres, ascending, at least two.
         curves : array_like, shape (channels, n)
             Response of each channel, >= 0: quantum efficiency times filter times light, interpolated linearly.
         names : sequence of str, optional
+            Names of the channels; see :class:`Channels`.
         tol : float, default 1e-3
             Bound on the PSF error of the spectral sampling, relative to the unaberrated peak, 1e-6 to 0.5.
         paths : float, default 5e-6
-            Largest optical path difference in the pupil for which the bound holds, metres. Defocus causes
-            ``lambda C_d / pi``, and the distance r from the axis on the sensor ``r / N``.
+            Largest optical path difference in the pupil for which the bound is valid, metres. A defocus coefficient
+            C_d (radians at the pupil edge) contributes ``lambda C_d / pi``, a distance r from the axis on the sensor
+            ``r / N``, N the f-number.
 
         Returns
         -------
         Channels
-            Channels with the bound as their ``error``.
+            Channels whose attribute ``error`` is the bound.
 
         Raises
         ------
         TypeError, ValueError
-            If numbers are not as stated, or more than 256 wavelengths are needed.
+            If an argument is invalid, or more than 256 wavelengths are needed.
         """
         waves = validation.rising("wavelengths", wavelengths, count=2)
         for wave in (waves[0], waves[-1]):
@@ -408,7 +409,7 @@ class Channels:
 
     @property
     def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
-        """Pairs of wavelength and nonzero weight for each channel, as in the option `wavelengths` of photographs."""
+        """Pairs (wavelength, nonzero weight) of each channel, as in the option `wavelengths` of photographs."""
         return tuple(
             tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
             for row in self.weights

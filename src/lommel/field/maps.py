@@ -28,11 +28,11 @@ from lommel.special import zernike
 Spectrum = float | Sequence[tuple[float, float]]
 
 _STEPS = 50  # largest number of steps of Broyden's method
-_OFF = 1e-10  # accuracy of the inverse, over the size of the field
+_INVERSE_ERROR = 1e-10  # accuracy of the inverse, relative to the size of the field
 
 
 def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float], ...]:
-    """Return pairs of wavelength (None for that of the map) and weight, summing to 1."""
+    """Return pairs of wavelength (None: the wavelength of the map) and weight, the weights with sum 1."""
     if wavelength is None:
         return ((None, 1.0),)
     if not isinstance(wavelength, Sequence | np.ndarray):
@@ -47,22 +47,22 @@ def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float]
 
 
 def shift_of(pupil: Pupil, spectrum: Sequence[tuple[float | None, float]]) -> tuple[Array, Array]:
-    """Return the shift of the image by the tilt of a pupil along x and y, the mean over a spectrum.
+    """Return the image shift along x and y due to the tilt of a pupil, averaged over a spectrum.
 
-    A phase of c rad at the edge, c rho cos(theta), moves the image by c lambda N / pi: the same at all wavelengths
-    where path differences are.
+    A phase c rho cos(theta), c radians at the pupil edge, shifts the image by c lambda N / pi. A tilt with the same
+    path difference at all wavelengths causes the same shift at all of them.
     """
-    found = np.zeros((2, *pupil.shape))
+    shift = np.zeros((2, *pupil.shape))
     for wavelength, weight in spectrum:
-        seen = pupil if wavelength is None else pupil.in_light(wavelength)
-        terms = seen.wavefront.edge_terms()
+        other = pupil if wavelength is None else pupil.in_light(wavelength)
+        terms = other.wavefront.edge_terms()
         for k, m in enumerate((1, -1)):
-            found[k] += weight * seen.scale / math.pi * terms.get((1, m), np.zeros(()))
-    return found[0], found[1]
+            shift[k] += weight * other.scale / math.pi * terms.get((1, m), np.zeros(()))
+    return shift[0], shift[1]
 
 
 def tilt_by(pupil: Pupil, dx: Array, dy: Array) -> dict[tuple[int, int], Array]:
-    """Return the tilt terms (radians at the edge) that move the image of a pupil by `dx` and `dy`."""
+    """Return the tilt terms (radians at the pupil edge) that shift the image by `dx` and `dy`."""
     return {(1, 1): math.pi / pupil.scale * dx, (1, -1): math.pi / pupil.scale * dy}
 
 
@@ -73,23 +73,23 @@ def inverse(
     contains: Callable[[Array, Array], NDArray[np.bool_]],
     middle: tuple[float, float],
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return the positions that a displacement moves to (x, y), and which were found, by Broyden's method.
+    """Return the positions that a displacement moves to (x, y), and a mask of convergence, by Broyden's method.
 
-    The displacement is known on a convex set with `middle` in it: positions beyond are drawn back towards this.
+    The displacement is defined on a convex set that contains `middle`; iterates outside are moved to its edge.
     """
     size = max(float(np.hypot(x - middle[0], y - middle[1]).max(initial=0.0)), np.finfo(float).tiny)
-    # The position itself is the first guess: distortion moves light by little of the field.
-    at = np.stack(_drawn_back(x, y, contains, middle), axis=-1)
+    # Initial guess: no displacement.
+    at = np.stack(_moved_inside(x, y, contains, middle), axis=-1)
     goal = np.stack([x, y], axis=-1)
-    # Broyden's method updates the inverse Jacobian: no derivative of the displacement is needed, and the identity is
-    # a good start as distortion is small.
-    slope = np.broadcast_to(np.eye(2), (*x.shape, 2, 2)).copy()  # of positions by their images
+    # Broyden's method updates the inverse Jacobian without derivatives of the displacement. It starts from the
+    # identity, which is close because distortion is small.
+    slope = np.broadcast_to(np.eye(2), (*x.shape, 2, 2)).copy()  # inverse Jacobian
     off = at + np.stack(displacement(at[..., 0], at[..., 1]), axis=-1) - goal
     for _ in range(_STEPS):
-        if np.abs(off).max(initial=0.0) <= _OFF * size:
+        if np.abs(off).max(initial=0.0) <= _INVERSE_ERROR * size:
             break
         to = at - np.einsum("...ij,...j", slope, off)
-        to = np.stack(_drawn_back(to[..., 0], to[..., 1], contains, middle), axis=-1)
+        to = np.stack(_moved_inside(to[..., 0], to[..., 1], contains, middle), axis=-1)
         step, before = to - at, off
         at = to
         off = at + np.stack(displacement(at[..., 0], at[..., 1]), axis=-1) - goal
@@ -100,13 +100,13 @@ def inverse(
         gain = np.divide(1.0, length, out=np.zeros(length.shape), where=known & (length != 0.0))
         # Sherman and Morrison: the inverse of the Jacobian after Broyden's rank-1 update.
         slope += gain[..., None, None] * (step - moved)[..., :, None] * along[..., None, :]
-    return at[..., 0], at[..., 1], np.asarray(np.abs(off).max(axis=-1) <= 10.0 * _OFF * size)
+    return at[..., 0], at[..., 1], np.asarray(np.abs(off).max(axis=-1) <= 10.0 * _INVERSE_ERROR * size)
 
 
-def _drawn_back(
+def _moved_inside(
     x: Array, y: Array, contains: Callable[[Array, Array], NDArray[np.bool_]], middle: tuple[float, float]
 ) -> tuple[Array, Array]:
-    """Return positions, those outside moved to the edge along the line to `middle`."""
+    """Return positions; those outside are moved to the edge of the set, along the line to `middle`."""
     outside = ~contains(x, y)
     if not outside.any():
         return x, y
@@ -124,10 +124,10 @@ def _drawn_back(
 
 @dataclass(frozen=True, init=False)
 class Vignetting:
-    """Cat's-eye vignetting: a second circle that moves across the aperture with the field height.
+    """Cat's-eye vignetting: a second circular stop that shifts across the aperture with field height.
 
-    Light passes within both circles. The second moves along the direction of the position on the sensor, with linear
-    interpolation of shift and radius between heights.
+    The pupil is the intersection of both circles. The second circle shifts along the direction of the position on the
+    sensor; its shift and radius are interpolated linearly between heights.
 
     Parameters
     ----------
@@ -177,32 +177,30 @@ class Vignetting:
         """Return the vignetting at (`x`, `y`), None where there is none; ValueError beyond the last height."""
         r = _within(math.hypot(x, y), self.height[-1])
         far, size = (float(np.interp(r, self.height, part)) for part in (self.shift, self.radius))
-        # The second circle then contains the whole aperture.
-        if abs(far) + 1.0 <= size:
+        if abs(far) + 1.0 <= size:  # the second circle contains the whole aperture
             return None
-        # On the axis any direction will do: the shift is 0 there.
         along = (x / r, y / r) if r > 0.0 else (1.0, 0.0)
         return CatEye((far * along[0], far * along[1]), size)
 
 
-_ROUND = 1e-5  # pupils of less ellipticity count as circles, which all methods support
+_ROUND = 1e-5  # pupils with a smaller ellipticity are treated as circles, which all methods support
 
 
 @dataclass(frozen=True, init=False)
 class Foreshortening:
-    """Elliptical pupils off the axis, where the aperture is seen at an angle.
+    """Elliptical pupils off the axis, due to foreshortening of the aperture.
 
     An alternative to :class:`Vignetting`. The ellipse is centred on the axis of the pupil, with one semi-axis along
-    the direction of the position on the sensor (tangential) and one across it (sagittal). Between heights they are
-    interpolated linearly in the squared height.
+    the direction of the position on the sensor (tangential) and one across it (sagittal). Semi-axes are interpolated
+    linearly in the squared height.
 
     Parameters
     ----------
     height : array_like, shape (n,)
         Distances from the axis on the sensor, increasing from 0, at least two.
     along, across : array_like, shape (n,)
-        Semi-axes, in radii of the aperture: above 0, at most 1. Of a distant stop before a thin lens about
-        ``cos(theta)**3`` and ``cos(theta)``.
+        Semi-axes, in radii of the aperture: above 0, at most 1. For a distant stop in front of a thin lens they are
+        about ``cos(theta)**3`` and ``cos(theta)``, theta the field angle.
 
     Raises
     ------
@@ -231,23 +229,22 @@ class Foreshortening:
         vars(self)["height"] = tuple(heights.tolist())
 
     def at(self, x: float, y: float) -> Ellipse | None:
-        """Return the pupil at (`x`, `y`), None where it is the aperture; ValueError beyond the last height."""
+        """Return the elliptical pupil at (`x`, `y`), None if circular; ValueError beyond the last height."""
         r = _within(math.hypot(x, y), self.height[-1])
-        # In r^2: a symmetric field is even in the height.
+        # Linear in r^2, because a symmetric field is an even function of height.
         squares = np.square(self.height)
         a, b = (float(np.interp(r * r, squares, part)) for part in (self.along, self.across))
         return None if min(a, b) > 1.0 - _ROUND else Ellipse(a, b, math.atan2(y, x))
 
     def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
-        """Return `pupil` as it is seen at (`x`, `y`); ValueError beyond the last height."""
+        """Return `pupil` foreshortened at (`x`, `y`); ValueError beyond the last height."""
         ellipse = self.at(x, y)
         return pupil if ellipse is None else foreshortened(pupil, ellipse)
 
 
 def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
-    """Return a circular or annular pupil that is seen as an ellipse, with its obscuration."""
+    """Return a circular or annular pupil, and its obscuration, foreshortened to an ellipse."""
     eps = pupil.obscuration
-    # The obscuration is seen at the same angle: an ellipse with the same ratio of axes.
     if eps == 0.0:
         return replace(pupil, vignetting=ellipse)
     stop = Disc() - Ellipse(eps * ellipse.a, eps * ellipse.b, ellipse.angle)
@@ -256,15 +253,15 @@ def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
 
 @dataclass(frozen=True, init=False)
 class Shading:
-    """Relative illumination off the axis apart from vignetting, such as cos^4.
+    """Relative illumination off the axis without the effect of vignetting, for example cos^4.
 
     Parameters
     ----------
     height : array_like, shape (n,)
         Distances from the axis on the sensor, increasing from 0, at least two.
     light : array_like, shape (n,)
-        Illumination relative to the axis, above 0; the first is 1. As measured with the lens stopped down, without
-        vignetting. Interpolated linearly between heights.
+        Illumination relative to the axis, above 0; the first is 1. Measure it with the lens stopped down, so that
+        there is no vignetting. Values are interpolated linearly between heights.
 
     Raises
     ------
@@ -301,10 +298,10 @@ class Shading:
         ----------
         D. S. Goodman, "General principles of geometric optics", in Handbook of Optics, McGraw-Hill (1995), ch. 1.
         """
-        # The table only passes the checks; cos4 is computed from the distance.
-        made = cls([0.0, 1.0], [1.0, 1.0])
-        vars(made).update(height=(), light=(), distance=validation.real("distance", distance, above=0.0))
-        return made
+        # A placeholder table that passes the checks; cos^4 is computed from the distance.
+        shading = cls([0.0, 1.0], [1.0, 1.0])
+        vars(shading).update(height=(), light=(), distance=validation.real("distance", distance, above=0.0))
+        return shading
 
     def at(self, x: Array, y: Array) -> Array:
         """Return the relative illumination at (`x`, `y`); ValueError beyond the last height."""
@@ -323,7 +320,7 @@ def _heights(height: ArrayLike) -> Array:
 
 
 def _within(r: float, most: float) -> float:
-    # Room for the rounding of a hypotenuse.
+    # Tolerates rounding of the distance.
     if r > most * (1.0 + 1e-12):
         raise ValueError(f"the position {r:.6g} from the axis lies beyond the last height, {most:.6g}")
     return r
@@ -354,7 +351,7 @@ class ApertureOptions:
         Pupil without wavefront error, such as ``lens.pupil(2.0).unaberrated()``. Its obscuration, spider, vignetting,
         mask, stop, apodization and scale apply to the whole field; its geometry is used on the axis only.
     wavelength, f_number, obscuration : float, optional
-        As of :class:`lommel.Pupil`, where `aperture` does not state them.
+        See :class:`lommel.Pupil`; required only if `aperture` does not define them.
     """
 
     aperture: Pupil | None = None
@@ -364,7 +361,7 @@ class ApertureOptions:
 
 
 def bare_pupil(constructor: Callable[..., FieldMap], given: ApertureKeywords) -> Pupil:
-    """Return the pupil without wavefront of the options of `constructor`; TypeError or ValueError for bad ones."""
+    """Return the pupil without wavefront error from the options of `constructor`; TypeError or ValueError."""
     options.require_known(constructor, given, ApertureKeywords)
     stated: Json = {name: v for name, v in given.items() if name != "aperture" and v is not None}
     if (aperture := given.get("aperture")) is None:
@@ -384,25 +381,26 @@ def bare_pupil(constructor: Callable[..., FieldMap], given: ApertureKeywords) ->
 class FieldMap:
     """Wavefronts over the sensor, interpolated between known positions, without extrapolation.
 
-    Made by :meth:`on_grid`, :meth:`scattered`, :meth:`radial` or :meth:`from_seidel`, which take the aperture by the
-    same options and raise TypeError or ValueError where numbers are out of range, positions are repeated or not as
-    stated, or there is not one wavefront for each. Positions (x, y) are measured from the optical axis, x along
-    columns to the right and y along rows downwards, in metres if the map has a wavelength, else in units of lambda*N.
-    Zernike coefficients are interpolated, and exact (but for rounding) at the known positions.
+    Constructors are :meth:`on_grid`, :meth:`scattered`, :meth:`radial` and :meth:`from_seidel`. They share the
+    options of the aperture, and raise TypeError or ValueError if numbers are out of range, positions are repeated or
+    of the wrong shape, or the number of wavefronts differs from that of positions. Positions (x, y) are measured from
+    the optical axis, x along columns to the right and y along rows downwards, in metres if the map has a wavelength,
+    else in units of lambda*N. Zernike coefficients are interpolated, and reproduced at the known positions.
 
-    Adding a wavefront to a map adds it at every position, such as the defocus of an object.
+    ``field + wavefront`` adds a wavefront at every position, for example the defocus of an object.
 
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        The aperture on the axis, and over the whole field where there is no vignetting.
+        The aperture on the axis; also off the axis if there is no vignetting.
     vignetting : Vignetting, Foreshortening or None
-        How the aperture differs off the axis; see :meth:`seen_through`.
+        Change of the aperture off the axis; see :meth:`seen_through`.
     shading : Shading or None
+        Further loss of light off the axis, which changes no PSF.
 
     Notes
     -----
-    A wavefront refers to its own position on the sensor: tilt terms move the light within the window.
+    The reference sphere of a wavefront is centred on its position on the sensor: tilt shifts the PSF in its window.
 
     Examples
     --------
@@ -429,8 +427,10 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like, shapes (columns,) and (rows,)
-            Increasing, at least two each. Along an axis of two or three positions the spline is linear or quadratic.
+            Positions, increasing, at least two along each axis. With two or three positions along an axis the spline
+            is linear or quadratic there.
         wavefront : Wavefront of shape (rows, columns)
+            Wavefront at each position.
         {options}
         """
         return cls(bare_pupil(cls.on_grid, options), OnGrid(x, y, wavefront), Wavefront())
@@ -440,16 +440,17 @@ class FieldMap:
     def scattered(
         cls, x: ArrayLike, y: ArrayLike, wavefront: Wavefront, **options: Unpack[ApertureKeywords]
     ) -> FieldMap:
-        """Build a map from wavefronts at any positions, by radial basis functions (cubic, with a polynomial).
+        """Build a map from wavefronts at scattered positions, by cubic radial basis functions and a polynomial.
 
-        The polynomial is quadratic where the positions determine one (six or more), so that field curvature,
-        astigmatism and coma of third order are exact, else linear. The map ends at the convex hull.
+        The polynomial is quadratic if the positions determine one (six or more), so that third-order field curvature,
+        astigmatism and coma are reproduced exactly; otherwise linear. The map ends at the convex hull.
 
         Parameters
         ----------
         x, y : array_like, shape (n,)
             3 to 4000 distinct positions, not all on one line.
         wavefront : Wavefront of shape (n,)
+            Wavefront at each position.
         {options}
         """
         return cls(bare_pupil(cls.scattered, options), Scattered(x, y, wavefront), Wavefront())
@@ -461,16 +462,16 @@ class FieldMap:
     ) -> FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
-        Along the field height, coefficients are cubic splines with the parity that symmetry demands (even in the
-        height for even m, odd for odd m); for other azimuths the wavefront is rotated exactly. Third-order
-        aberrations are reproduced exactly from three heights on.
+        Coefficients are cubic splines of the field height, even for even azimuthal order m and odd for odd m, as
+        symmetry requires. For other azimuths the wavefront is rotated exactly. Three heights suffice to reproduce
+        third-order aberrations exactly.
 
         Parameters
         ----------
         height : array_like, shape (n,)
             Distances from the axis, increasing from 0, at least two.
         wavefront : Wavefront of shape (n,)
-            The first, on the axis, must be radially symmetric (to 1e-6 rad).
+            Wavefront at each height. The first, on the axis, must be radially symmetric (to 1e-6 rad).
         azimuth : float, default 0
             Direction of these positions in radians, from x (0) to y (pi / 2, downwards in a picture).
         {options}
@@ -498,9 +499,9 @@ class FieldMap:
         Parameters
         ----------
         edge : float
-            Distance from the axis at which the coefficients hold (H = 1), and where the map ends.
+            Field height of the coefficients (relative height H = 1), at which the map ends.
         W020, W040, W060, W080, W131, W222, W220, W311 : float
-            As of :meth:`lommel.Wavefront.from_seidel`, which is evaluated at each position.
+            See :meth:`lommel.Wavefront.from_seidel`, which is evaluated at each position.
         {options}
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
@@ -514,7 +515,7 @@ class FieldMap:
 
     @property
     def seidel(self) -> dict[str, float]:
-        """Seidel coefficients (waves) at :attr:`reach` if the map was made from them, else None."""
+        """Seidel coefficients (waves) at :attr:`reach`; empty for a map not from :meth:`from_seidel`."""
         return dict(self._wavefronts.waves) if isinstance(self._wavefronts, Seidel) else {}
 
     @property
@@ -544,7 +545,7 @@ class FieldMap:
         Returns
         -------
         Pupil
-            A stack of their shape.
+            Stack with the shape of the positions.
 
         Raises
         ------
@@ -561,7 +562,6 @@ class FieldMap:
             raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
         wavefront = self._wavefronts.wavefront(across, down) + self._added
         bare = self.pupil_without_wavefront
-        # A colour model may depend on the position, too.
         pupil = replace(bare, wavefront=wavefront, colour=bare.colour and bare.colour.at(across, down))
         if self.vignetting is None:
             return pupil
@@ -570,21 +570,22 @@ class FieldMap:
         return self.vignetting.applied(pupil, float(across), float(down))
 
     def displacement(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
-        """Return how far the tilt of the wavefront moves the light at positions (x, y): distortion, lateral colour.
+        """Return the image displacement by wavefront tilt at positions (x, y): distortion and lateral colour.
 
         Parameters
         ----------
         x, y : array_like
             Positions without distortion, in :attr:`unit`; they broadcast.
         wavelength : float or sequence of (float, float), optional
-            Metres, or pairs of wavelength and weight, of which the mean is taken; by default that of the map. With
-            the lateral colour of the lens of the aperture (:class:`lommel.Colour`).
+            Wavelength (metres), or pairs of wavelength and weight, over which the displacement is averaged; by
+            default the wavelength of the map. Lateral colour is that of the lens of the aperture
+            (:class:`lommel.Colour`).
 
         Returns
         -------
         dx, dy : ndarray
-            In :attr:`unit`. Exact: a phase ``c rho cos(theta)`` moves a PSF by ``c lambda N / pi`` and changes
-            nothing else.
+            Displacement in :attr:`unit`. It is exact: a phase ``c rho cos(theta)`` shifts a PSF by
+            ``c lambda N / pi`` and does not change its shape.
 
         Raises
         ------
@@ -603,25 +604,25 @@ class FieldMap:
         return shift_of(bare.pupil(across, down), spectrum_of(wavelength))
 
     def undistorted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
-        """Return the positions without distortion whose light arrives at (x, y): the inverse of `displacement`.
+        """Return the undistorted positions whose displaced image is at (x, y): the inverse of `displacement`.
 
         Parameters
         ----------
         x, y : array_like
             Positions on the sensor, in :attr:`unit`; they broadcast.
         wavelength : float or sequence of (float, float), optional
-            As of :meth:`displacement`.
+            See :meth:`displacement`.
 
         Returns
         -------
         x, y : ndarray
-            Displaced they are the given ones, to 1e-9 of the farthest from the middle of the map.
+            Undistorted positions. The error is 1e-9 of the largest distance of (x, y) from the middle of the map.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`displacement`; also if light at a position comes from beyond the map, or the displacement
-            changes as fast as the position.
+            See :meth:`displacement`; also if an undistorted position lies outside the map, or distortion is so strong
+            that it is not unique.
 
         Examples
         --------
@@ -647,28 +648,27 @@ class FieldMap:
         return a.reshape(across.shape), d.reshape(across.shape)
 
     def untilted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> Pupil:
-        """Return the pupil whose light arrives at (x, y), without the tilt that moves it there.
+        """Return the pupil of the image point at (x, y), without the tilt that displaces it.
 
-        Its PSF, centred at (x, y), is that of the map, centred at the position without distortion.
+        A PSF of this pupil, centred at (x, y), is equal to the PSF of the map centred at the undistorted position.
 
         Parameters
         ----------
         x, y, wavelength
-            As of :meth:`undistorted`.
+            See :meth:`undistorted`.
 
         Returns
         -------
         Pupil
-            At the wavelength of the map; a stack of the shape of the positions.
+            Pupil at the wavelength of the map; a stack with the shape of the positions.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`undistorted` and :meth:`pupil`.
+            See :meth:`undistorted` and :meth:`pupil`.
         """
         pupil = self.pupil(*self.undistorted(x, y, wavelength))
         dx, dy = shift_of(pupil, spectrum_of(wavelength))
-        # The opposite tilt moves the light back to its own position.
         return pupil.carrying(pupil.wavefront + Wavefront.from_edge(tilt_by(pupil, -dx, -dy)), None)
 
     def seen_through(
@@ -679,15 +679,15 @@ class FieldMap:
         Parameters
         ----------
         vignetting : Vignetting or Foreshortening, optional
+            Change of the pupil off the axis.
         shading : Shading, optional
-            Changes :meth:`illumination`, but no PSF.
+            Relative illumination; it changes :meth:`illumination`, but no PSF.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is of another type, the aperture has vignetting already, or it is seen as an ellipse and
-            not circular or annular; if the ellipses of this map would be lost, on which alone its wavefronts are
-            known.
+            If an argument is of another type, or the aperture has vignetting already. Foreshortening requires a
+            circular or annular aperture, and cannot be removed from a map whose wavefronts are those of ellipses.
         """
         validation.optional("shading", shading, Shading)
         if not isinstance(vignetting, Foreshortening):
@@ -712,11 +712,12 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like
+            Positions, in :attr:`unit`; they broadcast.
 
         Returns
         -------
         float or ndarray
-            Transmitted light relative to the axis, times the shading.
+            Pupil transmission relative to that on the axis, times the shading.
 
         Raises
         ------
@@ -726,17 +727,16 @@ class FieldMap:
         across, down = positions(x, y)
         light = np.ones(across.shape) if self.shading is None else self.shading.at(across, down)
         if self.vignetting is not None:
-            places = [(0.0, 0.0), *zip(across.ravel().tolist(), down.ravel().tolist(), strict=True)]
+            points = [(0.0, 0.0), *zip(across.ravel().tolist(), down.ravel().tolist(), strict=True)]
             bare, edge = self.pupil_without_wavefront, self.vignetting
-            # Transmission over that on the axis: illumination is 1 there.
-            axis, *passing = (edge.applied(bare, *place).transmission for place in places)
-            light = light * np.reshape(passing, across.shape) / axis
+            axis, *transmission = (edge.applied(bare, *point).transmission for point in points)
+            light = light * np.reshape(transmission, across.shape) / axis
         return numbers(light, across.shape)
 
     def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
-        """Return the f-number of equal light on the axis at positions (`x`, `y`): ``N / sqrt(illumination)``.
+        """Return the working f-number at positions (`x`, `y`): ``N / sqrt(illumination)``, N that of the map.
 
-        Raises as :meth:`illumination`, and ValueError for a map without an f-number.
+        Raises the errors of :meth:`illumination`, and ValueError for a map without an f-number.
         """
         if (known := self.pupil_without_wavefront.f_number) is None:
             raise ValueError("f_number must be known for a working f-number, and this map is in units of lambda*N")
@@ -757,10 +757,9 @@ class FieldMap:
         Parameters
         ----------
         x, y : array_like
-        shape, pixel, options
-            As of :func:`lommel.psf`; the window is centred on the position.
-        method : Method, optional
-            By default as of :func:`lommel.psf`.
+            Positions, in :attr:`unit`; they broadcast. Each window is centred on its position.
+        shape, pixel, method, options
+            See :func:`lommel.psf`.
 
         Returns
         -------
@@ -769,7 +768,7 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            As :meth:`pupil` and :func:`lommel.psf`.
+            See :meth:`pupil` and :func:`lommel.psf`.
         """
         across, down = positions(x, y)
         if self.vignetting is None or across.shape == ():
@@ -791,31 +790,31 @@ class FieldMap:
         lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
-        """Return the PSF at the centre of each of rows times columns equal cells of the sensor.
+        """Return the PSF at the centre of each of rows x columns equal cells of the sensor.
 
-        Optionally at several object distances and in several channels.
+        Optionally for several object distances and colour channels.
 
         Parameters
         ----------
         rows, columns : int
-            1 to 1000 each.
+            Numbers of cells, 1 to 1000 each.
         sensor : (float, float)
-            Height and width, centred on the axis, in the unit of positions.
+            Height and width of the sensor, centred on the axis, in the unit of positions.
         shape, pixel, options
-            As of :meth:`psf`.
+            See :meth:`psf`.
         illuminated : bool, default False
             Multiply the values of each PSF by the :meth:`illumination` at its position.
         channels : Channels or sequence of float, optional
-            As of :func:`lommel.colour_psf`, with the lateral and axial colour of the lens of the aperture.
+            See :func:`lommel.colour_psf`; lateral and axial colour are those of the lens of the aperture.
         depths : array_like, shape (k,), optional
             Distances of the object from the lens, metres; may be infinite.
         lens : Lens, optional
-            Lens that gives the defocus at these distances, without aberrations, which are those of the map.
+            Lens that defines the defocus at these distances. It must have no aberrations, which the map defines.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`psf` and :func:`lommel.colour_psf`; also if a centre lies outside the map, if only one of
+            See :meth:`psf` and :func:`lommel.colour_psf`; also if a centre lies outside the map, if only one of
             `depths` and `lens` is given, or if the wavelength of the lens is not that of the map.
         """
         if (depths is None) != (lens is None):
@@ -823,18 +822,18 @@ class FieldMap:
             raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
-        # Exactly symmetric, so that the middle one of an odd number is on the axis.
+        # Exactly symmetric: the central one of an odd number of cells lies on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
-        lit = validation.truth("illuminated", illuminated)
+        weighted = validation.truth("illuminated", illuminated)
         named = [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]
-        if named and (self.vignetting is not None or lit):
+        if named and (self.vignetting is not None or weighted):
             raise ValueError(
                 f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
                 "weighted by the illumination; compute each channel by itself, or multiply by illumination(x, y)"
             )
         if not named:
             one = self.psf(x, y[:, None], shape, pixel, **options)
-            if lit:
+            if weighted:
                 light = np.asarray(self.illumination(x, y[:, None]))
                 factor = light[..., None, None].astype(one.values.dtype)
                 slopes = {name: slope * factor for name, slope in one.derivatives.items()}
@@ -850,7 +849,7 @@ class FieldMap:
 
 
 def require_one_aperture(field_map: FieldMap) -> None:
-    """Raise ValueError where the aperture changes over the field, which blurs over it do not support."""
+    """Raise ValueError if the aperture changes over the field, which field-dependent blurs do not support."""
     if isinstance(field_map.vignetting, Foreshortening):
         raise ValueError(
             "field_map must have the same pupil over the field, for a blur over it does not support elliptical ones: "
@@ -864,7 +863,7 @@ def require_one_aperture(field_map: FieldMap) -> None:
 
 
 def require_light(light: Pupil, lens: Lens) -> None:
-    """Raise ValueError unless a lens has the aperture and light of a map, and no aberrations."""
+    """Raise ValueError unless the lens has the wavelength, f-number and aperture of a map, and no aberrations."""
     if not lens.aberrations.flat:
         raise ValueError("lens must have no aberrations, for the map has those of all positions: add them to it")
     there = lens.pupil(1.0).unaberrated()
@@ -881,43 +880,43 @@ def require_light(light: Pupil, lens: Lens) -> None:
 
 
 def at_depths(pupil: Pupil, lens: Lens, depths: ArrayLike) -> Pupil:
-    """Return a stack ``positions + (k,)`` of pupils of the field, with a lens's defocus at k distances."""
+    """Return pupils of the field with the defocus of a lens at k distances, a stack of shape ``positions + (k,)``."""
     validation.instance("lens", lens, Lens)
     require_light(pupil, lens)
     distances = np.atleast_1d(np.asarray(depths))
     if distances.ndim != 1:
         raise ValueError(f"depths must be of shape (k,), got {distances.shape}")
     near, shape = lens.pupil(distances), (*pupil.shape, distances.size)
-    places = pupil[(..., None)].broadcast(shape)
+    pupils_at = pupil[(..., None)].broadcast(shape)
     geometry = near.geometry
     assert geometry is not None
     own = tuple(np.broadcast_to(distances, shape).ravel().tolist())
     return replace(
-        places,
-        wavefront=places.wavefront + near.wavefront,
+        pupils_at,
+        wavefront=pupils_at.wavefront + near.wavefront,
         geometry=replace(geometry, object_distance=own),
-        colour=places.colour or near.colour,
+        colour=pupils_at.colour or near.colour,
     )
 
 
 MAX_SCATTERED = 4000
-"""Most scattered positions: the interpolation solves a dense system of this size."""
+"""Largest number of scattered positions: the interpolation solves a dense system of this size."""
 
-_ROUNDING = 1e-9  # of the size of the map: distance outside within which positions count as on its edge
-_AXIS = 1e-6  # radians: smaller nonradial terms on the axis are rounding errors
+_ROUNDING = 1e-9  # distance outside the map, relative to its size, up to which a position counts as on its edge
+_AXIS = 1e-6  # non-radial terms on the axis below this are rounding errors, radians
 
 
 class WavefrontsOnSensor(ABC):
-    """Wavefronts at any position within part of the sensor."""
+    """Wavefronts as a function of position, within a convex part of the sensor."""
 
     reach: float
-    """Distance from the axis of the farthest position."""
+    """Distance of the farthest position from the axis."""
 
     middle: tuple[float, float] = (0.0, 0.0)
-    """A position inside."""
+    """A position inside the map."""
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are inside: here within a circle around the axis."""
+        """Return a mask of positions inside the map, by default a circle around the axis."""
         return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
 
     def limits(self, unit: str) -> str:
@@ -937,9 +936,8 @@ class OnGrid(WavefrontsOnSensor):
 
         self.x, self.y = _rising("x", x), _rising("y", y)
         values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
-        # Splines of lower degree through fewer than four rows or columns.
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
-        # Over positions from 0 to 1, because FITPACK compares with absolute tolerances.
+        # Positions are scaled to 0 to 1, because FITPACK uses absolute tolerances.
         down, across = self._scaled(self.x, self.y)[::-1]
         columns = np.moveaxis(values, -1, 0)
         self.splines = [RectBivariateSpline(down, across, column, **degrees, s=0) for column in columns]
@@ -947,13 +945,13 @@ class OnGrid(WavefrontsOnSensor):
         self.middle = float(self.x[[0, -1]].mean()), float(self.y[[0, -1]].mean())
 
     def _scaled(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Return positions over the extent of the grid, clipped against rounding."""
+        """Return positions relative to the extent of the grid, clipped to 0 to 1."""
         pairs = ((x, self.x), (y, self.y))
         across, down = (np.clip((part - k[0]) / (k[-1] - k[0]), 0.0, 1.0) for part, k in pairs)
         return across, down
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are in the rectangle."""
+        """Return a mask of positions inside the rectangle."""
         inside = np.ones(x.shape, dtype=np.bool_)
         for part, known in ((x, self.x), (y, self.y)):
             slack = _ROUNDING * (known[-1] - known[0])
@@ -982,7 +980,6 @@ class Scattered(WavefrontsOnSensor):
             raise ValueError(f"x and y must be of one shape (n,), got {across.shape} and {down.shape}")
         count = validation.integer("the number of positions", across.size, least=3, most=MAX_SCATTERED)
         values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
-        # Sorted by x and then y, equal positions are neighbours.
         order = np.lexsort((down, across))
         same = (np.diff(across[order]) == 0.0) & (np.diff(down[order]) == 0.0)
         if same.any():
@@ -997,20 +994,19 @@ class Scattered(WavefrontsOnSensor):
         except QhullError:
             raise ValueError(f"positions must not all lie on one line, got {count} that do") from None
         quadratic = np.stack([np.ones(count), *points.T, *points.T**2, points[:, 0] * points[:, 1]], axis=1)
-        # Points on a conic do not determine a quadratic polynomial: a linear one then.
+        # Positions on a conic do not determine a quadratic polynomial.
         degree = 2 if np.linalg.matrix_rank(quadratic, tol=1e-6) == 6 else 1
         self.interpolate = RBFInterpolator(points, values, kernel="cubic", degree=degree)
         self.reach = float(np.hypot(across, down).max())
 
     def _scaled(self, x: Array, y: Array) -> Array:
-        # The kernel is scaled to the size of the map: its matrix is then independent of the unit of length.
+        # Scaling to the size of the map makes the matrix independent of the unit of length.
         return np.asarray((np.stack([x.ravel(), y.ravel()], axis=1) - self.middle) / self.size)
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are in the convex hull."""
-        # Outward normals: a point inside is on the inner side of all edges.
-        beyond = self._scaled(x, y) @ self.edges[:, :2].T + self.edges[:, 2]
-        return np.asarray((beyond <= _ROUNDING).all(axis=1).reshape(x.shape))
+        """Return a mask of positions inside the convex hull."""
+        outward = self._scaled(x, y) @ self.edges[:, :2].T + self.edges[:, 2]
+        return np.asarray((outward <= _ROUNDING).all(axis=1).reshape(x.shape))
 
     def limits(self, unit: str) -> str:
         """Return the extent of the hull."""
@@ -1024,7 +1020,7 @@ class Scattered(WavefrontsOnSensor):
 
 
 class Radial(WavefrontsOnSensor):
-    """Cubic splines along the height, and rotation: the field of a rotationally symmetric lens."""
+    """The field of a rotationally symmetric lens: cubic splines along the height, rotated to the azimuth."""
 
     def __init__(self, height: ArrayLike, wavefront: Wavefront, azimuth: float) -> None:
         from scipy.interpolate import CubicSpline
@@ -1032,13 +1028,12 @@ class Radial(WavefrontsOnSensor):
         self.height, self.azimuth = _heights(height), validation.real("azimuth", azimuth)
         values, self.terms = _coefficients_and_terms(wavefront, self.height.shape, "of height")
         orders = np.array([m for _, m in self.terms])
-        # On the axis a symmetric lens has no direction: astigmatism, coma and tilt are 0.
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
                 "the wavefront at height 0, on the axis of a rotationally symmetric lens, must not depend on the "
                 f"direction, got {validation.shown(wavefront[0])}"
             )
-        # Half a turn maps the height to its negative and a term to (-1)^m times itself.
+        # Rotation by 180 degrees maps the height to its negative, and a term to (-1)^m times itself.
         parity = np.where(orders % 2, -1.0, 1.0)
         middle = np.where(orders == 0, values[:1], 0.0)
         mirrored = np.concatenate([parity * values[:0:-1], middle, values[1:]])
@@ -1048,15 +1043,14 @@ class Radial(WavefrontsOnSensor):
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
-        # The minimum keeps rounding from leaving the last height.
         along = self.spline(np.minimum(np.hypot(x, y) / self.reach, 1.0))
         turn = np.arctan2(y, x) - self.azimuth
-        turned = zernike.rotated({term: along[..., k] for k, term in enumerate(self.terms)}, turn)
-        return Wavefront.from_edge(turned)
+        rotated = zernike.rotated({term: along[..., k] for k, term in enumerate(self.terms)}, turn)
+        return Wavefront.from_edge(rotated)
 
 
 class Seidel(WavefrontsOnSensor):
-    """Seidel's polynomials of the field and the pupil."""
+    """Seidel coefficients: aberrations as polynomials of field and pupil position."""
 
     def __init__(self, edge: float, waves: Mapping[str, float]) -> None:
         self.reach = validation.real("edge", edge, above=0.0)
@@ -1064,9 +1058,9 @@ class Seidel(WavefrontsOnSensor):
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
-        made = Wavefront.from_seidel(**self.waves, field=(x / self.reach, y / self.reach))
-        # Without a term that depends on the field, a single one stands for all.
-        return made if made.shape == x.shape else Wavefront(np.zeros(x.shape)) + made
+        stack = Wavefront.from_seidel(**self.waves, field=(x / self.reach, y / self.reach))
+        # If no term depends on the field, the result is a single wavefront.
+        return stack if stack.shape == x.shape else Wavefront(np.zeros(x.shape)) + stack
 
 
 def _rising(name: str, value: ArrayLike) -> Array:

@@ -1,14 +1,15 @@
-r"""Pixel values of stars from samples of their images, with pixel area and blur, and the slopes by its widths.
+r"""Pixel values of stars from samples of their PSFs, with pixel area and blur, and derivatives by blur widths.
 
-The intensity holds no frequency above 1 / (lambda*N): from samples h < 1/2 apart (units of lambda*N), images are
+The intensity is band-limited to frequency 1 / (lambda*N). From samples with spacing h < 1/2 (lambda*N) images are
 
 .. math:: I_i = p \sum_j k(x_i - h j)\, s_j, \qquad
           k(x) = \int T(f)\, \mathrm{sinc}(p f)\, e^{-2 \pi^2 \sigma^2 f^2} \cos(2 \pi f x)\, df
 
-along rows and columns, ``s_j`` being fractions of light per sample; T is 1 up to a frequency F and falls to 0 at
-``1/h - 1``, where copies of the spectrum begin. F is 1, or less where pixels and blur leave nothing above it: behind
-wide blur samples may be nearly 1 apart. Pixels may be of any size, and blur of any width: nothing is blurred on
-pixels. Blur of another shape is a mixture of Gaussians: a sum of such images.
+along rows and along columns. ``x_i`` are pixel centres, p is the pixel pitch, sigma the rms width of a Gaussian blur
+and ``s_j`` the fractions of light per sample. The low-pass filter T is 1 up to frequency F and falls to 0 at
+``1/h - 1``, where aliases begin. F is 1, or smaller if pixels and blur suppress higher frequencies: with wide blur h
+may be nearly 1. Pixel size and blur width are not limited, because blur is applied before sampling by pixels. Other
+blur shapes are mixtures of Gaussians, whose images are summed.
 """
 
 from __future__ import annotations
@@ -24,26 +25,27 @@ from lommel.base.arrays import Array, Values
 from lommel.blur.mixtures import Shape
 from lommel.special.legendre import gauss_legendre
 
-_TAPER = 1.0 / 0.45 - 1.0  # frequency at which T reaches 0, over F: samples of sharp images are 0.45 lambda*N apart
-_FAINT = 1e-6  # largest transfer of pixels and blur above F
-_BANDS = np.linspace(0.02, 1.0, 50)  # values of F
-ROOM = 0.5  # pixels by which blur may widen before samples are chosen anew
-_MARGIN = 3.0  # lambda*N of samples beyond the outer pixels
-_WIDTHS = 3.7  # standard deviations of blur: further samples beyond them
-_ALONE = 2**18  # multiplications up to which BLAS uses a single thread
-_TOGETHER = 6  # images read together, so that their samples stay in the cache
-_WIDER = (3.0, 15.0)  # times the mean variance of a blur: Gaussians of wings and of a halo
-_LEAST = 0.05  # pixels^2 added to that variance
+_TAPER = 1.0 / 0.45 - 1.0  # frequency at which T reaches 0, over F: without blur h is 0.45 lambda*N
+_FAINT = 1e-6  # largest transfer function of pixels and blur above F
+_BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
+ROOM = 0.5  # increase of the blur width, pixels, up to which the sample lattice is kept
+_MARGIN = 3.0  # samples beyond the outer pixels, lambda*N
+_WIDTHS = 3.7  # further samples beyond the outer pixels, standard deviations of the blur
+_SINGLE_THREAD = 2**18  # multiplications up to which BLAS uses a single thread
+_BATCH = 6  # images computed together, so that their samples stay in the cache
+_WIDER = (3.0, 15.0)  # additional variance of wings and halo, over the mean variance of the blur
+_MIN_VARIANCE = 0.05  # pixels^2 added to variances of the blur in that mean
 OTHER_BLURS = ("Gaussian", "along rows", "oblique", "wings", "halo")
-"""Blurs of which images have derivatives, beside that of their shape."""
-_FALL = 2.2  # argument of the error function in half the width of the fall of T
+"""Additional blurs, which are not part of the shape, by which derivatives are available."""
+_ERF_ARGUMENT = 2.2  # argument of the error function at either end of the taper of T
 
 
 class StarReadout:
-    """From samples on a lattice around the axis to the pixels of a window, for blur of a shape up to `widest` pixels.
+    """Linear map from samples on a lattice around the axis to the pixels of a window, with pixel area and blur.
 
-    `pixel` is in lambda*N; pixels that do not `integrate` are points. `narrowest` are the least variances of the
-    Gaussians of the blur (pixels^2), by default 0. Samples are `step` apart, lambda*N.
+    `pixel` is the pixel pitch (lambda*N), `widest` the largest blur width (pixels), and `narrowest` the smallest
+    variances of the Gaussians of the blur (pixels^2), by default 0. Without `integrate` pixels are points. The sample
+    spacing is `step` (lambda*N).
     """
 
     def __init__(
@@ -62,7 +64,7 @@ class StarReadout:
         band = self._band(integrate)
         edge = _TAPER * band
         self.step = 1.0 / (1.0 + edge)
-        # Hardly any light is half a window beyond its rim, from where wider blur would bring it.
+        # Light farther than half a window outside the window is neglected.
         blurred = [min(_WIDTHS * widest, 0.5 * side) for side in window]
         halves = [
             math.ceil((_MARGIN + pixel * (side // 2 + 0.5 * integrate + more)) / self.step)
@@ -70,32 +72,32 @@ class StarReadout:
         ]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         length = self.step * max(halves)
-        # Nodes for the fastest cosine, half a turn each two nodes, and 30 more.
+        # Gauss rules resolve cos(w t), abs(t) <= 1, from w / 2 nodes on: w of the fastest cosine, and 30 nodes more.
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * edge * (2.0 * length)) + 30)
         self._f: Array = edge * nodes
         middle = 0.5 * (band + edge)
-        taper = 0.5 * special.erfc(_FALL * (self._f - middle) / (edge - middle))
+        taper = 0.5 * special.erfc(_ERF_ARGUMENT * (self._f - middle) / (edge - middle))
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._weights = 2.0 * pixel * edge * weights * taper * area
         self._window = window
-        #: Of rows and columns, cosines and sines at pixels and samples from the axis on, (places, frequencies).
+        #: Rows, then columns: cosines (and sines) at pixels and samples, from the axis on, (positions, frequencies).
         self._sides = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
             for side, half in zip(window, halves, strict=True)
         ]
 
     def serves(self, width: float, variances: Array) -> bool:
-        """Return whether samples suffice for blur of this width, pixels, and of these least variances (c,)."""
+        """Return whether the samples suffice for a blur width (pixels) and variances of its Gaussians (c,)."""
         in_range = self.widest - 2.0 * ROOM <= width <= self.widest
         return in_range and bool((variances >= self.narrowest).all())
 
     def _band(self, integrate: bool) -> float:
-        """Return the frequency F, cycles per lambda*N, above which the narrowest blur and the pixels pass nothing."""
+        """Return F, cycles per lambda*N, above which pixels and the narrowest blur transmit nothing."""
         rate = 2.0 * (math.pi * self.pixel * _BANDS) ** 2
-        passed = np.exp(-np.multiply.outer(rate, self.narrowest)) @ self.blur.weights
+        transfer = np.exp(-np.multiply.outer(rate, self.narrowest)) @ self.blur.weights
         if integrate:
-            passed /= np.maximum(math.pi * self.pixel * _BANDS, 1.0)  # the envelope of the sinc
-        faint = passed < _FAINT
+            transfer /= np.maximum(math.pi * self.pixel * _BANDS, 1.0)  # the envelope of the sinc
+        faint = transfer < _FAINT
         return float(_BANDS[faint.argmax()]) if faint.any() else 1.0
 
     def _waves(self, pitch: float, last: int) -> tuple[Array, Array]:
@@ -103,60 +105,62 @@ class StarReadout:
         return np.cos(angle), np.sin(angle)
 
     def _matrices(self, variances: Array, *, slopes: bool) -> Iterator[list[list[Values]]]:
-        """Yield matrices of rows and columns (r, pixels, samples) for variances (r,), and `slopes` by these.
+        """Yield matrices [rows, columns][even, odd part] (r, pixels, samples) for variances (r,), then their slopes.
 
-        For both sides, that of the even and of the odd parts of images: k is even, and sums over both sides of the
-        axis are those over one, of half as many samples.
+        The kernel k is even, so that even and odd parts of images need only samples and pixels on one side of the
+        axis.
         """
         # d/ds exp(-2 pi^2 s p^2 f^2), s the variance in pixels^2.
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
-        faded = self._weights * np.exp(np.multiply.outer(variances, rate))
-        for weights in (faded, faded * rate) if slopes else (faded,):
+        blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
+        for weights in (blurred, blurred * rate) if slopes else (blurred,):
             yield [
                 [products(pixels * weights[:, None], samples).astype(np.float32) for pixels, samples in side]
                 for side in self._sides
             ]
 
     def read(self, samples: Sequence[Values], squares: Array, *, slopes: bool) -> list[Values]:
-        """Return images (r * e, height, width) of samples of PSFs and of their slopes, for squared blurs (r, e, b).
+        """Return images (r * e, height, width) from samples of PSFs and of their derivatives.
 
-        And, if there are to be `slopes`, those by the b squares.
+        `squares` (r, e, b) are squared blur widths; with `slopes` derivatives by these follow.
         """
         one = bool((squares == squares[:1]).all())
         variances = self.blur.variances(squares[:1] if one else squares).reshape(-1, len(self.blur.weights))
-        apart, count = len(variances), len(samples[0])  # images that many apart have the same blur
+        apart, count = len(variances), len(samples[0])  # the blurs repeat after `apart` images
         more = self.blur.unknown if slopes else 0
-        made = [list(self._matrices(variance, slopes=more > 0)) for variance in variances.T]
-        found = np.empty((len(samples) + more, count, *self._window), np.float32)
-        step = _TOGETHER if apart == count else apart * max(1, _TOGETHER // apart)
+        matrices = [list(self._matrices(variance, slopes=more > 0)) for variance in variances.T]
+        images = np.empty((len(samples) + more, count, *self._window), np.float32)
+        step = _BATCH if apart == count else apart * max(1, _BATCH // apart)
         for at in (slice(first, first + step) for first in range(0, count, step)):
             own = at if apart == count else slice(None)
-            mine = [[[[each[own] for each in side] for side in sides] for sides in one] for one in made]
+            batch = [[[[each[own] for each in side] for side in sides] for sides in one] for one in matrices]
             here = np.stack([each[at] for each in samples]).astype(np.float32, copy=False)
-            found[:, at] = self._read(here, mine, more)
-        return list(found)
+            images[:, at] = self._read(here, batch, more)
+        return list(images)
 
-    def _read(self, samples: Values, made: list[list[list[list[Values]]]], more: int) -> Values:
-        """Return images and so many slopes of samples (n, r, h, w), with the matrices of each Gaussian."""
-        parts = _folded(samples.reshape(len(samples), -1, len(made[0][0][0][0]), *self.shape))
+    def _read(self, samples: Values, matrices: list[list[list[list[Values]]]], more: int) -> Values:
+        """Return images from samples (n, r, h, w) and `more` derivatives, with the matrices of each Gaussian."""
+        parts = _folded(samples.reshape(len(samples), -1, len(matrices[0][0][0][0]), *self.shape))
         size = len(samples) + more, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
-        found = [[np.zeros(size, np.float32) for _ in range(2)] for _ in range(2)]
-        for weight, rates, ((down, across), *changes) in zip(self.blur.weights, self.blur.rates, made, strict=True):
+        images = [[np.zeros(size, np.float32) for _ in range(2)] for _ in range(2)]
+        mixture = zip(self.blur.weights, self.blur.rates, matrices, strict=True)
+        for weight, rates, ((down, across), *changes) in mixture:
             for y, x in product(range(2), range(2)):
-                part, place = parts[y][x], found[y][x]
+                part, out = parts[y][x], images[y][x]
                 half = np.float32(weight) * products(part, across[x])
-                place[: len(samples)] += _down(half, down[y])
+                out[: len(samples)] += _down(half, down[y])
                 for by_rows, by_columns in changes:
                     slope = _down(half[0], by_rows[y])
                     slope += np.float32(weight) * _down(products(part[0], by_columns[x]), down[y])
-                    place[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * slope
-        return unfolded(found, self._window).reshape(len(found[0][0]), -1, *self._window)
+                    out[len(samples) :] += rates.astype(np.float32)[:, None, None, None, None] * slope
+        return unfolded(images, self._window).reshape(len(images[0][0]), -1, *self._window)
 
     def other_blurs(self, samples: Values, squares: Array) -> dict[str, Values]:
-        """Return derivatives (r * e, height, width) of images of samples by blurs that the shape does not have.
+        """Return derivatives (r * e, height, width) of images by the parameters of OTHER_BLURS.
 
-        Of squared blurs (e, b): by the variance of a Gaussian besides, pixels^2; by half of what that along rows
-        exceeds that along columns, and by what both have in common, pixels^2; by the shares of wider Gaussians.
+        "Gaussian": additional variance (pixels^2). "along rows" and "oblique": half the difference between the
+        variances along rows and columns, and their covariance (pixels^2). "wings" and "halo": share of light in a
+        wider blur. `squares` (e, b) are the squared blur widths of the images.
         """
         sides = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
@@ -167,7 +171,7 @@ class StarReadout:
         apart, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
 
         def kernels(weights: Array, *, odd: bool = False) -> list[Array]:
-            """Return k of rows and columns (c, pixels, samples), or its slope by the place of a pixel."""
+            """Return the kernel k of rows and columns (c, pixels, samples); `odd`: with sines instead of cosines."""
             one, other, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
             return [
                 np.asarray(
@@ -178,41 +182,41 @@ class StarReadout:
                 for x, y in sides
             ]
 
-        found = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
+        derivatives = {name: np.empty((len(samples), *self._window), np.float32) for name in OTHER_BLURS}
         for k, variances in enumerate(self.blur.variances(squares)):
-            middle = math.exp(float(self.blur.weights @ np.log(variances + _LEAST)))
-            faded = self._weights * np.exp(np.multiply.outer(variances, rate))
-            plain, slope = kernels(faded), kernels(faded * rate)
-            odd = kernels(2.0 * math.pi * self.pixel * self._f * faded, odd=True)
+            middle = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
+            blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
+            plain, slope = kernels(blurred), kernels(blurred * rate)
+            odd = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
             image, along, across, oblique = (
                 self._mixed(samples[k::apart], rows, columns)
                 for rows, columns in (plain, (slope[0], plain[1]), (plain[0], slope[1]), odd)
             )
-            made = [along + across, along - across, oblique]
+            changes = [along + across, along - across, oblique]
             for times in _WIDER:
                 wide = self._weights * np.exp(np.multiply.outer(variances + times * middle, rate))
-                made.append(self._mixed(samples[k::apart], *kernels(wide)) - image)
-            for place, each in zip(found.values(), made, strict=True):
-                place[k::apart] = each
-        return found
+                changes.append(self._mixed(samples[k::apart], *kernels(wide)) - image)
+            for out, each in zip(derivatives.values(), changes, strict=True):
+                out[k::apart] = each
+        return derivatives
 
     def _mixed(self, samples: Values, rows: Array, columns: Array) -> Values:
-        """Return images behind the mixture of Gaussians, from matrices of rows and columns (c, pixels, samples)."""
+        """Return images blurred by the mixture of Gaussians, given the matrices of rows and columns of each."""
         each = zip(self.blur.weights, rows, columns, strict=True)
         parts = [np.float32(weight) * _down(products(samples, across), down) for weight, down, across in each]
         return np.asarray(sum(parts))
 
 
 def _folded(images: Values) -> list[list[Values]]:
-    """Return the parts of images that are even and odd along columns, and each along rows, from the axis on."""
-    found = [images]
+    """Return even and odd parts of images, [parity along y][parity along x], from the axis on."""
+    parts = [images]
     for _ in range(2):
-        found = [part for each in found for part in _halves(each.swapaxes(-1, -2))]
-    return [found[:2], found[2:]]
+        parts = [part for each in parts for part in _halves(each.swapaxes(-1, -2))]
+    return [parts[:2], parts[2:]]
 
 
 def _halves(images: Values) -> tuple[Values, Values]:
-    """Return sums and differences of both sides of the axis along the last one; the axis itself counts once."""
+    """Return sums and differences of the two halves along the last axis; the central sample counts once."""
     middle = images.shape[-1] // 2
     beyond, before = images[..., middle:], images[..., middle::-1]
     even = beyond + before
@@ -233,15 +237,15 @@ def unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
 
 
 def products(images: Values, matrix: Array) -> Values:
-    """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n), or some (..., m, n)."""
-    # Of larger products that are still small, threads of BLAS wait for each other far longer than they take.
-    turned, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
-    many = max(1, _ALONE // max(turned.shape[-2] * turned.shape[-1], 1))
+    """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n), or several (..., m, n)."""
+    # Blocks of rows are small enough for one thread of BLAS; several threads would mostly wait for each other.
+    transposed, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
+    many = max(1, _SINGLE_THREAD // max(transposed.shape[-2] * transposed.shape[-1], 1))
     if many >= rows:
-        return np.asarray(images @ turned)
-    return np.concatenate([images[..., k : k + many, :] @ turned for k in range(0, rows, many)], axis=-2)
+        return np.asarray(images @ transposed)
+    return np.concatenate([images[..., k : k + many, :] @ transposed for k in range(0, rows, many)], axis=-2)
 
 
 def _down(images: Values, matrix: Array) -> Values:
-    """Return the same along the columns of images (..., n, width)."""
+    """Return products of the columns of images (..., n, width) with a matrix (m, n), or several."""
     return products(images.swapaxes(-1, -2), matrix).swapaxes(-1, -2)

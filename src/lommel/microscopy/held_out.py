@@ -1,9 +1,9 @@
-"""Photons of a part of a stack that are held out: they tell when to stop, which background and which PSF is right.
+"""Cross-validation with held-out photons: stopping rule, background level and comparison of PSFs for a stack.
 
-Counts are divided between two halves. Counts plus the variance of reading are close to ``Poisson(mu + read^2)``
-(Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): of the nearest integer each half gets a binomial share, and half of
-the rest. As the variance of what is divided is its mean, the halves are uncorrelated, as far as gain, offset and read
-noise are right. One half is restored; steps end where the deviance of the other one is the least.
+Counts are split into two halves. Counts plus the read-noise variance are close to ``Poisson(mu + read^2)`` (Snyder et
+al. 1993, doi:10.1364/JOSAA.10.001014): each half gets a binomial share of the nearest integer, and half of the
+rounding remainder. The halves are uncorrelated if gain, offset and read noise are correct. One half is deconvolved;
+the iteration stops at the minimum of the Poisson deviance of the other half.
 """
 
 from __future__ import annotations
@@ -25,34 +25,34 @@ from lommel.microscopy.refinement import StackContext, Tell, TrialDeconvolution,
 from lommel.recorded.noise import Noise
 
 SIDE = 40
-"""Pixels of the side of the part in which PSFs are compared."""
+"""Side, in pixels, of the region in which PSFs are compared."""
 WHOLE = 500_000
-"""Voxels of a stack, up to which its background is estimated by photons that are held out of all of it."""
-_STEPS, _PATIENCE = 150, 6  # largest number of steps of a walk, and steps after the best one
-_USUAL = 55  # usual number of steps of a walk
-_RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # relative rise of the background, largest number of rises, steps of each
-_WITHIN = 2.0  # of lnL: largest loss of a background against the best one
-_APART, _FARTHER = 0.005, 4  # change of the sample's index that is tried, and number of further ones
-_SURE = 2.5  # standard errors from which on another PSF agrees better
-_OPEN = -1.0, 4.0  # standard errors between which the other half is used as well
-_WALKS = 8.0  # usual number of walks
+"""Largest number of voxels of a stack whose background is estimated from held-out photons of the whole stack."""
+_STEPS, _PATIENCE = 150, 6  # largest number of iterations, and of iterations after the best one
+_USUAL = 55  # typical number of iterations
+_RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # background steps: relative size, largest number, iterations after each
+_WITHIN = 2.0  # accepted loss of lnL of a background against the best one
+_INDEX_STEP, _FARTHER = 0.005, 4  # tested change of the sample index, and number of further steps
+_SURE = 2.5  # significance of a better PSF, standard errors
+_OPEN = -1.0, 4.0  # significance range, standard errors, in which the halves are exchanged for a second test
+_WALKS = 8.0  # typical number of deconvolutions
 _ESTIMATED, _FLAT = Background(None), State()
 
 
 class Best(NamedTuple):
-    """The step of a walk whose light agrees best with the photons that were held out."""
+    """The iteration whose estimate agrees best with the held-out photons."""
 
-    loss: float  # minus the logarithm of their likelihood, but for a constant
+    loss: float  # negative log likelihood of the held-out photons, up to a constant
     steps: int
-    losses: Values  # of each voxel
-    electrons: Values  # that are expected in each voxel
-    level: float  # background of a half
+    losses: Values  # loss of each voxel
+    electrons: Values  # expected electrons of each voxel
+    level: float  # background of one half
     state: State
-    course: list[StepSettings]  # of the whole walk
+    course: list[StepSettings]  # settings of all iterations
 
 
 class _Half(PoissonCounts):
-    """Counts of one half, and the agreement of their model with the other half."""
+    """Counts of one half, and the deviance of its model from the other half."""
 
     def __init__(self, recorded: Values, held: Values, noise: Noise) -> None:
         self._held: Values | None = None
@@ -62,21 +62,21 @@ class _Half(PoissonCounts):
         self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State(), [])
 
     def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
-        found = super()._deviance_sums(plane, rows, columns, light, misfit)
+        sums = super()._deviance_sums(plane, rows, columns, light, misfit)
         if self._held is not None:
             at = plane, rows, columns
             _, weight = self.part(*at)
             seen = np.maximum(self._held[at] + self._added_at(rows, columns), np.float32(0.0))
             known = np.isfinite(seen) & (weight > 0.0)
-            seen = np.where(known, seen, light)  # the light has become the model
+            seen = np.where(known, seen, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
             loss = light - seen + seen * np.log(np.maximum(seen, TINY) / light)
             self._losses[at] = np.where(known, self.white * weight * loss, 0.0)
             self._electrons[at] = self.white * weight * light
-        return found
+        return sums
 
     def past(self, step: int, walk: Iteration) -> bool:
-        """Return whether the best step of a walk is _PATIENCE or more steps ago."""
+        """Update the best iteration; return whether it is _PATIENCE or more iterations ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
             self.best = Best(
@@ -92,7 +92,7 @@ class _Half(PoissonCounts):
 
 
 class Halves:
-    """Counts (planes, height, width) divided between two halves: one is restored, the other says how well."""
+    """Counts (planes, height, width) split into two halves, one to deconvolve and one to validate the result."""
 
     def __init__(self, values: Values, camera: Noise, limit: float = math.inf) -> None:
         gain = np.asarray(1.0 if camera.white is None else camera.white)
@@ -102,36 +102,36 @@ class Halves:
             known = np.isfinite(recorded) & (recorded < limit)
         given = np.where(known, gain * (recorded - camera.offset) + spread, 0.0)
         whole = np.maximum(np.rint(given), 0.0)
-        # Each photon goes to either half with the same chance: shares of a Poisson variable are independent.
+        # Each photon goes to either half with probability 1/2: the two parts of a Poisson variable are independent.
         draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
         self.parts = [
-            # Each half has half of the variance of reading, which was added to the counts.
+            # Subtract half of the read-noise variance, which was added to the counts.
             np.where(known, (each + 0.5 * (given - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
             for each in (draw, whole - draw)
         ]
-        # Half of the variance each.
+        # Each half has half of the read-noise variance.
         self.noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
 
     def walked(
-        self, blur: PlaneOperator, told: Callable[[int, float, float], object], *, fold: int = 0,
+        self, blur: PlaneOperator, progress: Callable[[int, float, float], object], *, fold: int = 0,
         background: Background = _ESTIMATED, start: State = _FLAT, steps: int = _STEPS,
         course: list[StepSettings] | None = None,
     ) -> Best:  # fmt: skip
-        """Restore a half, and return the step that agrees best with the other one."""
+        """Deconvolve a half, and return the iteration that agrees best with the other half."""
         half = _Half(self.parts[fold], self.parts[1 - fold], self.noise)
         walk = Iteration(blur, half, course, background=background)
         walk.start_from(start)
         walk.enough = lambda step, _: half.past(step, walk)
-        walk.solve(RichardsonLucy(steps=steps, target=0.0), told)
+        walk.solve(RichardsonLucy(steps=steps, target=0.0), progress)
         return half.best
 
 
 def enough(
     method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonCounts
 ) -> Callable[[int, float], bool] | None:
-    """Return the rule that ends an iteration at the step that agreed best with held-out photons, None without one.
+    """Return a stopping rule: `steps` iterations, the best for held-out photons, and a residual within noise.
 
-    Nor before its discrepancy is what noise may leave; methods with a target below 1 go on to that.
+    None if `steps` is 0, or the method is not Richardson-Lucy with a target discrepancy of at least 1.
     """
     if not (isinstance(method, RichardsonLucy) and method.target >= 1.0 and steps):
         return None
@@ -140,30 +140,30 @@ def enough(
 
 
 def highest_level(free: Best, walked: Callable[[Background, State, int], Best]) -> float:
-    """Return the background of the counts: the highest that held-out photons agree with.
+    """Return the background of the counts: the highest level that agrees with the held-out photons.
 
-    Light of a flat specimen and that of a background are the same to a stack, and a walk keeps what it began with.
-    Less background than there is leaves a floor of light, which agrees little worse; more is contradicted by dark
-    voxels. From the `free` walk, which estimated it with the specimen, the background is raised by what is taken from
-    the specimen everywhere, and a few steps follow: `walked` takes the background, the state and their number.
+    Background and a uniform specimen have the same image, and the iteration does not redistribute light between them.
+    Too low a background adds a pedestal to the specimen and reduces the likelihood only slightly; too high a
+    background contradicts dark voxels. Starting from `free`, which estimated background and specimen together, the
+    background is raised in steps, and the increase is subtracted from the specimen. After each step `walked`
+    (background, state, number of iterations) continues the iteration.
     """
-    places: list[float] = []
+    levels: list[float] = []
     losses: list[float] = []
     for raised in range(_LEVELS + 1):
-        places.append(free.level * (1.0 + _RISE) ** raised)
-        start = free.state.less(places[-1] - free.level)
-        losses.append(walked(Background(places[-1]), start, _SETTLE).loss)
+        levels.append(free.level * (1.0 + _RISE) ** raised)
+        start = free.state.less(levels[-1] - free.level)
+        losses.append(walked(Background(levels[-1]), start, _SETTLE).loss)
         most = min(losses) + _WITHIN
         if losses[-1] > most:
-            # Between the last two.
+            # Linear interpolation between the last two levels, which are those of one half of the counts.
             share = (most - losses[-2]) / (losses[-1] - losses[-2])
-            # Two halves make the counts.
-            return 2.0 * (places[-2] + share * (places[-1] - places[-2]))
-    return 2.0 * places[-1]
+            return 2.0 * (levels[-2] + share * (levels[-1] - levels[-2]))
+    return 2.0 * levels[-1]
 
 
 class HeldOut(TrialDeconvolution):
-    """A part of a stack in two halves."""
+    """Region of a stack with its counts split into two halves."""
 
     def __init__(self, context: StackContext, tell: Tell, *, side: int = SIDE) -> None:
         super().__init__(context, brightest(context.stack, side, context.saturation))
@@ -172,30 +172,33 @@ class HeldOut(TrialDeconvolution):
 
     @property
     def plain(self) -> bool:
-        """Whether a flat scene explains the stack."""
+        """True if a uniform specimen explains the stack."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
     def best(self, words: str, model: DepthModel, fold: int = 0, course: list[StepSettings] | None = None) -> Best:
-        """Restore a half, and return the step that agrees best with the other one.
+        """Deconvolve a half, and return the iteration that agrees best with the other half.
 
-        With the `course` of another PSF steps are extrapolated as far as with that: lnL is then smooth in the index.
+        The `course` of another PSF fixes the extrapolation of steps: lnL is then a smooth function of the index.
         """
-        told = self._work(f"held-out photons, {words}", _USUAL)
-        return self._halves.walked(self.blur(model, len(self._values)), told, fold=fold, course=course)
+        progress = self._work(f"held-out photons, {words}", _USUAL)
+        return self._halves.walked(self.blur(model, len(self._values)), progress, fold=fold, course=course)
 
     def level(self, free: Best) -> float:
-        """Return the background of the stack, of a `free` walk that estimated it with the specimen."""
+        """Return the background of the stack, given the deconvolution `free` that estimated it initially."""
 
         def walked(background: Background, start: State, steps: int) -> Best:
-            blur, told = self.blur(self._model, len(self._values)), self._work("held-out photons, background", steps)
-            return self._halves.walked(blur, told, background=background, start=start, steps=steps)
+            blur, progress = (
+                self.blur(self._model, len(self._values)),
+                self._work("held-out photons, background", steps),
+            )
+            return self._halves.walked(blur, progress, background=background, start=start, steps=steps)
 
         return highest_level(free, walked)
 
     def finding(self, own: Best) -> Finding | None:
-        """Return what held-out photons say of the PSF: of other indices of the sample, of which `own` has the given.
+        """Compare PSFs for other refractive indices of the sample with `own`, the result for the given index.
 
-        None where no other index is possible.
+        Return None if no other index is possible.
         """
         start = self._model.objective.sample
         tried: dict[float, Best] = {start: own}
@@ -208,9 +211,9 @@ class HeldOut(TrialDeconvolution):
                 return None
             return self.best(f"index of the sample {value:.4g}", model, fold, like.course)
 
-        for change in (-_APART, _APART):
-            if found := index(change, own):
-                tried[start + change] = found
+        for change in (-_INDEX_STEP, _INDEX_STEP):
+            if result := index(change, own):
+                tried[start + change] = result
         gains = {value: _gain(own, each) for value, each in tried.items() if value != start}
         if not gains:
             return None
@@ -238,9 +241,9 @@ class HeldOut(TrialDeconvolution):
             if following.loss > best.loss:
                 break
             best = following
-        found_at, off = _least({each: one.loss for each, one in tried.items()})
-        numbers |= {"preferred": found_at, "preferred_error": off}
-        about = f"about {found_at:.4f} +- {off:.4f}" if math.isfinite(off) else f"{found_at:.4g} or beyond"
+        preferred, off = _least({each: one.loss for each, one in tried.items()})
+        numbers |= {"preferred": preferred, "preferred_error": off}
+        about = f"about {preferred:.4f} +- {off:.4f}" if math.isfinite(off) else f"{preferred:.4g} or beyond"
         text = (
             f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
             f"{gain:.0f} +- {error:.0f}), and best with {about}: the PSF may be wrong; an error of the depth, or "
@@ -250,14 +253,14 @@ class HeldOut(TrialDeconvolution):
 
 
 def estimated_held_out_steps(shape: tuple[int, ...]) -> float:
-    """Return about how many steps of the whole stack the comparison of PSFs takes."""
+    """Return the cost of the comparison of PSFs, in iterations on the whole stack."""
     return _WALKS * _USUAL * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
 
 
 def _gain(own: Best, other: Best) -> tuple[float, float]:
-    """Return by how much lnL of held-out photons is larger with another PSF, voxel by voxel, and its standard error.
+    """Return the increase of lnL of the held-out photons with another PSF, and its standard error.
 
-    That of ``sum y ln(m'/m)``, whose variance is ``m ln(m'/m)^2`` of each voxel.
+    The increase contains counts y and expectations m, m' as ``sum y ln(m'/m)``, with variance ``sum m ln(m'/m)^2``.
     """
     gain = float((own.losses.astype(np.float64) - other.losses).sum())
     known = (own.electrons > 0.0) & (other.electrons > 0.0)
@@ -266,15 +269,15 @@ def _gain(own: Best, other: Best) -> tuple[float, float]:
 
 
 def _least(losses: dict[float, float]) -> tuple[float, float]:
-    """Return where a parabola through the least loss and its neighbours is the least, and twice its standard error.
+    """Return the minimum of a parabola through the smallest loss and its neighbours, and twice its standard error.
 
-    In simulated stacks that is what it was off by; inf where the least is the outermost.
+    Twice the standard error is the actual error in simulated stacks; inf if the smallest loss is the outermost.
     """
-    places = sorted(losses)
-    at = min(range(len(places)), key=lambda k: losses[places[k]])
-    if not 0 < at < len(places) - 1:
-        return places[at], math.inf
-    near = places[at - 1 : at + 2]
-    bend, slope, _ = np.polyfit(np.array(near) - places[at], [losses[each] for each in near], 2)
-    # The minimum of b x^2 + s x is at -s / (2 b); lnL falls by 1/2 at 1 / sqrt(2 b), and twice that is returned.
-    return float(places[at] - 0.5 * slope / bend), float(2.0 / math.sqrt(2.0 * bend))
+    values = sorted(losses)
+    at = min(range(len(values)), key=lambda k: losses[values[k]])
+    if not 0 < at < len(values) - 1:
+        return values[at], math.inf
+    near = values[at - 1 : at + 2]
+    bend, slope, _ = np.polyfit(np.array(near) - values[at], [losses[each] for each in near], 2)
+    # The minimum of b x^2 + s x is at -s / (2 b), and lnL falls by 1/2 at 1 / sqrt(2 b) from it.
+    return float(values[at] - 0.5 * slope / bend), float(2.0 / math.sqrt(2.0 * bend))

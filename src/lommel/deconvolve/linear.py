@@ -1,4 +1,4 @@
-"""Blur operators: their base class, conversion to SciPy, mirrored edges, and windows mixed for each point."""
+"""Blur operators: base classes, conversion to SciPy operators, image borders, and space-variant PSF windows."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class LinearBlur(ABC):
     shape : (int, int)
         Height and width of the images.
     channels : int
-        Number of channels; an image of a single one may lack their axis.
+        Number of channels; single-channel images may omit the channel axis.
     dtype : dtype
         Type of the computation and of the results, float32 or float64.
     """
@@ -46,17 +46,17 @@ class LinearBlur(ABC):
         Parameters
         ----------
         image : ndarray of float, shape (height, width) or (height, width, channels)
-            Light.
+            Image in linear light.
 
         Returns
         -------
         ndarray
-            Of the shape of `image` and the dtype of the operator.
+            Blurred image, with the shape of `image` and the dtype of the operator.
 
         Raises
         ------
         TypeError, ValueError
-            If `image` has another shape, or holds anything but finite floats.
+            If `image` has another shape or type, or values that are not finite.
         """
 
     @abstractmethod
@@ -66,29 +66,29 @@ class LinearBlur(ABC):
         Parameters
         ----------
         image : ndarray of float
-            Of the shape that :meth:`forward` takes.
+            Image of a shape that :meth:`forward` takes.
 
         Returns
         -------
         ndarray
-            Of the shape of `image` and the dtype of the operator.
+            Transpose applied to `image`, with its shape and the dtype of the operator.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`forward`.
+            See :meth:`forward`.
         """
 
     def as_linear_operator(self) -> LinearOperator:
-        """Return the operator for the solvers of SciPy and of packages that take its operators.
+        """Return the blur as a SciPy LinearOperator, for the solvers of SciPy and compatible packages.
 
-        Images are vectors there: ``image.ravel()`` of those of shape `dims`, which is an attribute: (height, width),
-        or (height, width, channels) of several channels. A matrix has an image in each column.
+        Its vectors are ``image.ravel()``; its attribute `dims` is the shape of the image, (height, width), or
+        (height, width, channels) for several channels. A matrix has an image in each column.
 
         Returns
         -------
         scipy.sparse.linalg.LinearOperator
-            Square, of the type of the sums.
+            Square operator of the dtype of the blur.
 
         Examples
         --------
@@ -105,9 +105,9 @@ class LinearBlur(ABC):
         return linear_operator(self.forward, self.adjoint, dims, dims, self.dtype)
 
     def require(self, image: ArrayLike, name: str = "image", *, missing: bool = False) -> Values:
-        """Return `image` as an array; TypeError or ValueError with its `name` unless it is finite and of this shape.
+        """Return `image` as an array; TypeError or ValueError unless it has the right shape and finite floats.
 
-        With `missing` it may hold NaN.
+        Messages contain `name`; with `missing` values may be NaN.
         """
         array = validation.array(name, image)
         if array.dtype.kind != "f":
@@ -122,24 +122,24 @@ class LinearBlur(ABC):
         return array
 
     def planes(self, image: Values) -> Values:
-        """Return the channels of an `image`, of the type of the sums; ValueError if that overflows."""
+        """Return the channels of an `image` in the dtype of the operator; ValueError if that overflows."""
         given = self.require(image)
         with np.errstate(over="ignore"):
-            made = np.require(given, self.dtype, "A")
-        if made.dtype != given.dtype and not np.all(np.isfinite(made)):
+            converted = np.require(given, self.dtype, "A")
+        if converted.dtype != given.dtype and not np.all(np.isfinite(converted)):
             most = float(np.abs(given).max())
             raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {most:g}")
-        return np.moveaxis(made.reshape(*self.shape, self.channels), 2, 0)
+        return np.moveaxis(converted.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
-        """Return the image whose planes `make` returns for each channel and plane; ValueError for another shape."""
+        """Return the image of the planes ``make(channel, plane)``; ValueError if one has another shape."""
         validation.function("make", make)
         out = np.empty((*self.shape, self.channels), dtype=self.dtype)
         for channel, plane in enumerate(self.planes(image)):
-            made = np.asarray(make(channel, plane))
-            if made.shape != self.shape:
-                raise ValueError(f"make must return planes of the shape {self.shape}, got {made.shape}")
-            out[..., channel] = made
+            result = np.asarray(make(channel, plane))
+            if result.shape != self.shape:
+                raise ValueError(f"make must return planes of the shape {self.shape}, got {result.shape}")
+            out[..., channel] = result
         return out.reshape(np.shape(image))
 
 
@@ -150,10 +150,10 @@ Result_co = TypeVar("Result_co", covariant=True)
 
 
 class Part(Protocol):
-    """Accessor of planes of light, part by part."""
+    """Function that returns rectangular parts of planes."""
 
     def __call__(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return the values of a plane in these rows and columns."""
+        """Return the values of a plane in the given rows and columns."""
 
 
 class PartConsumer(Protocol[Result_co]):
@@ -164,15 +164,15 @@ class PartConsumer(Protocol[Result_co]):
 
 
 class PlaneOperator(ABC):
-    """A blur of planes that are passed part by part, so that only some of them are in memory.
+    """A blur of planes that are passed in parts, so that they need not all be in memory.
 
     Attributes
     ----------
     shape, whole : (int, int, int)
-        Planes, height and width of the recording, and of the scene with its margin.
+        Planes, height and width of the recording (`shape`), and of the scene with its margin (`whole`).
     outside : ndarray or None
-        Light of each plane beyond the margin, if there is any; `outside_back` is the transpose of its image, and
-        `per_outside` 1 over its share that is recorded.
+        Light in each plane beyond the margin, if modelled. `outside_back` is the transpose of the blur of this light,
+        and `per_outside` the reciprocal of its recorded fraction.
     """
 
     shape: tuple[int, int, int]
@@ -191,51 +191,51 @@ class PlaneOperator(ABC):
 
     @abstractmethod
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return 1 over the weighted share of each point's light that is recorded (A^T w); 0 where none is."""
+        """Return the reciprocal of A^T w, the weighted recorded fraction of the light of each point; 0 for none."""
 
     def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
-        """Set the largest weight of a pixel, which divides :meth:`per_seen`."""
+        """Set the largest weight of a pixel, by which :meth:`per_seen` is divided."""
 
     def release(self) -> None:  # noqa: B027 (nothing to free by default)
         """Free the memory of transforms."""
 
 
 UNSEEN = 1e-6
-"""Share of a point's light below which it counts as unseen."""
+"""Recorded fraction of the light of a point below which the point counts as not recorded."""
 
 
 class ImagePlanes(PlaneOperator):
-    """A linear blur whose channels are planes, of an image whose pixels have weights.
+    """A linear blur of a weighted image, whose channels are the planes.
 
     Parameters
     ----------
     blur : LinearBlur
     weight : ndarray
-        Of the shape of an image.
+        Weight of each pixel, with the shape of an image.
     """
 
     def __init__(self, blur: LinearBlur, weight: Values) -> None:
         self._blur, self._image = blur, weight.shape
         self.shape = self.whole = (blur.channels, *blur.shape)
-        # Richardson and Lucy divide by this: points that hardly any pixel sees would explode.
+        # Richardson-Lucy divides by this: points that are hardly recorded would diverge.
         seen = np.maximum(blur.adjoint(weight), 0.0)
         per = np.where(seen > UNSEEN, 1.0 / np.maximum(seen, UNSEEN), 0.0)
         self._per = np.moveaxis(per.astype(blur.dtype, copy=False).reshape(*blur.shape, -1), 2, 0)
 
     def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
-        """Call `consume` with the blurred planes, as :meth:`PlaneOperator.forward` does."""
+        """Call `consume` with the blurred planes; see :meth:`PlaneOperator.forward`."""
         return self._consumed(self._blur.forward, specimen, consume)
 
     def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
-        """Call `consume` with the planes of the transpose, as :meth:`PlaneOperator.adjoint` does."""
+        """Call `consume` with the planes of the transpose; see :meth:`PlaneOperator.adjoint`."""
         return self._consumed(self._blur.adjoint, recording, consume)
 
     def _consumed(
         self, operator: Callable[[Values], Values], values: Part, consume: PartConsumer[Result]
     ) -> list[Result]:
         rows, columns = (slice(0, side) for side in self.shape[1:])
-        made = self.planes(operator(self.image([values(k, rows, columns) for k in range(self.shape[0])])))
-        return [consume(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(made)]
+        planes = self.planes(operator(self.image([values(k, rows, columns) for k in range(self.shape[0])])))
+        return [consume(k, rows, columns, np.ascontiguousarray(plane)) for k, plane in enumerate(planes)]
 
     def image(self, planes: Sequence[Values] | Values) -> Values:
         """Return planes as an image; a single plane shares its memory."""
@@ -248,17 +248,17 @@ class ImagePlanes(PlaneOperator):
         return np.moveaxis(image.reshape(*self.shape[1:], -1), 2, 0)
 
     def parts(self, image: Values) -> Part:
-        """Return the parts of the planes of an image."""
+        """Return a function that returns parts of the planes of an image."""
         planes = self.planes(image)
         return lambda plane, rows, columns: planes[plane, rows, columns]
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return 1 over the transpose of the blur applied to the weights, 0 where that is next to nothing."""
+        """Return the reciprocal of the transposed blur of the weights; 0 where that is below UNSEEN."""
         return self._per[plane, rows, columns]
 
 
 def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
-    """Return the pixels, of `side`, in a window from `start` to `stop`, and their indices in the window."""
+    """Return the pixels (0 to `side`) inside a window from `start` to `stop`, and their indices in the window."""
     taken = slice(max(start, 0), max(min(stop, side), 0))
     return taken, slice(taken.start - start, taken.stop - start)
 
@@ -273,9 +273,9 @@ def linear_operator(
     """Return a SciPy LinearOperator of functions of images of shape `dims`, with results of shape `made`."""
     from scipy.sparse.linalg import LinearOperator
 
-    def of_vectors(way: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
+    def of_vectors(function: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
         def act(vector: Values) -> Values:
-            return way(np.asarray(vector, dtype=np.result_type(vector, np.float32)).reshape(shape)).reshape(-1)
+            return function(np.asarray(vector, dtype=np.result_type(vector, np.float32)).reshape(shape)).reshape(-1)
 
         return act
 
@@ -287,7 +287,7 @@ def linear_operator(
 
 
 def folded(room: Values, beyond: int, count: int) -> Values:
-    """Return the `count` rows between two mirrors, with the light that the mirrors send back."""
+    """Return `count` rows of `room` from row `beyond` on; rows outside are mirrored at the edges and added."""
     image = room[beyond : beyond + count]
     for first in range(beyond % count - count, len(room), count):  # periods of mirror images
         if first != beyond:
@@ -301,15 +301,15 @@ def folded(room: Values, beyond: int, count: int) -> Values:
 def without_copies(
     image: Values, rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]
 ) -> Values:
-    """Return an image with the values of copies beyond its edges added to the original points.
+    """Return an image without its border copies, whose values are added to those of the original pixels.
 
-    `rows` and `columns` give the original of each, as :func:`copies` returns.
+    `rows` and `columns` are the original row and column of each, as returned by :func:`copies`.
     """
     return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
 
 
 def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
-    """Return sums, shape (count, any), of the rows with equal index."""
+    """Return sums of rows with equal index, (count, columns)."""
     if len(places) == count:
         return taken
     total = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
@@ -318,14 +318,14 @@ def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
     return total
 
 
-LARGEST = {1: 19, 2: 31}  # largest side of windows mixed directly, for constant or varying defocus
-_STEP = 16  # windows are padded to multiples of this, and loads exceed rows by as many pixels
+LARGEST = {1: 19, 2: 31}  # largest side of windows for direct sums, for constant or varying defocus
+_STEP = 16  # windows are padded to multiples of this; the core reads up to as many pixels beyond a row
 _MOST_TILES = 32
-_ORDERS = (1, 4, 6)  # numbers of nodes over defocus that count for a point
+_ORDERS = (1, 4, 6)  # supported numbers of defocus nodes per point
 
 
 class Nodes(Protocol):
-    """Nodes along an axis with splines through values at them: see :mod:`lommel.imaging.field_blur`."""
+    """Nodes of spline interpolation along an axis: see :mod:`lommel.imaging.field_blur`."""
 
     @property
     def first(self) -> float:
@@ -344,33 +344,37 @@ class Nodes(Protocol):
         """Knots from 0 to 1, and the degree."""
 
     def weights(self, places: Array) -> Array:
-        """Return the weight of each coefficient at places (n,), shape (n, count)."""
+        """Return the weight of each coefficient at positions (n,), shape (n, count)."""
 
 
 class WindowBlur:
-    """Blur by windows mixed for each point, as :class:`lommel.imaging.field_blur.MixedBlur`.
+    """Space-variant blur by interpolated PSF windows; see :class:`lommel.imaging.field_blur.MixedBlur`.
 
-    ``out[q] = sum_p x[p] sum_kli D_k(p_y) A_l(p_x) F_i(p) W[k, l, i, q - p]``. Splines across the image are replaced
-    by parabolas in so many tiles that `error` is at most what is allowed.
+    ``out[q] = sum_p x[p] sum_kli D_k(p_y) A_l(p_x) F_i(p) W[k, l, i, q - p]``, W being windows and D, A and F the
+    spline weights of row, column and defocus. Splines across the image are replaced by parabolas in tiles; the number
+    of tiles is such that `error` is at most `allowed`.
 
     Parameters
     ----------
     windows : ndarray, shape (y, x, defocus, side, side)
-        Coefficients of splines.
+        Spline coefficients W of the windows.
     axes : three Nodes
-        To which they belong.
+        Interpolation nodes of y, x and defocus.
     y, x : ndarray
-        Places of the rows and columns.
+        Positions of the rows and columns.
     defocus : ndarray, shape (height, width)
+        Defocus of each point.
     border : {"reflect", "extend", "zero"}
+        Continuation of the image beyond its edges.
     threads : int
+        Maximum number of threads.
     allowed : float
-        Largest sum of absolute differences to the windows of the splines, each of sum 1.
+        Largest sum of absolute differences from the spline-interpolated windows, whose sum is 1.
 
     Raises
     ------
     ArithmeticError
-        If it takes too many tiles.
+        If too many tiles are needed.
     """
 
     def __init__(
@@ -439,22 +443,22 @@ class WindowBlur:
 
 
 def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:
-    """Return the index of the original row or column of each one that spreads light, copies beyond edges included."""
+    """Return the index of the original row or column for each one of the image with its border copies."""
     mode: Literal["symmetric", "edge"] = "symmetric" if border == "reflect" else "edge"
     return np.pad(np.arange(count, dtype=np.int64), margin, mode=mode)
 
 
 def _used(weights: Array) -> tuple[Array, slice]:
-    """Return the columns from the first to the last that is not 0, and their slice."""
+    """Return the columns from the first to the last nonzero one, and their slice."""
     used = np.flatnonzero(weights.any(axis=0))
     part = slice(int(used[0]), int(used[-1]) + 1)
     return weights[:, part], part
 
 
 def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
-    """Return places on [0, 1] of an axis of splines, the breaks of the pieces, and their coefficients.
+    """Return positions scaled to [0, 1], the breaks of the spline pieces, and their coefficients.
 
-    Coefficients are [piece][power][node]: the weight of node ``piece + node`` in powers of the position in the
+    Coefficients [piece][power][node] are the weight of node ``piece + node``, a polynomial of the position in the
     piece.
     """
     if nodes.count == 1:
@@ -468,7 +472,7 @@ def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
     breaks = np.ascontiguousarray(knots[degree : count + 1])
     powers = np.zeros((count - degree, order, order))
     for power in range(degree + 1):
-        # Taylor coefficients of each spline at the start of a piece, in units of its length.
+        # Taylor coefficients of each spline at the start of a piece, for positions in units of its length.
         known = splines(breaks[:-1], power) * np.diff(breaks)[:, None] ** power / math.factorial(power)
         for piece, weights in enumerate(known):
             powers[piece, power, : degree + 1] = weights[piece : piece + degree + 1]
@@ -476,7 +480,7 @@ def _pieces(nodes: Nodes, places: Array) -> tuple[Array, Array, Array]:
 
 
 def _used_pieces(along: Array, breaks: Array) -> tuple[Array, int]:
-    """Return the breaks of the pieces in which places lie, and the index of the first piece."""
+    """Return the breaks of the pieces that contain positions `along`, and the index of the first piece."""
     pieces = len(breaks) - 1
     first, last = (
         int(np.clip(np.searchsorted(breaks, end, side="right") - 1, 0, pieces - 1))
@@ -488,10 +492,10 @@ def _used_pieces(along: Array, breaks: Array) -> tuple[Array, int]:
 def _parabolas(
     across: Array, nodes: Nodes, x: Array, left: slice, windows: Values, allowed: float
 ) -> tuple[NDArray[np.int64], Array, Array, float]:
-    """Return the tile of each column, weights of nodes at places, shares of places in columns, and the error.
+    """Return the tile of each column, node weights at parabola points, weights of these in columns, and the error.
 
-    Weights sum to one, between places too: the error of any window is at most the largest error at the nodes down the
-    image and over defocus.
+    Interpolation along y and defocus has weights of sum 1: the error of any window is at most the largest error at
+    the nodes of y and defocus.
     """
     count, tiles = len(x), 1
     at = np.arange(count) / max(1, count - 1)
@@ -502,13 +506,13 @@ def _parabolas(
         shares = np.stack([0.5 * u * (u - 1.0), 1.0 - u * u, 0.5 * u * (u + 1.0)], axis=1)
         off = across - sum(shares[:, k, None] * places[2 * tile + k] for k in range(3))
         size = np.abs(off).sum(axis=1)
-        # One column of each tile, that with the largest error of the weights, is checked on the windows themselves.
+        # The error is computed for one column of each tile, the one with the largest error of the weights.
         worst = [int(np.flatnonzero(tile == k)[size[tile == k].argmax()]) for k in np.unique(tile)]
         made = np.tensordot(off[worst], windows.astype(np.float64, copy=False), axes=(1, 1))
         error = float(np.abs(made).sum(axis=(-2, -1)).max())
         if error <= allowed:
             return tile, places, shares, error
-        # Parabolas: the error falls by 8 where tiles are half as wide.
+        # The error of parabolas is proportional to the cube of the tile width.
         tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1.0 / 3.0)))
     raise ArithmeticError(f"parabolas in {_MOST_TILES} tiles are not close enough to the windows across the image")
 
@@ -516,7 +520,7 @@ def _parabolas(
 def tiles_of(
     shape: Sequence[int], side: int | Sequence[int], overlap: int
 ) -> Iterator[tuple[Window, Window, Window]]:
-    """Yield the slices of each tile, of the part that it depends on, and of the tile in that part."""
+    """Yield slices of each tile, of the tile with its overlap, and of the tile within the latter."""
     down, across = (side, side) if isinstance(side, int) else side
     for top in range(0, shape[0], down):
         for left in range(0, shape[1], across):

@@ -30,44 +30,44 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
 
 @dataclass(frozen=True, repr=False)
 class Pupil(BasePupil):
-    """Pupil of a lens: an aperture, circular or annular unless obstructed further, with a wavefront and an amplitude.
+    """Pupil of a lens: aperture (by default circular or annular), wavefront and amplitude.
 
     Parameters
     ----------
     wavefront : Wavefront
-        Phase; a stack of wavefronts makes a stack of pupils.
+        Phase; a stack of wavefronts gives a stack of pupils.
     obscuration : float, default 0
-        Radius of the central obscuration over that of the aperture, 0 to below 1.
+        Ratio of the radii of the central obscuration and the aperture, 0 to below 1.
     wavelength : float, optional
-        Metres. With `f_number`, lengths on the sensor are in metres; without both, in units of lambda*N.
+        Wavelength, metres. With `f_number`, lengths on the sensor are in metres; without both, in units of lambda*N.
     f_number : float, optional
         Working f-number N: sensor distance over aperture diameter.
     apodization : float or Apodization, default 0
         Amplitude across the aperture, for all pupils of a stack. A number g, 0 to 100, is a Gaussian
         ``exp(-g rho^2)``: a laser beam of 1/e amplitude radius w, truncated at the radius a, has ``g = (a / w)^2``.
-        See :attr:`lommel.Method.apodized` for the methods that take it.
+        See :attr:`lommel.Method.apodized` for the methods that support it.
     geometry : Geometry, optional
         Distances, set by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
     spider : Spider, optional
-        Vanes of one width from the axis; any others are strips taken from a `stop`.
+        Radial vanes of equal width. For other vanes subtract strips from a `stop`.
     vignetting : Ellipse or CatEye, optional
         Vignetting by a second edge.
     mask : Mask, optional
-        Transmission of amplitude and phase sampled over the aperture; the pupil function is then that of its samples.
+        Amplitude transmission and phase, sampled over the aperture. The pupil function is then that of its samples.
     stop : Shape or Segments, optional
-        Where light passes, if that is not the disc: a shape, or segments with phases of their own, which are paths in
-        other light. What is outside of the disc is not used. ``lommel.telescopes`` has those of telescopes.
+        Clear region within the unit disc, by default all of it: a shape, or segments with phases, whose path
+        differences are independent of wavelength. See ``lommel.telescopes`` for those of telescopes.
     colour : PupilColour, optional
         Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 
     Attributes
     ----------
     illumination : Apodization
-        The apodization; a Gaussian where it was given as a number.
+        The apodization; a Gaussian if it was given as a number.
     circular : bool
-        Whether the aperture is circular or annular: without spider, vignetting, mask and stop.
+        True for a circular or annular aperture, without spider, vignetting, mask and stop.
     radial : bool
-        Whether phase and transmission depend on the distance from the axis only.
+        True if phase and transmission depend on the distance from the axis only.
     aperture : tuple
         Obscuration, illumination, spider, vignetting, mask and stop.
 
@@ -91,7 +91,7 @@ class Pupil(BasePupil):
     colour: PupilColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
-    # Fields, not properties: read several times in a PSF that takes microseconds.
+    # Fields are faster than properties, and read several times in a PSF that takes microseconds.
     radial: bool = field(init=False, repr=False, compare=False)
     aperture: tuple[object, ...] = field(init=False, repr=False, compare=False)
 
@@ -146,12 +146,12 @@ class Pupil(BasePupil):
 
     @property
     def within_disc(self) -> bool:
-        """Whether there is no sampled mask, whose transfer function is a sum of waves."""
+        """True without a mask: the modulus of the pupil function is then at most 1 on the unit disc, and 0 beyond."""
         return self.mask is None
 
     @cached_property
     def area(self) -> float:
-        """Clear area relative to the unobscured aperture, a mask weighted by its amplitude."""
+        """Clear area relative to the unobscured aperture, weighted by the amplitude of a mask."""
         return self._integral(0.0)
 
     @cached_property
@@ -161,7 +161,7 @@ class Pupil(BasePupil):
 
     @cached_property
     def transmission(self) -> float:
-        """Transmitted light, ``(1/pi) int A^2 dx dy`` of the amplitude A; of a mask that of each whole cell."""
+        """Transmitted light, ``(1/pi) int A^2 dx dy`` of the amplitude A, averaged over each cell of a mask."""
         return self._integral(2.0)
 
     @property
@@ -176,12 +176,12 @@ class Pupil(BasePupil):
 
     @property
     def segmented(self) -> bool:
-        """Whether segments of the aperture have phases of their own."""
+        """True if segments of the aperture have different phases."""
         return self.stop is not None and bool(np.any(self.opening.phases))
 
     @property
     def phase_mask(self) -> bool:
-        """Whether the mask is complex."""
+        """True if there is a complex mask."""
         return self.mask is not None and self.mask.values.dtype.kind == "c"
 
     @property
@@ -194,7 +194,8 @@ class Pupil(BasePupil):
     def rule(self, degree: int) -> Rule:
         """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture, for polynomials of a `degree`.
 
-        As :meth:`lommel.optics.aperture.opening.Opening.rule`; with a mask its samples, weighted by their amplitude.
+        See :meth:`lommel.optics.aperture.opening.Opening.rule`; nodes of a mask are its samples, weighted by
+        amplitude.
         """
         return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
 
@@ -206,14 +207,14 @@ class Pupil(BasePupil):
 
     @property
     def likely_peak(self) -> float:
-        """Estimate of the lowest peak: U falls roughly in proportion to the phase across the pupil."""
+        """Estimate of the lowest peak: the field U is roughly inversely proportional to the phase over the pupil."""
         size = float(np.abs(self.radial_terms()).sum(axis=1).max())
         return (self.amplitude / (1.0 + 2.0 * size)) ** 2
 
     @property
     def likely_strehl(self) -> float:
-        """Estimate of the lowest peak over that without aberration, by the variance of the phase on the disk."""
-        # Terms are orthogonal on the disc: variances add. The clip prevents overflow.
+        """Estimate of the lowest Strehl ratio, from the phase variance over the disc."""
+        # Terms are orthogonal on the disc: variances add. The limit prevents overflow.
         edge = np.minimum(np.abs(self.wavefront.edge), 1e6)
         return float(1.0 / (1.0 + ((edge * edge) @ _variances(self.wavefront.terms)).max()))
 
@@ -223,9 +224,9 @@ class Pupil(BasePupil):
         return self.wavefront.left_out, self.illumination.error
 
     def in_light(self, wavelength: float) -> Pupil:
-        """Return the pupil at another `wavelength`, metres: same aperture, distances, f-number and path differences.
+        """Return the pupil at another `wavelength` (metres), with the same aperture, f-number and path differences.
 
-        The colour of its lens changes the paths, see :class:`lommel.Colour`. TypeError or ValueError if the
+        Lens colour changes the path differences, see :class:`lommel.Colour`. TypeError or ValueError if the
         wavelength is out of range, or the pupil has none.
         """
         wavelength = validation.wavelength(wavelength)
@@ -236,14 +237,14 @@ class Pupil(BasePupil):
                 "mask must be real to see the pupil in other light: phases of a complex one are those at one "
                 "wavelength; add images of pupils with the mask for each"
             )
-        there, geometry = same_path(self.wavefront, self.wavelength, wavelength), self.geometry
+        wavefront, geometry = same_path(self.wavefront, self.wavelength, wavelength), self.geometry
         if self.colour is not None:
-            added, geometry = self.colour.change(self, self.geometry, wavelength)
-            there = there + added
-        found = self.carrying(there, geometry, wavelength)
+            change, geometry = self.colour.change(self, self.geometry, wavelength)
+            wavefront = wavefront + change
+        pupil = self.carrying(wavefront, geometry, wavelength)
         if not self.segmented:
-            return found
-        return replace(found, stop=self.stop.scaled(self.wavelength / wavelength))  # type: ignore[union-attr]
+            return pupil
+        return replace(pupil, stop=self.stop.scaled(self.wavelength / wavelength))  # type: ignore[union-attr]
 
     def coefficients(self) -> NDArray[np.float64]:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
@@ -260,7 +261,7 @@ class Pupil(BasePupil):
         return zernike.legendre_sum(self.radial_terms(), 2.0 * validation.real_array("t", t) - 1.0)
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
-        """Return the pupil function, ``A exp(i phase)`` where light passes, else 0; with a mask, that of its cells.
+        """Return the pupil function ``A exp(i phase)``, 0 outside the clear aperture; masks are constant in cells.
 
         Parameters
         ----------
@@ -271,12 +272,12 @@ class Pupil(BasePupil):
         Returns
         -------
         ndarray, shape ``(n, ...)``
-            The flattened stack, at the points that x and y broadcast to.
+            Values of the flattened stack at the points (x, y), which broadcast.
 
         Raises
         ------
         TypeError, ValueError
-            If they are not real and finite.
+            If coordinates are not real and finite.
         """
         across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
         rho = np.hypot(across, down)
@@ -292,7 +293,7 @@ class Pupil(BasePupil):
         return out
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return the largest distance from the axis of clear rays on the sensor, ``max |grad Phi|``."""
+        """Return the largest distance of a ray from the axis on the sensor, from ``max |grad phase|``."""
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
             blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
@@ -304,26 +305,25 @@ class Pupil(BasePupil):
             blur = np.zeros(1)
         else:
             blur = self._longest_gradient(*self._raster())
-        # From v to the sensor: r = v lambda N / pi.
+        # From optical coordinates v to distances on the sensor: r = v lambda N / pi.
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
     def _raster(self) -> NDArray[np.float64]:
-        """Return points that fill the clear aperture, with the slopes of segments there."""
-        found = self.opening.raster()
+        """Return a raster of points in the clear aperture, with the slopes of segments there."""
+        raster = self.opening.raster()
         if self.mask is None:
-            return found
-        clear = np.abs(self.mask.at(*found[:2])) > 0.0
+            return raster
+        clear = np.abs(self.mask.at(*raster[:2])) > 0.0
         if clear.any():
-            return found[:, clear]
-        # Narrow openings may lie between all points of the raster: nodes of a rule are inside by construction.
+            return raster[:, clear]
+        # Narrow openings may lie between the points of the raster; nodes of a quadrature rule are always inside.
         x, y = self.rule(0)[:2]
         return np.stack([x, y, *self.opening.tilted(x, y)[1:]])
 
     def _longest_gradient(
         self, x: Array, y: Array, tip: float | Array = 0.0, tilt: float | Array = 0.0
     ) -> NDArray[np.float64]:
-        """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase, with slopes of segments."""
-        # Central differences: an estimate suffices, since it only says how far rays reach.
+        """Return ``max |grad Phi|`` over points, shape (n,), by central differences, with the slopes of segments."""
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
@@ -333,7 +333,7 @@ class Pupil(BasePupil):
         return np.asarray(np.hypot(across + tip, down + tilt).max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
-        """Return the pupil with another `wavefront`, `geometry` and perhaps `wavelength`; TypeError for others."""
+        """Return a copy with another `wavefront`, `geometry` and optionally `wavelength`; TypeError."""
         validation.instance("wavefront", wavefront, Wavefront)
         return changed(
             self,
@@ -345,15 +345,15 @@ class Pupil(BasePupil):
 
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""
-        found = self.carrying(Wavefront(), self.geometry and self.geometry.focused())
+        pupil = self.carrying(Wavefront(), self.geometry and self.geometry.focused())
         if self.segmented:
-            found = replace(found, stop=self.stop.scaled(0.0))  # type: ignore[union-attr]
+            pupil = replace(pupil, stop=self.stop.scaled(0.0))  # type: ignore[union-attr]
         if self.phase_mask:
             mask = self.mask
             assert mask is not None
-            # Moduli of rounded cosine and sine may exceed 1.
-            found = replace(found, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
-        return found
+            # Rounded moduli may exceed 1.
+            pupil = replace(pupil, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
+        return pupil
 
     def _each(self, of: OfEach) -> Pupil:
         wavefront, geometry, colour = of(self.wavefront), self.geometry, self.colour
@@ -390,13 +390,13 @@ _PARTS = ("spider", "vignetting", "mask", "stop", "colour")
 
 @lru_cache(maxsize=64)
 def _variances(terms: tuple[tuple[int, int], ...]) -> Array:
-    """Return the variances on the disk of Zernike terms that are 1 at the edge."""
+    """Return the variances over the disc of Zernike terms that are 1 at the edge."""
     return np.array([zernike.rms_factor(n, m) ** -2.0 for n, m in terms])
 
 
 @lru_cache(maxsize=8)
 def _samples(opening: Opening, mask: Mask) -> Rule:
-    """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
+    """Return the cells of a mask inside the aperture; weights are amplitude times covered area over pi."""
     from lommel.optics.aperture.mask import cell_centers
     from lommel.optics.aperture.opening import Rule
 
@@ -413,22 +413,21 @@ def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
     from lommel.core.engine import row_samples
 
     x, y, weight = _samples(opening, mask)
-    # Segments and a complex mask have phases of their own at each sample.
     phase = opening.phase(x, y) + np.angle(mask.at(x, y))
     return row_samples(x, y, weight, phase if np.any(phase) else None)
 
 
 @lru_cache(maxsize=64)
 def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
-    """Return ``(1/pi) int (T A)^power dx dy``, amplitudes T of a mask and A of the light; at power 0 that of T."""
+    """Return ``(1/pi) int (T A)^power dx dy``, T: amplitude of the mask, A: of the light; ``int T`` at power 0."""
     if mask is None:
         from lommel.optics.aperture.opening import degree_needed
 
-        # A polynomial close to the amplitude is integrated as exactly as its degree asks for.
+        # The rule is exact for a polynomial that approximates the amplitude to 1e-14.
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
-        # The amplitude of a cell is that of the mask times its covered part: the light goes as the square of both.
+        # The amplitude of a cell is that of the mask times the covered fraction; power applies to the product.
         weight = weight * (0.25 * math.pi * mask.side**2 * weight) ** (max(power, 1.0) - 1.0)
     return float(weight @ light.at(x * x + y * y, power))
 
@@ -447,7 +446,7 @@ def checked(pupil: object) -> Pupil:
 
 @dataclass(frozen=True)
 class FieldPupil(BasePupil):
-    """A stack of single pupils of one scale with different apertures, in reading order; `places` is its shape."""
+    """A stack of pupils with equal scale and different apertures, flattened in C order; `places` is its shape."""
 
     pupils: tuple[Pupil, ...]
     places: tuple[int, ...]
@@ -474,40 +473,39 @@ class FieldPupil(BasePupil):
 
     @property
     def circular(self) -> bool:
-        """Whether all apertures are circular or annular."""
+        """True if all apertures are circular or annular."""
         return all(pupil.circular for pupil in self.pupils)
 
     @property
     def aperture(self) -> tuple[object, ...]:
-        """ValueError: there is one for each pupil."""
+        """Raise ValueError: each pupil has its own aperture."""
         raise ValueError("pupil must have one aperture, got one for each position; index the stack")
 
     @property
     def amplitude(self) -> float:
-        """ValueError: there is one for each pupil."""
+        """Raise ValueError: each pupil has its own amplitude."""
         raise ValueError("each position has an aperture of its own: index the stack, and measure each PSF")
 
     @property
     def transmission(self) -> Array:  # type: ignore[override]
-        """Transmitted light, of the shape of the stack."""
+        """Transmitted light of each pupil, an array with the shape of the stack."""
         return np.reshape([pupil.transmission for pupil in self.pupils], self.shape)
 
     @property
     def period(self) -> float:
-        """The shortest of the stack."""
+        """Shortest period of the stack."""
         return min(pupil.period for pupil in self.pupils)
 
     @property
     def likely_peak(self) -> float:
-        """The lowest of the stack."""
+        """Lowest estimate of the stack."""
         return min(pupil.likely_peak for pupil in self.pupils)
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return the largest distance of rays from the axis on the sensor, of the shape of the stack."""
+        """Return the largest distance of a ray from the axis on the sensor, an array with the shape of the stack."""
         return np.reshape([float(pupil.geometric_radius()) for pupil in self.pupils], self.shape)
 
     def _each(self, of: OfEach) -> Any:
-        # Index places, and take the pupils there.
         which = of(np.arange(len(self.pupils)).reshape(self.shape))
         if which.ndim == 0:
             return self.pupils[int(which)]

@@ -1,5 +1,5 @@
-// Pixel averages for apertures of any shape, by nodes of the disk with weights that reproduce the moments of the aperture
-// (docs/certificate.md, section 18, "Moments"). The caller bounds the error.
+// Pixel averages for apertures of any shape, by quadrature nodes on the disk with weights that reproduce the moments of the
+// aperture (docs/certificate.md, section 18, "Moments"). The caller bounds the error.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,14 @@
 
 namespace lommel {
 
-// Chordal rule with `size` chords of `size` nodes each; its complex weights have the layout of TermTable::own.
+// Quadrature rule with `size` chords of `size` nodes each. weights: complex weights [chord][node][signs of x and y][re, im], as
+// TermTable::weigh() takes them.
 struct ApertureRule {
     std::size_t size;
     const double* weights;
 };
 
-// Zernike terms at the nodes of the rule, cached for further images of the same aperture.
+// Zernike terms at the nodes of an ApertureRule, cached for further images of the same aperture. given: copy of the rule's weights.
 struct ApertureTable : TermTable {
     std::vector<double> given;
 
@@ -47,8 +48,8 @@ class ApertureAverages {
    public:
     using More = ChordalDerivatives<Real>;
 
-    // Compute the pixel averages of `nodes` and the largest sample of each pupil (`brightest`); with derivative terms in
-    // `more`, also the derivatives, whose fields have the error bound `off`.
+    // nodes: receives the pixel averages; brightest[pupil]: receives the largest sampled intensity. If `more` lists Zernike terms,
+    // derivatives are computed too; off: error bound of the fields.
     ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
                      const More& more, double off)
         : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),

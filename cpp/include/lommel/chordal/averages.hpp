@@ -1,4 +1,5 @@
-// Pixel averages from samples at the nodes of a window, with pupils in vector lanes (docs/certificate.md, section 10).
+// Averages of the intensity over pixels, from samples at nodes in the window; each vector lane is one pupil (docs/certificate.md,
+// section 10).
 #pragma once
 
 #include <algorithm>
@@ -14,18 +15,18 @@
 
 namespace lommel {
 
-// Sampling nodes along the rows and columns of a window. Weights of the nodes in the average of each pixel: down[pixel][node],
-// across[pixel][node].
+// Sampling nodes along the rows and columns of a window. down[pixel row][node], across[pixel column][node]: weights of the nodes in
+// the average of a pixel.
 struct PixelNodes {
     WindowAxis rows, columns;
     std::size_t height, width;  // in pixels
     const double *down, *across;
-    double* averages;  // [pupil][row][column]
-    double *largest, *together;  // [pupil]: largest average, and sum of all averages
+    double* averages;  // pixel averages [pupil][row][column]
+    double *largest, *together;  // [pupil]: largest pixel average; sum of all pixel averages
 };
 
-// Convert nodes in v relative to the middle of a window to nodes relative to the optical axis. An axis within `near` pixels of
-// the middle is moved there by a tilt of the pupils, so that symmetric nodes share their sums.
+// Convert nodes from coordinates about the middle of the window to coordinates about the optical axis. If the axis is within `near`
+// pixels of the middle, the pupils are tilted to move it there: symmetric nodes then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {
@@ -62,19 +63,19 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
             together};
 }
 
-// Block size of the sums over nodes: within a block in the precision of the samples, over blocks in double precision.
+// Number of nodes summed in the precision of the samples; the sums of such blocks are added in double precision.
 constexpr std::size_t node_block = 8;
 
-// Node weights in the precision of the samples, in the layouts that the kernels read.
+// Weights of the sampling nodes in the pixel averages, in the precision of the samples and in the layouts that the kernels read.
 template <class Real>
 struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
 
-    std::size_t height, width, rows, columns;  // in pixels, and in nodes
-    std::size_t side;                          // pupils per vector; 1 if lanes are columns of one pupil
-    std::size_t vectors;                       // per row of pixels
-    Values across;  // [pixel tile][node][pixel of the tile]; for one pupil [node][vector of pixels]
-    Values down;    // [block of nodes][pixel tile][node of the block][pixel of the tile]
+    std::size_t height, width, rows, columns;  // height, width: in pixels; rows, columns: numbers of nodes
+    std::size_t side;                          // number of pupils in a vector; 1 if lanes are columns of one pupil
+    std::size_t vectors;                       // number of vectors in a row of pixels
+    Values across;  // weights along a row: [pixel tile][node][pixel of the tile]; for one pupil [node][vector of pixels]
+    Values down;    // weights along a column: [block of nodes][pixel tile][node of the block][pixel of the tile]
 
     NodeWeights(const PixelNodes& nodes, const ChordLanes& in)
         : height(nodes.height), width(nodes.width), rows(nodes.rows.count), columns(nodes.columns.count), side(in.side),
@@ -107,7 +108,6 @@ struct NodeWeights {
     }
 };
 
-// Add a vector in the precision of the samples to double-precision sums.
 template <class I, class Real, class V>
 LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -118,8 +118,8 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// Weighted sum of a row of samples, added to sums[vector of pixels][lane]. Samples are [node][lane] with one pupil per lane;
-// for a single pupil (`Lone`) they are [node], and the lanes are pixels.
+// Add the weighted sum over a row of samples to sums[vector of pixels][lane]. Layout: samples[node][pupil]; with `Lone`, a single
+// pupil: samples[node], and lanes are pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;
@@ -147,7 +147,8 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Add one block of row sums, lines[vector][node of the block] from node `from` on, to sums[row of pixels][vector][lane].
+// Add one block of sums over rows, lines[vector][node of the block], to sums[row of pixels][vector][lane]; from: first node row of
+// the block.
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

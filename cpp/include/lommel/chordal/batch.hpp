@@ -1,5 +1,5 @@
-// Batch of pupils, one per vector lane, or a single pupil with chords in the lanes; with the tables of the full disk and of the
-// obscuration.
+// Batch of pupils: the fields of one pupil per vector lane, or of a single pupil with its chords in the lanes, from tables of the
+// full disk and of the central obscuration.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,15 @@
 
 namespace lommel {
 
-// Tables of one disk.
+// Tables of the chordal rule for one disk, the full aperture or its obscuration: Zernike terms, Fourier kernel, derivative factors.
 template <class Real>
 struct ChordalTables {
     std::shared_ptr<const TermTable> terms;
     std::shared_ptr<const KernelTable<Real>> kernel;
-    std::shared_ptr<const FactorTable> factors;  // for derivatives only
+    std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives
 
-    // Cached tables for a disk of relative radius `radius` and a pixel pitch `step` in v.
+    // Fetch the tables from the cache. radius: of the disk, relative to the aperture; step: pixel pitch in v, units of lambda / (2
+    // pi NA).
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -44,7 +45,8 @@ struct ChordalScratch {
     Doubles sums;
 };
 
-// A batch of pupils and its disks: U is that of the full disk minus, if area != 0, `area` times that of the obscuration.
+// A batch of pupils. If area != 0, the aperture is obscured, and its field U is the full disk's minus `area` times the
+// obscuration's.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -63,12 +65,11 @@ struct ChordalBatch {
     std::size_t rows() const { return disks[0].kernel->rows.count; }
     std::size_t columns() const { return disks[0].kernel->columns.count; }
     bool lone() const { return disks[0].kernel->lanes.side > 1; }
-    // Vectors per row: one per column or, for one pupil, one per lanes() columns.
+    // Number of vectors in a row of the image: one per column or, for a single pupil, one per lanes() columns.
     std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
-    // Number of values for a pair (or a vector of pairs) of chords: 4 parities (in y and x), each re and im.
+    // Number of values at the nodes of a pair of chords (for a single pupil, a vector of pairs): 4 parities in x and y, complex.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
-    // Copy the Zernike coefficients of a disk into lanes; unused lanes repeat the first pupils.
     void gather(std::size_t disk) const {
         const TermTable& table = *disks[disk].terms;
         const std::size_t terms = stack.terms.size(), all = lone() ? 1 : lanes();
@@ -83,7 +84,7 @@ struct ChordalBatch {
         }
     }
 
-    // Compute U of one disk and pass it to `sink` row by row, as [column][re, im].
+    // Compute the field U of one disk and pass it to `sink` row by row, as [column][re, im].
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
@@ -100,7 +101,7 @@ struct ChordalBatch {
         }
     }
 
-    // Compute U of the aperture; calls prepare(disk) before each disk.
+    // Compute the field U of the aperture; prepare(disk) is called before each disk.
     void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Sink& sink) const {
         const std::size_t all = 2 * vectors(), line = all * lanes();
         const bool obscured = area > 0.0;
@@ -120,7 +121,8 @@ struct ChordalBatch {
         });
     }
 
-    // Compute U from the pupil functions; `keep` keeps the pupil function at the nodes of all chords, for derivatives.
+    // Compute the field U from the pupil functions. If `keep`, the pupil function at all nodes is stored in scratch.kept, for
+    // derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

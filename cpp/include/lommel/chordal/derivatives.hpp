@@ -1,5 +1,5 @@
-// Derivatives of images with respect to Zernike coefficients: d|U|^2/dc = -2 Im(conj(U) D), where D is the field of Z P
-// (docs/certificate.md, section 8).
+// Derivatives of images with respect to a Zernike coefficient c: d|U|^2/dc = -2 Im(conj(U) D), where U is the field of the pupil
+// function P, and D the field of P times the Zernike polynomial Z (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 
 namespace lommel {
 
-// Policy: images without derivatives.
 struct NoDerivatives {
     static constexpr bool wanted = false, keeps_nodes = false;
     std::vector<ZernikeTerm> terms;
@@ -29,21 +28,23 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
     return degree;
 }
 
-// Errors of a pupil: sqrt(peak), error bound of U, error bound of the field of P times a term of the given degree.
+// Error data of a pupil: {sqrt(peak intensity), error bound of its field, error bound of the field of the pupil function times a
+// Zernike term of this degree}.
 using PupilErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
-// Policy: derivatives of the intensity, scaled like the images, as [term][pupil], with error bounds relative to the peak.
+// Policy: compute derivatives of the intensity. images[term][pupil]: scaled like the images; bounds[term][pupil]: error bounds
+// relative to the peak.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;
     std::vector<ZernikeTerm> terms;
     T* images;
     double* bounds;
-    double* averages = nullptr;  // if not null: pixel averages instead of images; `bounds` are then absolute, at the nodes
-    double* sizes = nullptr;     // with averages: bounds on the moduli of derivatives at the nodes
+    double* averages = nullptr;  // if not null: derivatives of pixel averages; `bounds` are then absolute
+    double* sizes = nullptr;     // with `averages`: bounds on |derivative of the intensity| at the nodes
 
-    // Compute the derivatives of a batch from the kept U of each pixel and the kept nodes. scales[lane]: scale of the image.
-    // `weights`, if not null, asks for pixel averages.
+    // Compute the derivatives for a batch from scratch.fields (U of each pixel) and scratch.kept (pupil function at the nodes).
+    // scales[lane]: factor from |U|^2 to the image; weights: for pixel averages only, else null.
     template <class Real>
     void follow(const ChordalBatch<Real>& batch, const double* scales, const PupilErrors& found,
                 const NodeWeights<Real>* weights) const {
@@ -87,7 +88,7 @@ struct ChordalDerivatives {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
                 const auto [u, error, factor_error] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
-                // Rounding of the two products and their difference (factor 2), and of storing.
+                // Relative rounding error of Im(conj(U) D), two products and their difference, and of storing it as a T.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
                 const double off = 2.0 * (u * factor_error + d * error + factor_error * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;

@@ -1,5 +1,5 @@
-// Error bound of the chordal rule for a stack: chooses the complex curve for each sum, and bounds the integrand on it by
-// samples where that pays (docs/certificate.md, section 8).
+// Error bounds of the chordal rule for a stack of pupils. For each sum of the rule, a complex curve is chosen, and the integrand on
+// it is bounded by samples if that saves time (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -21,15 +21,15 @@
 
 namespace lommel {
 
-// Error of one sum. line: bound in use; curve: curve to be sampled; bend: bound C on the second derivatives of phase and kernel
-// on that curve.
+// Error bound of one sum, over chords or over nodes. line: bound in use; curve: index of the complex curve to be sampled; bend:
+// bound on the second derivatives of phase and kernel on that curve.
 struct ChordSide {
     ChordLine line;
     std::size_t curve = 0;
     double bend = 0.0;
 };
 
-// Error bounds of one disk with one phase.
+// Error bounds of one disk, aperture or obscuration, of one pupil.
 struct ChordDisk {
     ChordSide chords, nodes;
     double rounding = 0.0;
@@ -39,10 +39,9 @@ struct ChordDisk {
     ChordSide& of(Sum sum) { return sum == Sum::chords ? chords : nodes; }
 };
 
-// Chooses curves and bounds for the pupils of a stack.
 class ChordLines {
    public:
-    // Rows (columns) at +v and -v share one entry of the axis.
+    // step: pixel pitch in v, units of lambda / (2 pi NA).
     ChordLines(const DiskStack& stack, const WindowAxis& rows, const WindowAxis& columns, double step, int threads)
         : stack_(stack), terms_(stack.terms),
           box_{step * columns.low(), step * columns.high(), step * rows.low(), step * rows.high()},
@@ -51,16 +50,17 @@ class ChordLines {
           rows_(static_cast<double>(rows.at.size())), pixels_(static_cast<double>(rows.count * columns.at.size())),
           threads_(threads) {}
 
-    // Bound for a disk of relative radius `radius`.
+    // Analytic error bound for the full aperture (radius 1) or the obscuration of this relative radius.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
 
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, find the curves with the fewest chords and nodes for the error error(p, bound); result in disk(p).
+    // For each pupil p, find the curves with the fewest chords and nodes for an error of error(p, bound), and store them in
+    // disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
-    // Re-choose the curves for a smaller error.
+    // Choose the curves again for a smaller error; a new curve is kept if it needs fewer chords or nodes.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
         bound.prepare(coefficients);
         for (const Sum sum : {Sum::chords, Sum::nodes}) {
@@ -71,13 +71,13 @@ class ChordLines {
         }
     }
 
-    // Estimated cost of an image in vector operations per vector of pupils, in the unit of SharpTable::work().
+    // Estimated cost of the images of one vector of pupils, in vector operations like SharpTable::work().
     double work(double chords, double nodes) const {
         return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
     }
 
    private:
-    // Typical ratio log(sampled mean) / log(largest value) of the integrand, for chords and nodes.
+    // Typical ratio log(sampled mean) / log(bound on the maximum) of the integrand, for chords and for nodes.
     static constexpr double usual_share[2] = {0.4, 0.25};
 
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
@@ -113,7 +113,7 @@ class ChordLines {
             };
             room.resize(table.room() * lanes);
             float tops[2 * row_lanes], means[2 * row_lanes];
-            // Take pupils one by one if they fill at most half of a vector.
+            // Pupils that fill at most half of a vector are computed one by one, with samples in the lanes.
             const bool lone = 2 * here <= lanes;
             for (std::size_t from = 0; from < here; from += lone ? 1 : here) {
                 laid(from, lone ? 1 : here, lone ? 1 : lanes);
@@ -131,8 +131,8 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The table's curve is that of the first pupil, which has the smallest b, so `bend` on their own curves bounds
-                // the others too.
+                // The table is that of the first pupil's curve, at the smallest height in the batch. The integrand bends least
+                // there, so each pupil's `bend`, computed on its own curve, is a bound on the table's curve too.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

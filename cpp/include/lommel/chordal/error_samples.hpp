@@ -21,8 +21,9 @@
 
 namespace lommel {
 
-// Table for one curve of one sum: Zernike terms at the samples of a quarter of the curve, and for each corner of the window the
-// weights of the samples in the mean. A sample at (x, y) also represents (+-x, +-y) and their conjugates.
+// Samples on one complex curve of one sum (over chords or nodes): values of the Zernike terms on a quarter of the curve, and for
+// each corner of the window the weights of the samples in the mean. A sample at (x, y) also represents (+-x, +-y) and their
+// conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
     static constexpr std::size_t tile = 16;  // samples per tile: a multiple of all vector lengths
@@ -35,29 +36,29 @@ struct SharpTable {
     VBox box;
     TermClasses classes;
     std::size_t samples;
-    double step;         // angle between samples
-    double scale = 0.0;  // logarithm of the common divisor of `shares`
-    Floats values;       // [tile][term][sample]
+    double step;         // angle between samples, rad
+    double scale = 0.0;  // log of the number by which all `shares` are divided
+    Floats values;       // Zernike terms at the samples, [tile][term][sample]
     Floats shares;       // weights of the samples: [tile][image][sign of its phase][corner][sample]; 0 for padding
-    std::vector<double> most;  // [term]: largest modulus
+    std::vector<double> most;  // [term]: largest modulus of its samples
 
     SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
 
-    // Number of sampling steps in a quarter turn.
+    // Number of sampling steps in a quarter turn, for Zernike terms of this degree.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
-    // Return whether the terms on this curve are well within the range of float.
+    // Check that Zernike terms of this degree, up to sinh(15) on the curve, are well within the range of float.
     static bool serves(std::size_t degree, std::size_t curve) {
         return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
     // Minimum number of chords for which the sampled bound on the sums over nodes is valid.
     static constexpr std::size_t least_chords = 16;
 
-    // Logarithm of a mean, from the results of sharp_means().
+    // log(mean modulus of the integrand); top, mean: results of sharp_means().
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Bound on log(mean) minus its sampled value: change between samples, from second derivatives of at most `bend` in both
-    // angles, plus rounding of terms and sums in float.
+    // Bound on the error of the sampled log(mean): change between samples, with second derivatives by both angles of at most
+    // `bend`, plus rounding in float.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -66,7 +67,7 @@ struct SharpTable {
         return 0.25 * step * step * bend + 1e-3 +
                single * (static_cast<double>(terms.size() + 10) * size + static_cast<double>(8 * samples));
     }
-    // Cost in vector operations, for one vector of pupils.
+    // Estimated cost of sharp_means() for one vector of pupils, in vector operations.
     static double work(const TermPairs& list) {
         const double side = static_cast<double>(quarter(list.degree) + 1);
         return 0.5 * side * side * (static_cast<double>(list.terms.size()) + 110.0);
@@ -75,16 +76,17 @@ struct SharpTable {
         return sum == which && curve == at && box == window && terms == list;
     }
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
-    std::size_t room() const { return tiles() * tile * images; }  // number of vectors for all images of all samples
-    // Offset of a sample's first value in tiles with `numbers` values per sample, which lie `tile` apart.
+    std::size_t room() const { return tiles() * tile * images; }  // number of vectors for all mirror images of all samples
+    // Index of a sample's first value in the array. Each sample has `numbers` values; consecutive values of a sample are `tile`
+    // apart.
     static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights along the first angle: means of the hat functions around the samples, halved at symmetric points, which represent
-    // fewer images. For chords the angle is a, with weight |sin(a + ib)|^2; for nodes it is phi, and the weight is the maximum
-    // over all numbers of chords.
+    // Weights of the samples along the first angle of the curve, halved at the ends, where mirror images coincide. For chords the
+    // angle is a, with weight |sin(a + ib)|^2 at height b; for nodes it is the angle of the chord, with the largest weight that any
+    // number of chords gives.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -111,7 +113,8 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights along the second angle tau: for chords eta = cos tau along a chord, for nodes a full turn of tau.
+    // Weights of the samples along the second angle tau. For chords, cos(tau) is the position along a chord; for nodes, tau is the
+    // angle along the curve.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -172,9 +175,9 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For each pupil: tops = max |Im Phi| over all samples; means = the mean of e^{-Im (Phi - v r)} at the worst corner, divided by
-// e^{top + scale}. Lanes are pupils, coefficients[term][pupil] in the order of the table; with `Lone`, lanes are samples of a
-// single pupil. `room`: working memory of table.room() vectors.
+// For each pupil: top = largest |Im Phi| of the phase Phi over all samples; mean = mean modulus of the integrand exp(i (Phi - v r))
+// at the worst corner v of the window, divided by e^{top + scale}. Layout: coefficients[term, in class order][pupil]; lanes are
+// pupils or, with `Lone`, samples of one pupil. room: working memory of table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;
@@ -228,7 +231,7 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
         top = splat<V>(*std::max_element(tops, tops + lanes));
         store(tops, top);
     }
-    // Sum in the same order for one pupil as for a vector of pupils: bounds must not depend on the grouping of pupils.
+    // The order of summation is the same for one pupil as for a vector of pupils: bounds must not depend on how pupils are grouped.
     V all[SharpTable::corners] = {};
     const std::size_t stride = Lone ? 1 : lanes;
     for (std::size_t lane = 0; lane < stride; ++lane) {

@@ -1,4 +1,5 @@
-// Zernike terms at the nodes, as factors of derivatives: dP/dc = i Z P for the coefficient c of Z.
+// Zernike polynomials at the nodes, as factors of derivatives: dP/dc = i Z P for the pupil function P and the coefficient c of the
+// Zernike polynomial Z.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace lommel {
 struct FactorTable {
     ChordCount count;
     std::vector<ZernikeTerm> terms;
-    double radius;  // radius of this disk over that of the disk at whose edge terms are 1
+    double radius;  // radius of this disk (aperture or obscuration) relative to the aperture
     TermClasses classes;
-    Doubles values;  // [term, ordered by classes][chord][node]
+    Doubles values;  // [term, in class order][chord][node]
 
     FactorTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over)
         : count(n), terms(list), radius(over), classes(list), values(n.half_chords() * n.half_nodes() * list.size()) {
@@ -37,7 +38,7 @@ struct FactorTable {
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over) const {
         return count == n && radius == over && terms == list;
     }
-    // Values of a term (by its index in class order) at the nodes of a pair of chords.
+    // Values of a Zernike term at the nodes of a pair of chords. term: index in class order.
     const double* at(std::size_t term, std::size_t chord) const {
         return values.data() + (term * count.half_chords() + chord) * count.half_nodes();
     }
@@ -45,7 +46,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Assignment of lanes: each lane is one pupil times one term. A batch takes as many terms as fit, in class order.
+// Assignment of vector lanes: each lane is one pupil times one Zernike term. A batch takes as many terms as fit, in class order.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -64,8 +65,8 @@ struct FactorLanes {
     }
 };
 
-// Multiply the nodes of a pair of chords by the term of each lane. Parities (even or odd in x and y) of node values and term
-// add modulo 2.
+// Multiply the pupil function at the nodes of a pair of chords by the Zernike term of each lane. The parities in x and in y of a
+// product are the sums modulo 2 of its factors' parities.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;
@@ -88,7 +89,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
         }
         return;
     }
-    // Terms of another class are given the factor 0, set once for all chords.
+    // Lanes whose term is of another parity class get the factor 0. It is set once for all chords.
     bool used[4] = {};
     for (std::size_t lane = 0; lane < given.used(); ++lane) {
         const std::size_t term = given.term(lane), parity = given.parity(term);
@@ -118,7 +119,8 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
     }
 }
 
-// Derivatives -2 Im(conj(U) D) along a row, to `values`; `top` becomes the maximum of |D|^2 in each lane.
+// Write the derivatives -2 Im(conj(U) D) of the intensity along a row to `values`: u = U is the field, d = D the field of the pupil
+// function times a Zernike term. top: updated maximum of |D|^2 in each lane.
 template <class I, class Real>
 LOMMEL_INLINE void slopes_of_row(I, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top) {
     using V = typename Waves<I, Real>::V;

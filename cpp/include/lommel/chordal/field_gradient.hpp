@@ -1,6 +1,7 @@
-// Reverse-mode derivatives of sum |E|^2 over several fields (docs/certificate.md, section 16, "Gradients"). With weights w, G
-// = sum w conj(E) e^(-i v r) at each node is the transpose of the transform. All Zernike terms share the sum of P G over the
-// fields; other amplitude series take one inner product each.
+// Reverse-mode derivatives of the intensity sum |E|^2 over several fields E (docs/certificate.md, section 16, "Gradients"). With
+// pixel weights w, the sum over pixels of w conj(E) e^(-i v r), called G, is the transpose of the transform from nodes to pixels.
+// The derivatives for Zernike terms share the sum over the fields of G times the pupil function; those for other amplitude series
+// take one inner product each.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +19,17 @@
 
 namespace lommel {
 
-// Results for each plane: the weighted sum of the intensity, its derivatives for each field set after the first, then for each
-// Zernike term.
+// Gradient of the weighted sum over pixels of the intensity. values[plane]: this sum; its derivative for each field set after the
+// first; its derivative for each Zernike term.
 struct NodeGradient {
     std::size_t terms;
-    const double* weights;  // [plane][row][column]
-    double* values;  // [plane][1 + sets - 1 + terms]
-    double* largest;  // [plane][1 + fields]: maximum of the intensity, and of the modulus of each field
+    const double* weights;
+    double* values;
+    double* largest;  // [plane]: maximum of the intensity, then of the modulus of each field
 };
 
-// Add Im(P G) at the nodes of a pair of chords to sums[parity of the product][node][lane]; P and G have the layout of
-// place_field().
+// Add the imaginary part of pupil function times adjoint field at the nodes of a pair of chords to sums[parity of the
+// product][node][lane]. Layout of `pupil` and `adjoint`: place_field().
 template <class I>
 LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, const double* adjoint, double* sums) {
     using V = typename Waves<I, double>::V;
@@ -49,8 +50,8 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field(): adjoint G of one field (one lane) -> sums[part][re, im][node], the derivative of sum P G with
-// respect to each part of the field's amplitude, added at the nodes of a pair of chords.
+// Transpose of place_field(). adjoint: G of one field, at the nodes of a pair of chords. Adds to sums[part][re, im][node] the
+// derivatives of sum (pupil function x G) with respect to each part of the field's amplitude.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -88,7 +89,6 @@ inline void take_field(Level level, const NodeSeries& given, std::size_t plane, 
     });
 }
 
-// Inner products of a row with C vectors.
 template <std::size_t C, class I>
 LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&vectors)[C], std::size_t count,
                                   double (&sums)[C]) {
@@ -120,8 +120,8 @@ LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&ve
     }
 }
 
-// For all rows j and vectors c, call found(j, c, product) with the inner product of row(j) and vector(j, c), in cache-sized
-// blocks of rows.
+// For all rows j and all vectors c, call found(j, c, inner product of row(j) and vector(j, c)); `count`: their length. Rows are
+// taken in cache-sized blocks.
 template <class Row, class Of, class Found>
 void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_t count, int threads, const Row& row,
                   const Of& vector, const Found& found) {
@@ -164,7 +164,8 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // Contribution of a batch to each plane that its fields belong to: intensity, sums shared by all terms, sums of the parts.
+    // Sums of a batch for each plane of its fields: intensity, sums that all Zernike terms share, sums for the parts of the
+    // amplitudes.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);
@@ -256,7 +257,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     if (rates == 0) {
         return;
     }
-    // Part that each term of a series belongs to; real and imaginary parts are separate rows.
+    // Part of the amplitude that each term of a series belongs to. Real and imaginary parts of a part are separate rows.
     std::vector<std::size_t> part_of(given.total);
     for (std::size_t part = 0, term = 0; part < given.ends.size(); ++part) {
         for (; term < given.ends[part]; ++term) {

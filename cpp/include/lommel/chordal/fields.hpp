@@ -1,5 +1,5 @@
-// Intensities sum |E|^2 of several fields whose pupil amplitudes are series of radial polynomials, and their derivatives, by
-// the chordal rule with fields in vector lanes (docs/certificate.md, section 16, "Small windows").
+// Intensities sum |E|^2 of several fields E whose pupil amplitudes are series of radial polynomials, and their derivatives, by the
+// chordal rule with fields in vector lanes (docs/certificate.md, section 16, "Small windows").
 #pragma once
 
 #include <algorithm>
@@ -23,32 +23,33 @@
 
 namespace lommel {
 
-// Term of a field: one part of the amplitude times a factor of given parity, 2 (odd in x) + (odd in y).
+// Term of a field's pupil amplitude: part number `part` of the series times a factor of parity 2 (odd in x) + (odd in y).
 struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// Set of fields: series of its amplitudes; Zernike term Z of a factor i Z (negative: no factor); kind of wave.
+// Set of fields. series: index of the amplitude series; term: index of a Zernike polynomial Z, whose factor i Z the fields have
+// (negative: no factor); kind: index of the kind of wave.
 struct FieldSet {
     std::int32_t series, term, kind;
 };
 
-// Input at the nodes of a quadrant, [chord][node]. The first set are the fields E; each further set are fields F for one
-// derivative of sum |E|^2, 2 Re conj(E) F.
+// Pupil functions of fields, given at the nodes of the quadrant x, y > 0, [chord][node]. The first set are the fields E; each
+// further set are fields F for one derivative of the intensity sum |E|^2, which is sum 2 Re conj(E) F.
 struct NodeSeries {
     ChordCount count;
-    std::size_t planes, fields, total;  // total: terms of a series
-    std::vector<std::size_t> ends;      // end of the terms of each part
-    const double* radial;               // [term][node]
+    std::size_t planes, fields, total;  // total: number of terms of a series
+    std::vector<std::size_t> ends;      // [part]: end of its terms in the series
+    const double* radial;               // radial polynomials [term][node]
     const std::complex<double>* coefficients;  // [series][plane][term]
     std::vector<FieldShare> shares;
-    const std::complex<double>* factors;  // [share][node]
+    const std::complex<double>* factors;  // factors of the amplitude's parts, [share][node]
     std::vector<FieldSet> sets;
-    const double* terms;                 // [term][node], values of Z
+    const double* terms;                 // Zernike polynomials [term][node]
     const std::int32_t* term_parity;
     std::size_t wave_count;
-    const std::complex<double>* waves;  // [kind][wave][parity][node]: weighted sums of a wave over the images of a node
-    const std::int32_t* wave;           // [plane]: index of its wave
+    const std::complex<double>* waves;  // [kind][wave][parity][node]: from fold_waves()
+    const std::int32_t* wave;           // [plane]: index of the plane's wave
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
@@ -56,7 +57,7 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity of the wave that a share needs for `parity` of its field: parities of products add modulo 2.
+    // Parity of the wave for which a share contributes to `parity` of its field: parities of products add modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -64,9 +65,9 @@ struct NodeSeries {
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
-// Waves exp(i W) times the node weight, combined over the four images of each node of a quadrant to parities: to[parity][node].
-// If largest > 0, also i W exp(i W) / largest, `stride` values further on. W: sum of `count` terms[term][node], each of one
-// parity.
+// For the wave exp(i W) of the phase W = sum of `count` terms edge[j] terms[j][node]: combine its weighted values at the four
+// mirror images of each node, (+-x, +-y), to parities, to[parity][node]. If largest > 0, also those of i W exp(i W) / largest,
+// `stride` values further on. parities[j]: parity of a term.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
 #if defined(LOMMEL_DEFINES)
@@ -76,8 +77,8 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
-        // Hadamard transform between four images and four parities, its own inverse but for a factor: first along y, then along
-        // x.
+        // Hadamard transform between four mirror images and four parities, along y, then along x; except for a factor it is its own
+        // inverse.
         const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
             const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
             q[0] = a + c, q[1] = b + d, q[2] = a - c, q[3] = b - d;
@@ -123,7 +124,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
 }
 #endif
 
-// Parts of the amplitudes of one series and plane at the nodes first .. first + count - 1: to[part][re, im][node].
+// Sum the amplitude series of one plane at the nodes first .. first + count - 1: to[part][re, im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
                        std::size_t count, double* to) {
     const std::size_t nodes = given.nodes();
@@ -160,8 +161,8 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Parts of the amplitudes for `planes` planes and `series` series, [series][plane][part][re, im][node], in cache-sized blocks
-// of nodes.
+// Parts of the amplitudes of all `series`, for `planes` planes from `first` on: [series][plane][part][re, im][node]. Nodes are
+// taken in cache-sized blocks.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -177,8 +178,8 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// One parity of a field's pupil function at all nodes. `own`: parities of the plane's wave that are not zero; `parts` from
-// sum_series().
+// One parity of a field's pupil function at all nodes. own: flags of the parities of the plane's wave that are not zero; parts:
+// amplitudes from sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -210,8 +211,8 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
     });
 }
 
-// Pupil function of one field at a pair of chords, into a vector lane: [parity in y][node][parity in x][re, im]. `parts` from
-// sum_series().
+// Write the pupil function of one field at a pair of chords to a vector lane: nodes[parity in y][node][parity in x][re, im]. parts:
+// amplitudes from sum_series().
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -259,7 +260,7 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
     }
 }
 
-// Parities that are not zero, [kind][wave]: two of the four if a wavefront is even along an axis.
+// [kind][wave][parity]: is this parity of the wave nonzero? If a wavefront is even in x or in y, two of the four parities vanish.
 using Parities = std::vector<std::array<bool, 4>>;
 
 inline Parities wave_parities(const NodeSeries& given) {
@@ -277,18 +278,17 @@ inline Parities wave_parities(const NodeSeries& given) {
     return waves;
 }
 
-// One parity of one field, of one set in one plane.
 struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// All FieldParts of some planes that are not zero, sorted by parity, in batches of at most one vector.
+// All nonzero parities of fields in `planes` planes from `first` on, sorted by parity, in batches of at most one vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
     const Parities& waves;
     std::size_t first, planes;
     std::vector<FieldPart> list;
-    // Parts list[first] .. list[first + count - 1], one per vector lane.
+    // Elements list[first] .. list[first + count - 1], one per vector lane.
     struct Batch {
         std::size_t first, count;
     };
@@ -325,10 +325,11 @@ struct FieldParts {
     }
 };
 
-// Number of column distances, padded to whole vectors.
+// Number of distinct column distances from the axis, padded to whole vectors.
 inline std::size_t padded(const WindowAxis& columns) { return (columns.at.size() + row_lanes - 1) / row_lanes * row_lanes; }
 
-// Parts of fields at distances from the axes: to[part][row][re, im][column], zero padded.
+// Transform each element of `wanted.list`, one parity of a field, to its values at the distances of rows and columns from the axis:
+// to[element][row][re, im][column], padded with zeros.
 inline void part_fields(Level level, const NodeSeries& given, const FieldParts& wanted, const KernelTable<double>& kernel,
                         int threads, double* to) {
     using Kernels = ChordKernels<double>;
@@ -388,16 +389,16 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
     });
 }
 
-// Intensity and derivatives of one plane, from the parts of its fields at distances from the axes.
+// Intensity of one plane and its derivatives, from the even and odd parts of its fields.
 struct PlaneLight {
     const NodeSeries& given;
     const WindowAxis &rows, &columns;
     const double* parts;       // from part_fields()
-    const std::size_t* place;  // [set][field][parity]
-    double *values, *largest;  // [set][plane][row][column] and [set][plane][field], beginning at this plane
+    const std::size_t* place;  // [set][field][parity]: index of the part
+    double *values, *largest;  // [set][plane][row][column], [set][plane][field]; from this plane on
 
-    // Return whether the intensity is symmetric about an axis: no field has both even and odd parts. `odd`: parity bit of the
-    // axis.
+    // Return whether the intensity is symmetric about an axis, because no field has both an even and an odd part. odd: the axis'
+    // bit in parities.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -413,8 +414,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // Contribution of a part to a field along a row, on one side of both axes; odd parts carry a factor -i and the sign of the
-    // side.
+    // Contribution of one parity of a field to a row of pixels in one quadrant: (by_re x re, by_im x im). The factors hold -i for
+    // each odd direction and the quadrant's sign.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -433,7 +434,8 @@ struct PlaneLight {
         }
         return count;
     }
-    // Intensity along a row. squares[set][field][lane] becomes the maximum of |E|^2 or |F|^2 over lanes with there[lane] = 1.
+    // Intensity and derivatives along a row of one quadrant. squares[set][field][lane]: updated maximum of the field's |.|^2 over
+    // lanes with there[lane] = 1.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {
@@ -512,7 +514,7 @@ struct PlaneLight {
     }
 };
 
-// Like PlaneLight, for fields with all four parities, which are transformed together.
+// The result of PlaneLight, for fields with all four parities, which are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
@@ -525,7 +527,7 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
         series = std::max(series, static_cast<std::size_t>(set.series) + 1);
     }
     const Doubles parts = all_parts(level, given, series, 0, given.planes, threads);
-    // Fields of all planes, [plane][set][field].
+    // [plane][set][field][row][column][re, im]
     thread_local Doubles scratch;
     scratch.resize(2 * jobs * pixels);
     double* const u = scratch.data();  // scratch of this thread, filled by all threads
@@ -580,8 +582,8 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
     });
 }
 
-// values[set][plane][row][column]: sum |E|^2 for the first set, derivatives for the others; largest[set][plane][field]: maximum
-// of |E| or |F| in the window.
+// values[set][plane][row][column]: intensity sum |E|^2 for the first set, its derivatives for the others;
+// largest[set][plane][field]: maximum of the field's modulus in the window.
 void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
@@ -597,7 +599,7 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
         return full_light(given, window, threads, values, largest);
     }
     thread_local Doubles scratch;
-    // Eight planes at a time, whose fields stay in the cache.
+    // Fields of eight planes stay in the cache.
     for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
         const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
         scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));

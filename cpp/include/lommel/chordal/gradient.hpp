@@ -1,6 +1,6 @@
-// Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all coefficients at once (docs/certificate.md,
-// section 8, "Derivatives"). With pixel weights w, G = sum w conj(U) e^(-i v r) is the transposed transform at the nodes, and
-// d/dc = -2 Im sum Z P G.
+// Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all Zernike coefficients c at once
+// (docs/certificate.md, section 8, "Derivatives"). With pixel weights w and fields U, G = sum w conj(U) e^(-i v r) at the nodes is
+// the transposed transform, and d/dc = -2 Im sum Z P G over the nodes, with the Zernike polynomial Z and the pupil function P.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// Policy: gradient of sum over pixels of weights[pupil][pixel] x intensity (before scaling), values[pupil][term].
+// Policy: values[pupil][term] = gradient of the sum over pixels of weights[pupil][pixel] x |U|^2, with U the field.
 struct ChordalGradient {
     static constexpr bool wanted = true, keeps_nodes = false;
     std::vector<ZernikeTerm> terms;

@@ -1,5 +1,4 @@
-// Small images of pupils with arbitrary Zernike terms by the chordal Gauss rule, with error bounds (docs/certificate.md,
-// section 8).
+// Small images of pupils with arbitrary Zernike terms by the chordal rule, with error bounds (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -31,35 +30,34 @@
 
 namespace lommel {
 
-constexpr double max_table_bytes = 402653184.0;  // bytes of the kernel table of one window
+constexpr double max_table_bytes = 402653184.0;  // for the kernel table of one window
 
-// Error budget of the chordal rule: shares of the tolerance.
+// Error budget of the chordal rule; U is the field, tol the tolerance of the intensity relative to its peak.
 struct ChordalBudget {
-    // Error of U, as a share of (tolerance x peak of |U|); it counts twice in I. The rest is a margin for the estimate of the
-    // peak.
+    // Error of U, as a share of tol x max |U|. It counts twice in |U|^2; 1 - 2 field is a margin for the estimate of the peak.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the error of U for the full disk and for the obscuration, if there is one.
+    // Shares of the error of U for the full disk, and for the obscuration of an annular aperture.
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Largest share of a disk's error for the sum over chords; the rest is for the sum over nodes.
+    // Largest share of a disk's error for the sum over chords; the sum over nodes gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision: error of U including rounding, as a share of (tolerance x estimated peak); largest share of that for
+    // Single precision. single: error of U with rounding, as a share of tol x estimated max |U|; rounding: its largest share for
     // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Factors on the allowed error where the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`, as
-    // the peak may be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
+    // Factors on the allowed error if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak
+    // may then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
-    // Second attempt: error as the computed peak requires, between `retry_least` and `retry_most` times the first;
-    // `retry_single`: error of U including rounding in single precision, as a share of (tolerance x computed peak).
+    // Second attempt. retry_least, retry_most: limits of the new error of U over the first; retry_single: error of U with rounding,
+    // as a share of tol x computed max |U|.
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Share of the error of U for samples at nodes; the rest is for batches with shared tables, whose rounding is larger.
+    // Share of the error of U for samples at pixel nodes; the margin is for batches with shared tables, whose rounding is larger.
     static constexpr double of_nodes = 0.9;
 };
 
-// `More`: policy for derivatives, NoDerivatives or ChordalDerivatives.
+// Images of a stack of pupils by the chordal rule. `More`: policy for derivatives, NoDerivatives or ChordalDerivatives.
 template <class T, class More = NoDerivatives>
 class ChordalRenderer {
    public:
@@ -69,7 +67,7 @@ class ChordalRenderer {
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
-    // Pixel averages from samples at nodes, which are not stored. `tol` and the error bounds are absolute, for U.
+    // For pixel averages, from samples at nodes, which are not stored. tol: absolute error bound of the field.
     ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
@@ -78,12 +76,13 @@ class ChordalRenderer {
 
     void run();
 
-    // Run if the estimated time is less than that of the Zernike series (section 7); otherwise throw LimitExceeded at once.
+    // Run if the estimated time is less than that of the Zernike series (section 7 of docs/certificate.md); else throw
+    // LimitExceeded.
     void run_if_cheaper() {
         weighed_ = true;
         run();
     }
-    // Estimated times of both methods in nanoseconds; computes no images.
+    // Estimated times of the chordal rule and of the Zernike series, ns, without computing images.
     std::pair<double, double> costs() {
         only_costs_ = true;
         run();
@@ -91,22 +90,22 @@ class ChordalRenderer {
     }
 
    private:
-    // State of a pupil: requested error, resulting error bound and peak.
+    // State of a pupil. error: requested for the field; relative: error bound of the image; peak: of the intensity.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // a smaller error cannot be requested
         bool retried = false;                        // the first attempt missed the tolerance
         bool single = sizeof(T) == sizeof(float);  // sums are in single precision
-        double in_single = 0.0;                    // allowed error of U in single precision, including rounding
+        double in_single = 0.0;                    // allowed error of the field in single precision, with rounding
         ChordDisk outer, inner;                       // full disk and obscuration
     };
 
-    // Requested error of U: share x tolerance x peak, or for nodes `of_nodes` of the tolerance.
+    // Requested error of the field: share x tol x max |field|; for samples at pixel nodes, of_nodes x tol.
     double requested_error(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
 
-    // Error bound of the field of P, or of P times a term of degree `degree`.
+    // Error bound of one disk's field; degree > 0: of the field of the pupil function times a Zernike term of this degree.
     double error_bound(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
         return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
@@ -116,7 +115,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Requested error of the sums in single precision; falls back to double precision if rounding takes too large a share.
+    // Requested error of sums in single precision. If rounding takes too large a share of it, the pupil is set to double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -155,7 +154,7 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Group of pupils computed together, or a single pupil.
+    // Group of pupils that are computed together; lone: a single pupil.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -167,7 +166,8 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups common tables, as long as no group's number of nodes grows by more than the factor `more`.
+    // Give neighbouring groups the same rule and tables, unless that increases a group's number of nodes by more than the factor
+    // `more`.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -200,7 +200,7 @@ class ChordalRenderer {
             groups.push_back(next);
         }
         share(groups, 1.12);
-        // If the tables exceed the cache, use one common table.
+        // If the tables exceed the cache, all groups share one rule.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
                 return grouped<Real>(pending, pupils, true);
@@ -210,7 +210,7 @@ class ChordalRenderer {
         return groups;
     }
 
-    // Total number of nodes of the distinct tables of these groups.
+    // Total number of nodes in the distinct tables of these groups.
     static double nodes_of(const std::vector<Group>& groups) {
         double nodes = 0.0;
         ChordCount last[2];
@@ -229,7 +229,7 @@ class ChordalRenderer {
         return nodes;
     }
 
-    // Return whether the tables of these groups, with those of a second attempt, fit in their caches.
+    // Return whether the tables of these groups, and those of a second attempt, fit in their caches.
     template <class Real>
     bool kept(const std::vector<Group>& groups) const {
         const double nodes = 2.5 * nodes_of(groups);
@@ -237,7 +237,7 @@ class ChordalRenderer {
                KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
     }
 
-    // Batch of the pending pupils first .. first + here - 1, with the tables of both disks.
+    // Batch of the pupils pending[first] .. pending[first + here - 1]. disks: tables of the full disk and of the obscuration.
     template <class Real>
     struct Batch {
         std::size_t first, here;
@@ -337,15 +337,15 @@ class ChordalRenderer {
         }
     }
 
-    // Estimated CPU time in nanoseconds with all tables cached, by coefficients fitted with benchmarks/choice.py. The time per
-    // vector hardly depends on the vector width.
+    // Estimated CPU time in ns if all tables are cached; coefficients fitted with benchmarks/choice.py. The time per vector hardly
+    // depends on the width of vectors.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
         const std::vector<Group> groups = grouped<Real>(pending, pupils);
-        // Row tables are read from the shared cache, or from memory if they exceed it.
+        // Row tables are read from the shared cache of the processor or, if they exceed it, from memory.
         const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
         const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
@@ -366,7 +366,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate the costs of both methods from the numbers of chords and nodes.
+    // Estimate the times of the chordal rule (costs_.first) and of the Zernike series (costs_.second).
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -386,7 +386,7 @@ class ChordalRenderer {
             return;
         }
         DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
-        if (nodes_ != nullptr) {  // the filter of finer samples would need about this factor more samples along each axis
+        if (nodes_ != nullptr) {  // The series would sample finer, with this factor more samples in each direction.
             constexpr double more = 1.3;
             const double width = rows_.high() - rows_.low();
             window.height = static_cast<std::size_t>(more * static_cast<double>(rows_.count));
@@ -395,7 +395,7 @@ class ChordalRenderer {
             window.row = -rows_.low() / window.step;
             window.column = -columns_.low() / window.step;
         }
-        // Extrapolate from at most eight pupils of the stack.
+        // Extrapolate the time of the series from at most eight pupils of the stack.
         const std::size_t looks = std::min<std::size_t>(stack_.count, 8);
         costs_.second = SeriesCost::declined;
         for (std::size_t i = 0; i < looks; ++i) {
@@ -407,7 +407,7 @@ class ChordalRenderer {
         }
     }
 
-    // Error bound of U, or of the field of P times a term of degree `degree`.
+    // Error bound of a pupil's field; degree > 0: of the field of the pupil function times a Zernike term of this degree.
     template <class Real>
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
@@ -416,7 +416,7 @@ class ChordalRenderer {
                (area_ > 0.0 ? area_ * error_bound(s.inner, batch.disks[1].terms->count, single, degree) : 0.0);
     }
 
-    // Store the error bound of a pupil's image; returns whether it meets the tolerance.
+    // Store the error bound of a pupil's image; return whether it meets the tolerance.
     template <class Real>
     bool finish(const ChordalBatch<Real>& batch, std::size_t p, double peak) {
         State& s = states_[p];
@@ -443,12 +443,12 @@ class ChordalRenderer {
     int threads_;
     DiskAnswer<T> answer_;
     More more_;
-    std::size_t degree_;  // highest degree of the requested derivatives
+    std::size_t degree_;  // highest Zernike degree of the requested derivatives
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
     const PixelNodes* nodes_ = nullptr;  // for pixel averages
-    bool weighed_ = false, only_costs_ = false;  // compare the costs first; only compare them
+    bool weighed_ = false, only_costs_ = false;  // run_if_cheaper(); costs()
     std::pair<double, double> costs_;
 };
 
@@ -457,7 +457,7 @@ void ChordalRenderer<T, More>::run() {
     const double bright = stack_.amplitude.integral(stack_.obscuration);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
-        // The peak |U| of most PSFs exceeds this estimate; otherwise the error is reduced after the first attempt.
+        // Most PSFs have a larger max |field| than this estimate; for the others the error is reduced in a second attempt.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large_variance;
@@ -524,7 +524,7 @@ void ChordalRenderer<T, More>::run() {
             more = more && !s.at_rounding;
             const double wanted =
                 (nodes_ != nullptr ? ChordalBudget::retry_most : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
-            // Double precision alone may suffice; the first retry also tries single precision with the computed peak.
+            // Sums in single precision are tried once more, with the computed peak; then only double precision remains.
             s.error = std::min((s.single ? 1.0 : ChordalBudget::retry_most) * s.error,
                                std::max(wanted, ChordalBudget::retry_least * s.error));
             s.in_single = requested_error(ChordalBudget::retry_single, std::sqrt(s.peak));

@@ -12,14 +12,15 @@
 
 namespace lommel {
 
-constexpr std::size_t most_pupils = 2 * row_lanes;  // capacity of a vector, in pupils
+constexpr std::size_t most_pupils = 2 * row_lanes;  // largest number of pupils in a vector
 
-// Entry points for one pupil per lane, or one pupil with chords in the lanes; each is described at the template of that name.
+// Kernels of the chordal rule by instruction set, each described at the template of the same name (transform.hpp, transpose.hpp,
+// factors.hpp).
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;
     static constexpr std::size_t lanes(Level level) { return widest_lanes(level) * sizeof(double) / sizeof(Real); }
-    // Return whether a few pupils are faster one at a time, with chords in the lanes.
+    // Return whether so few pupils are faster one at a time, with chords in the vector lanes.
     static bool lone(Level level, std::size_t pupils) { return 2 * pupils <= lanes(level); }
     static ChordLanes chord_lanes(Level level, bool lone) { return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float)}; }
 
@@ -44,10 +45,10 @@ struct ChordKernels {
     static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                              Real share, Real* room, Real* sums);
 
-    // Store a row of one pupil, scaled by `by`.
+    // Store a row of one pupil's image, scaled by `by`.
     template <class T>
     static void store_row(Level level, const Real* values, double by, std::size_t columns, T* to);
-    // Store the first `used` lanes of a row, lane k scaled by by[k], to row to[k].
+    // Store a row of `used` pupils' images: lane k, scaled by by[k], to to[k].
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
                             T* const* to);

@@ -1,4 +1,4 @@
-// Pixel averages, accumulated row by row from the samples at the nodes of a window.
+// Pixel averages, accumulated row by row from samples of the intensity at the nodes of a window.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ void begin_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& we
     batch.scratch.sums.assign((1 + weights.height) * weights.vectors * batch.lanes(), 0.0);
 }
 
-// Add row y of samples to the averages. The scratch `sums` holds the sums of the current row first, then the averages.
+// Add row y of the samples to the pixel averages. Layout of scratch.sums: sums of the current row, then the averages.
 template <class Real>
 void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t y, const Real* intensity) {
     using Kernels = ChordKernels<Real>;
@@ -32,7 +32,7 @@ void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weig
     }
 }
 
-// Copy the averages of one pupil (lane), whatever their sign.
+// Copy the pixel averages of one pupil (lane) without clamping negative values to 0.
 template <class Real>
 void copy_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t lane, double* to) {
     const std::size_t lanes = batch.lanes();

@@ -1,5 +1,5 @@
-// Bounds of amplitude series on the complex curves of the chordal rule, and the errors of its sums (docs/certificate.md,
-// section 16).
+// Bounds on series of pupil amplitudes on the complex curves of the chordal rule, and the resulting error bounds of its sums
+// (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>
@@ -15,25 +15,25 @@
 
 namespace lommel {
 
-// Bounds on the amplitudes of `series` series in all planes, each with `parts` parts, on `curves` curves.
+// Bounds on the parts of amplitude series, on complex curves; `series` counts the series of all planes.
 struct SeriesSizes {
     std::size_t series, parts, curves;
-    double *on_curves, *moduli;  // [series][part][curve]: bound on the curve; [series][part]: bound at real angles
+    double *on_curves, *moduli;  // [series][part][curve]: on a curve; [series][part]: at real angles
 
-    // Compute the bounds from `powers`, the bound of each term on each curve. needed[0] (chords) and needed[1] (nodes): half
-    // the number required, log(largest part) x rate + chosen on the best curve.
+    // Compute the bounds from `powers`, the bound of each term on each curve. needed[0], needed[1]: half the required numbers of
+    // chords and of nodes, min over curves of log(largest part) x rate + chosen.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // field_errors[set][plane][field]: error bounds of the sums over chords and nodes, each on its best curve, plus `left`, plus
-    // `rounding` times the moduli. A field is a sum of parts with factors `shares`; `error`: additional error of each part.
+    // field_errors[set][plane][field]: error bounds of the sums over chords and over nodes, each on its best curve, plus `left`,
+    // plus `rounding` times the moduli. shares: factors of the parts in each field; error: additional error of each part.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;
 };
 
-// errors[set][plane]: error bounds of sum |E|^2 (first set) and of its derivatives (other sets), from the error bounds and
-// largest moduli of the fields, [set][plane][field].
+// errors[set][plane]: error bounds of the intensity sum |E|^2 (first set) and of its derivatives (other sets). field_errors,
+// largest: error bounds and largest moduli of the fields, [set][plane][field].
 void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
                   double* errors);
 #if defined(LOMMEL_DEFINES)
@@ -54,7 +54,7 @@ LOMMEL_ONCE void light_errors(const double* field_errors, const double* largest,
 }
 #endif
 
-// Divide `count` values by `by`; return the largest modulus of the quotients.
+// Divide `count` values by `by`, in place; return the largest modulus of the quotients.
 double divide(Level level, double by, std::size_t count, double* values);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* values) {

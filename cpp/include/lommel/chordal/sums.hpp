@@ -15,8 +15,7 @@
 
 namespace lommel {
 
-// Images of pupils by a chordal rule of given size, with the kernels of batch.hpp. `More`: policy for derivatives,
-// NoDerivatives or ChordalGradient.
+// Images of pupils by a chordal rule of given size. `More`: policy for derivatives, NoDerivatives or ChordalGradient.
 template <class More = NoDerivatives>
 class ChordalSums {
    public:
@@ -31,7 +30,7 @@ class ChordalSums {
         }
     }
 
-    // Compute images[pupil][column][row]; null if only derivatives are requested.
+    // Compute images[pupil][column][row]; if `images` is null, only derivatives.
     void run(float* images, int threads) const {
         const std::size_t lanes = lone_ ? 1 : ChordKernels<float>::lanes(level_), batches = (stack_.count + lanes - 1) / lanes;
         std::vector<std::size_t> pupils(stack_.count);
@@ -73,7 +72,7 @@ class ChordalSums {
     const DiskStack& stack_;
     More more_;
     Level level_;
-    bool lone_;  // one pupil at a time, chords in the lanes
+    bool lone_;  // one pupil at a time, with its chords in the vector lanes
     double area_;
     std::array<ChordalTables<float>, 2> disks_;
 };

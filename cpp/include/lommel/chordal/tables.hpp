@@ -17,7 +17,7 @@
 
 namespace lommel {
 
-// Divide 0 .. count - 1 into tiles of at most `most`, of sizes that differ by at most one, and call f(first, size) for each.
+// Divide 0 .. count - 1 into tiles of at most `most`, with sizes that differ by at most one; call f(first, size) for each tile.
 template <class F>
 LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
     const std::size_t tiles = (count + most - 1) / most;
@@ -30,7 +30,7 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
 
-// Rule size: N chords with K nodes each, both even.
+// Size of a chordal rule: number of chords, and of nodes on each chord; both are even.
 struct ChordCount {
     std::size_t chords = 0, nodes = 0;
     std::size_t half_chords() const { return chords / 2; }
@@ -43,8 +43,8 @@ struct ChordCount {
     }
 };
 
-// Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), in the quadrant x, y > 0. Weights increase along
-// both axes, so sums begin with the smallest terms (certificate, section 8, "In single precision").
+// Nodes of a rule of N chords in the quadrant x, y > 0: x_i = cos(i pi / (N+1)) and y = s_i eta_k, with s_i = sqrt(1 - x_i^2) and
+// eta_k, gauss the Gauss-Legendre nodes and weights. Weights increase with both indices: sums begin with the smallest terms.
 struct ChordRule {
     std::vector<wide> x, s, eta, gauss;
 
@@ -67,10 +67,10 @@ struct ChordRule {
     wide weight(std::size_t i, std::size_t k) const { return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * x.size() + 1); }
 };
 
-// Zernike terms sorted into four parity classes: odd in x (bit 1), odd in y (bit 0).
+// Zernike terms sorted into four parity classes, 2 (odd in x) + (odd in y).
 struct TermClasses {
-    std::vector<std::size_t> order;  // [position]: index of the term, class by class
-    std::size_t ends[4];             // end of each class
+    std::vector<std::size_t> order;  // indices of terms, class by class
+    std::size_t ends[4];             // end of each class in `order`
 
     explicit TermClasses(const std::vector<ZernikeTerm>& list) {
         for (std::size_t parity = 0; parity < 4; ++parity) {
@@ -86,18 +86,18 @@ struct TermClasses {
     }
 };
 
-// Contents of vector lanes: one pupil each or, for a single pupil, `side` chords.
+// Contents of vector lanes: one pupil in each (side = 1) or, for a single pupil, `side` chords.
 struct ChordLanes {
     std::size_t side = 1;
-    bool single = false;  // single precision, where phases are permuted: see Waves
+    bool single = false;  // in single precision phases are permuted: see Waves
 
     bool operator==(const ChordLanes& other) const { return side == other.side && single == other.single; }
     std::size_t vectors(std::size_t count) const { return (count + side - 1) / side; }
-    // Position of a lane's phase.
+    // Position of a lane's phase in its vector.
     std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
 };
 
-// Zernike terms at the nodes of a quadrant. Padding chords of the last vector have the weight 0.
+// Zernike terms and quadrature weights at the nodes of the quadrant x, y > 0. Chords that pad the last vector have the weight 0.
 struct TermTable {
     ChordCount count;
     ChordLanes lanes;
@@ -105,8 +105,8 @@ struct TermTable {
     Amplitude amplitude;
     TermClasses classes;
     Doubles values;   // [vector of chords][tile of nodes][term, in class order][node of the tile][chord]
-    Doubles weights;  // [vector of chords][node][chord], times the amplitude
-    Doubles own;      // sampled apertures: [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x and y][re, im][chord]
+    Doubles weights;  // [vector of chords][node][chord]: quadrature weight times pupil amplitude
+    Doubles own;      // complex weights, see weigh(): [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x, y][re, im][chord]
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
@@ -115,7 +115,8 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Replace the weights by complex weights for each node of the whole disk: given[chord][node][(+,+), ..][re, im].
+    // Set complex weights for each node of the whole disk (sampled apertures): given[chord][node][signs of x, y as in `own`][re,
+    // im].
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
         own.assign(weights.size() * 8, 0.0);
@@ -159,13 +160,14 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
 }
 #endif
 
-// Rows or columns of a window as distances from the axis, in pixels or in v; those at +v and -v share one entry.
+// Rows or columns of a window. at[entry]: distance from the axis, in pixels or (for nodes) in v, units of lambda / (2 pi NA); two
+// rows or columns at opposite distances share one entry.
 struct WindowAxis {
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t count;
-    double center;  // axis, in pixels; 0 for nodes, which are given relative to it
+    double center;  // position of the axis in pixels; 0 for nodes
     std::vector<double> at;
-    std::vector<std::size_t> plus, minus;  // [entry]: index of the pixel at +at and at -at, or `none`
+    std::vector<std::size_t> plus, minus;  // [entry]: index at distance +at and -at, or `none`
 
     WindowAxis(std::size_t pixels, double axis)
         : count(pixels), center(axis), low_(-axis), high_(static_cast<double>(pixels - 1) - axis) {
@@ -181,7 +183,7 @@ struct WindowAxis {
             minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
         }
     }
-    // From nodes in increasing order, paired if they are symmetric about the axis.
+    // For nodes at increasing distances; they are paired if they are symmetric about the axis.
     explicit WindowAxis(const std::vector<double>& places)
         : count(places.size()), center(0.0), low_(places.front()), high_(places.back()) {
         const bool mirrored =
@@ -200,7 +202,8 @@ struct WindowAxis {
     double low_, high_;
 };
 
-// Fourier kernel in the precision of the sums: cos and sin of v_y y for each pair of chords at +-x, and of v_x x.
+// Fourier kernel in the precision of the sums: cosines and sines of v_y y for the nodes of each pair of chords at +-x and each row
+// (v_y), and of v_x x for each chord and each column (v_x).
 template <class Real>
 struct KernelTable {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -221,7 +224,7 @@ struct KernelTable {
             const std::size_t from = i / in.side * in.side * n.half_nodes() * rows.at.size() + i % in.side;
             fill(rows.at, row_tile, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
         }
-        // With chords in the lanes, columns are in the lanes too.
+        // If the lanes of sums along y are chords, the lanes of sums along x are columns.
         fill(columns.at, in.side > 1 ? in.side : column_tile, in.side > 1, rule.x, 1, 1, column_cos.data(), column_sin.data());
     }
     bool is(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step,
@@ -234,8 +237,8 @@ struct KernelTable {
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
-    // Cosines and sines for the distances `at`, in tiles of at most `tile`, padded to equal length if `padded`, at a stride of
-    // `stride` values.
+    // Write cos and sin of at[i] factor nodes[k]. The distances `at` are in tiles of at most `tile`, padded to equal length if
+    // `padded`; `stride`: step between values in memory.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
               std::size_t stride, Real* cosines, Real* sines) const {
         look();
@@ -258,8 +261,8 @@ struct KernelTable {
         }
     }
 
-    // Cosine and sine of an angle. The remainder modulo a quarter turn is rounded to double, whose functions are much faster,
-    // at a loss of one unit roundoff (certificate, section 8, "Rounding").
+    // Cosine and sine of an angle. Its remainder modulo a quarter turn is rounded to double, whose functions are much faster; the
+    // loss is one unit roundoff (docs/certificate.md, section 8, "Rounding").
     static void turn_once(wide angle, wide& cosine, wide& sine) {
         constexpr wide quarter = static_cast<wide>(1.57079632679489661923132169163975144L);
         const wide turns = std::nearbyint(angle / quarter);
@@ -270,8 +273,8 @@ struct KernelTable {
         sine = static_cast<wide>(-around[place + 1]);
     }
 
-    // Cosines and sines of at[i] x angle by rotation from one pixel to the next, restarted every `most` pixels to keep the
-    // error below the rounding of stored values.
+    // Cosines and sines of at[i] x angle, by rotation from one pixel to the next. Every `most` pixels they are computed anew, which
+    // keeps the error below the rounding of stored values.
     template <class Put>
     static void turn(const std::vector<double>& at, wide angle, const Put& put) {
         constexpr std::size_t most = wider || sizeof(Real) == sizeof(float) ? 32 : 1;

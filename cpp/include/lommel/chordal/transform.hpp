@@ -1,4 +1,5 @@
-// Fourier transform of a disk as two matrix products, along y, then along x; vector lanes are pupils, or chords of one pupil.
+// Fourier transform of the pupil function on a disk as two matrix products, along y, then along x. Vector lanes are pupils, or
+// chords of one pupil.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 
 namespace lommel {
 
-// sum[r][c] += table[k][r] * data[k][c] over k, c counting vectors: R * C independent chains of multiply-adds.
+// sum[r][c] += table[k][r] * data[k][c] over k, with vectors data[k][c]: R * C independent chains of multiply-adds hide their
+// latency.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -29,7 +31,7 @@ LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t cou
     }
 }
 
-// Like multiply(), for two tables and the same data.
+// Two multiply() at once, with two tables and the same data.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_both(const Real* table, const Real* other, const Real* data, std::size_t count, V (&sum)[R][C],
                                  V (&more)[R][C]) {
@@ -54,7 +56,7 @@ struct Size {
     static constexpr std::size_t value = N;
 };
 
-// for_tiles() with the tile size as a compile-time constant.
+// for_tiles() with the size of a tile as a compile-time constant.
 template <std::size_t Most, class F>
 LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     static_assert(Most <= 6, "sizes up to five are below");
@@ -85,7 +87,7 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     });
 }
 
-// Phase sums and waves exp(i phase) of one vector of pupils, in double precision.
+// Waves exp(i phase) of one vector of pupils, in double precision.
 template <class I, class Real>
 struct Waves {
     using V = typename I::pack;
@@ -97,8 +99,8 @@ struct Waves {
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
 };
 
-// In single precision: phases are summed in double precision as integer multiples of 2^-32 turns, in the low bits of the
-// mantissa. Its low 32 bits are the phase modulo a turn; those of two vectors are packed into one.
+// Waves in single precision. A phase is summed in double precision, as an integer multiple of 2^-32 turns in the low bits of the
+// mantissa; the lowest 32 bits are the phase modulo a turn. The phases of two vectors are packed into one.
 template <class I>
 struct Waves<I, float> {
     using V = typename I::floats;
@@ -106,13 +108,13 @@ struct Waves<I, float> {
     static constexpr std::size_t vectors = 2, lanes = 2 * I::lanes;
     static constexpr double unit = 683565275.57643158978;  // phases are in 2^-32 turns: 2^32 / (2 pi)
 
-    // Sums start at 1.5 * 2^52, which rounds them to integers.
+    // Sums start at 1.5 * 2^52, where the spacing of doubles is 1: every sum is rounded to an integer.
     static LOMMEL_INLINE typename I::pack zero() { return splat<typename I::pack>(6755399441055744.0); }
     static LOMMEL_INLINE Phase phase(const typename I::pack (&sum)[vectors]) { return low_halves<Phase>(sum[0], sum[1]); }
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos_turns(x, sine, cosine); }
 };
 
-// Like multiply(), with chords in the lanes: table entries are vectors.
+// multiply() with chords in the lanes: entries of `table` are vectors.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -130,7 +132,7 @@ LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size
     }
 }
 
-// sum += table[k] * coefficients[k] over k, with chords in the lanes.
+// sum[r][c] += table[k][r][c] * coefficients[k] over k, with vectors of chords table[k][r][c].
 template <std::size_t R, std::size_t C, class V>
 LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(double);
@@ -144,7 +146,6 @@ LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, s
     }
 }
 
-// Weights of chords in the lanes, converted to the type of the waves.
 template <class I>
 LOMMEL_INLINE typename I::pack weights_of(I, const double* from, double) {
     return load<typename I::pack>(from);
@@ -158,9 +159,9 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
     return load<typename I::floats>(narrow);
 }
 
-// Weighted pupil function of a pair of chords at +-x: nodes[parity in y][node][parity in x][re, im], parity 0 even, 1 odd.
-// `Lone`: lanes are pairs of chords of one pupil; otherwise lanes are pupils. `Own`: complex weights TermTable::own. Sines and
-// cosines dominate the time.
+// Weighted pupil function of a pair of chords at +-x: nodes[parity in y][node][parity in x][re, im], parity 0 even, 1 odd. `Lone`:
+// lanes are pairs of chords of one pupil, else pupils. `Own`: with the complex weights TermTable::own. Most of the time goes into
+// sines and cosines.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -193,7 +194,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
         }
         for (std::size_t r = 0; r < R; ++r) {
             const Phase ee = parts[0][r], eo = parts[1][r], oe = parts[2][r], oo = parts[3][r];
-            // Phase at the four images of a node from its parity parts; a, b: even and odd in y at +x, c, d: at -x.
+            // Phases at (x, y), (x, -y), (-x, y), (-x, -y) are a + b, a - b, c + d, c - d; a, c: even in y; b, d: odd in y.
             const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;
             V re[4], im[4];
             Wave::wave(a + b, im[0], re[0]);
@@ -219,7 +220,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
             } else {
                 w = weight(table.weights.data() + node);
             }
-            // e, f: even in y at +x and -x; o, q: odd in y at +x and -x.
+            // Parts at +x: e even in y, o odd in y; parts at -x: f even in y, q odd in y.
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
                 Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
@@ -234,8 +235,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
-// Transform along y, from the nodes of a pair of chords (`Lone`: a vector of pairs) to each row: chords[row][parity in
-// x][chord][re, im].
+// Transform along y, from the nodes of a pair of chords (with `Lone`: a vector of pairs) to each row of pixels: chords[row][parity
+// in x][chord][re, im].
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -270,7 +271,7 @@ LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Transform along x, from the chords of a row to U along it: row[column][re, im].
+// Transform along x, from the chords of a row to the field along the row: row[column][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -294,8 +295,8 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     });
 }
 
-// Transform along x for one pupil, from chords in the lanes to columns in the lanes: row[vector of columns][re, im], zero
-// padded.
+// Transform along x for one pupil, from chords in the lanes to columns in the lanes: row[vector of columns][re, im], padded with
+// zeros.
 template <class I, class Real>
 LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -356,7 +357,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
         store(to, sum[0]);
         store(to + lanes, sum[1]);
     };
-    // Two full tiles at a time, for more independent chains of sums.
+    // Two full tiles at a time give more independent chains of sums.
     std::size_t held = WindowAxis::none;
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
@@ -382,7 +383,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Transform along x for one parity in x: chords[chord][re, im] -> row[distance of a column][re, im].
+// Transform along x for one parity in x: chords[chord][re, im] -> row[distance of a column from the axis][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -400,7 +401,7 @@ LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool od
     });
 }
 
-// Intensity |U|^2 along a row; `top` becomes the maximum in each lane.
+// Intensity |u|^2 of the field u along a row. top: updated maximum of the intensity in each lane.
 template <class I, class Real>
 LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Real* intensity, Real* top) {
     using V = typename Waves<I, Real>::V;
@@ -415,7 +416,7 @@ LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Rea
     store(top, most);
 }
 
-// subtract(): u -= inner; scale(): inner = area * u; for `count` vectors.
+// subtract(): u -= inner; scale(): inner = area * u. count: number of vectors.
 template <class I, class Real>
 LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
     using V = typename Waves<I, Real>::V;

@@ -1,4 +1,4 @@
-// Kernels of reverse-mode derivatives: the transpose of the transform, and its product with the pupil function.
+// Kernels of reverse-mode derivatives: the transpose of the Fourier transform, and its product with the pupil function.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// sum[k][c] += table[k][r] * data[r][c] over r, for vectors c: the transpose of multiply().
+// Transpose of multiply(): sum[k][c] += table[k][r] * data[r][c] over r, with vectors data[r][c].
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -33,8 +33,8 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the transform along x: pixels[row][column][re, im] -> chords[row][parity in x][chord][re, im]; odd parts omit
-// the factor -i.
+// Transpose of the transform along x: pixels[row][column][re, im] -> chords[row][parity in x][chord][re, im]. Odd parts omit the
+// factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -63,8 +63,8 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the transform along y, for a pair of chords: nodes[parity in y][node][parity in x][re, im], the layout of the
-// pupil function.
+// Transpose of the transform along y for a pair of chords: chords[row][parity in x][chord][re, im] -> nodes[parity in
+// y][node][parity in x][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;
@@ -78,7 +78,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
         for (std::size_t r = 0; r < R; ++r) {
             const std::size_t plus = kernel.rows.plus[first + r], minus = kernel.rows.minus[first + r];
             for (std::size_t x = 0; x < 2; ++x) {
-                V both[2][2];  // sum and difference of the two rows, [re, im]
+                V both[2][2];  // sum and difference of the rows at +v and -v, [re, im]
                 for (std::size_t part = 0; part < 2; ++part) {
                     const std::size_t at = x * line + chord * 2 * lanes + part * lanes;
                     const V here = load<V>(chords + plus * 2 * line + at);
@@ -100,7 +100,8 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     });
 }
 
-// Add -2 share Im sum Z P G over the nodes of a pair of chords to sums[term, in class order].
+// Add -2 share Im sum Z P G over the nodes of a pair of chords to sums[term, in class order]; Z: Zernike term (table), P: pupil
+// function (pupil), G: transposed transform (adjoint).
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {
@@ -152,7 +153,7 @@ LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, 
     }
 }
 
-// u[pixel][lane] = conj(U) x weight of the pixel, in place.
+// u[pixel][lane] = conj(u) x weight of the pixel, in place.
 template <class I, class Real>
 LOMMEL_INLINE void weigh_pixels(I, const Real* weights, std::size_t pixels, Real* u) {
     using V = typename Waves<I, Real>::V;

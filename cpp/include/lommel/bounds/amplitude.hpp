@@ -1,4 +1,5 @@
-// Amplitude of the pupil function as the exponential of a polynomial in t = rho^2, and its bound off the interval [0, 1].
+// Amplitude of the pupil function as the exponential of a polynomial in t = rho^2, rho the radius in the pupil; and bounds on it
+// for complex t.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +9,14 @@
 
 namespace lommel {
 
-// A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 on [0, 1]. A Gaussian has only g_1, uniform illumination no terms.
+// A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 for t = rho^2 in [0, 1]. A Gaussian amplitude has only g_1, a uniform one
+// no terms.
 class Amplitude {
    public:
     static constexpr std::size_t most = 10;  // highest power of t
 
     Amplitude() = default;
-    // From the coefficients g_0, g_1, ...; `count` is at most 1 + most.
+    // powers: coefficients g_0, g_1, ... of the exponent; `count` is at most 1 + most.
     Amplitude(const double* powers, std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             g_[k] = powers[k];
@@ -29,7 +31,7 @@ class Amplitude {
 
     bool uniform() const { return terms_ == 0 && g_[0] == 0.0; }
     bool operator==(const Amplitude& other) const { return g_ == other.g_; }
-    // powers(): highest power K with g_K != 0; power(k): coefficient g_k.
+    // powers(): highest power K of t with g_K != 0; power(k): coefficient g_k of t^k.
     std::size_t powers() const { return terms_; }
     double power(std::size_t k) const { return g_[k]; }
 
@@ -43,13 +45,12 @@ class Amplitude {
         return std::exp(-sum);
     }
 
-    // Amplitude as a function of t / area, which is 1 at the edge of a smaller disk of this relative area.
+    // Amplitude on the disk of this relative area, as a function of its own t, which is 1 at its edge.
     Amplitude scaled(double area) const { return changed(1.0, area); }
-    // A(t)^power.
     Amplitude raised(double power) const { return changed(power, 1.0); }
 
-    // Bound on log A in the ellipse around [0, 1] with semi-axes c / 2 and sqrt(c^2 - 1) / 2, where |T_k(2t - 1)| <= T_k(c);
-    // the exponent is a sum of a_k T_k(2t - 1). For a Gaussian the bound is g (c - 1) / 2.
+    // Bound on log A in the ellipse around the interval 0 <= t <= 1 with semi-axes c / 2 and sqrt(c^2 - 1) / 2. There the Chebyshev
+    // polynomials satisfy |T_k(2t - 1)| <= T_k(c), and the exponent is the sum of a_k T_k(2t - 1).
     double growth(double c) const {
         double sum = std::abs(a_[1]) * c - a_[0], before = 1.0, here = c;
         for (std::size_t k = 2; k <= terms_; ++k) {
@@ -61,7 +62,7 @@ class Amplitude {
         return sum;
     }
 
-    // Bound on the rounding error of the exponent, in units of roundoff: t is rounded, and so is each step of Horner's rule.
+    // Bound on the rounding error of the exponent, in units of roundoff, from rounding of t and of each step of Horner's rule.
     double sensitivity() const {
         double sum = 0.0;
         for (std::size_t k = 0; k <= terms_; ++k) {
@@ -70,7 +71,7 @@ class Amplitude {
         return sum;
     }
 
-    // Add to slopes[k], 1 <= k < count, a bound on |k-th derivative of the exponent| / k! over [0, 1].
+    // Add to slopes[k], 1 <= k < count, a bound on |k-th derivative of the exponent| / k! for t in [0, 1].
     void add_slopes(double* slopes, std::size_t count) const {
         for (std::size_t j = 1; j <= terms_; ++j) {
             double binomial = std::abs(g_[j]);
@@ -81,7 +82,7 @@ class Amplitude {
         }
     }
 
-    // Add to series[k], k < count, the Taylor coefficient of the exponent at t: k-th derivative / k!.
+    // Add to series[k], k < count, the k-th Taylor coefficient of the exponent -(g_0 + g_1 t + ...) at t.
     template <class Number>
     void add_series(double t, Number* series, std::size_t count) const {
         for (std::size_t j = 0; j <= terms_; ++j) {
@@ -93,10 +94,10 @@ class Amplitude {
         }
     }
 
-    // Bound on |g_0 + g_1 t + ... + g_K t^K| over [0, 1].
+    // Bound on the modulus of the exponent, |g_0 + g_1 t + ... + g_K t^K|, for t in [0, 1].
     double size() const { return growth(1.0) + a_[0] + std::abs(a_[0]); }
 
-    // Check at 17 samples of [0, 1] that A <= 1, up to rounding.
+    // Check that the amplitude is at most 1, up to rounding: at 17 samples of t in [0, 1], unless all coefficients are >= 0.
     bool passive() const {
         const bool falls = std::all_of(g_.begin(), g_.end(), [](double g) { return g >= 0.0; });
         for (std::size_t j = 0; j <= 16 && !falls; ++j) {
@@ -108,11 +109,12 @@ class Amplitude {
     }
 
     bool closed() const { return terms_ <= 1; }
-    // int A dt from obscuration^2 to 1, the peak of |U| without aberrations: exact if closed(), else by 16 Gauss-Legendre nodes.
+    // Integral of A dt from obscuration^2 to 1, which is the peak of the field's modulus without aberrations: exact if closed(),
+    // else by 16 Gauss-Legendre nodes.
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {
-            // For |g| <= 1e-300 the quotient would lose digits to subnormal numbers; A = 1 gives the same integral.
+            // For |g| <= 1e-300 the quotient would lose digits to subnormal numbers; the value for g = 0 agrees to rounding.
             const double falling = std::abs(g) > 1e-300 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
             return g_[0] == 0.0 ? falling : falling * std::exp(-g_[0]);
         }
@@ -139,7 +141,7 @@ class Amplitude {
         return made;
     }
 
-    // t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)).
+    // Chebyshev coefficients a_k of the exponent, from t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)).
     void expand() {
         a_[0] = g_[0];
         double middle = 1.0;  // C(2k, k) / 4^k
@@ -154,7 +156,7 @@ class Amplitude {
         }
     }
 
-    std::size_t terms_ = 0;  // highest power
+    std::size_t terms_ = 0;  // highest power of t
     std::array<double, most + 1> g_{}, a_{};
 };
 

@@ -1,4 +1,4 @@
-// Error bound of the chordal Gauss rule, and the numbers of chords and nodes for a tolerance (certificate, section 8).
+// Error bound of the chordal Gauss rule, and the numbers of chords and of nodes for a tolerance (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -14,50 +14,51 @@
 namespace lommel {
 
 constexpr double single_roundoff = 5.9604644775390625e-08;
-constexpr std::size_t max_chords = 1024;  // maximum number of chords, and of nodes on each
+constexpr std::size_t max_chords = 1024;  // maximum number of chords, and of nodes on each chord
 
-// The two sums of the rule: over chords, and over the nodes of a chord.
+// The two sums of the chordal rule: over chords, and over the nodes of a chord.
 enum class Sum { chords, nodes };
 
-// Smallest permitted size of a sum that is at least `wanted`: few sizes, so that tables are shared; even, so that nodes form
-// quadruples.
+// Smallest permitted size of a sum that is at least `wanted`. Permitted sizes are few, so that tables are shared, and even, because
+// nodes lie symmetrically at (+-x, +-y).
 inline std::size_t rounded_size(Sum sum, double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
     const std::size_t step = n <= (sum == Sum::chords ? 64 : 24) ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
     return (n + step - 1) / step * step;
 }
 
-// Sides of the image in optical units v = pi distance / (lambda N).
+// Sides of the window in optical units v = pi distance / (lambda N), with N the f-number.
 struct VBox {
     double left, right, top, bottom;
     VBox scaled(double by) const { return {by * left, by * right, by * top, by * bottom}; }
-    // Largest distance of a point of the window from (x, y).
+    // Largest distance from (x, y) to a point of the window.
     double reach(double x, double y) const { return std::hypot(std::max(std::abs(left - x), std::abs(right - x)), rise(y)); }
-    // Largest distance along y of a point of the window from y.
+    // Largest distance in y alone from (x, y) to a point of the window.
     double rise(double y) const { return std::max(std::abs(top - y), std::abs(bottom - y)); }
     bool operator==(const VBox& other) const {
         return left == other.left && right == other.right && top == other.top && bottom == other.bottom;
     }
 };
 
-// Error bound from one curve at height b (certificate, section 8): a sum of size n changes U by at most e^{exponent - 2 n b},
-// for chords times 1 / (1 - e^{-2 (n + 1) b}).
+// Error bound from the integrand on one complex curve at height b: with n nodes, a sum changes the field by at most e^{exponent - 2
+// n b}; with n chords, by this times 1 / (1 - e^{-2 (n + 1) b}) (docs/certificate.md, section 8).
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
 
-    // Bound on the error of U without rounding.
+    // Bound on the error of the field without rounding, for a sum of size n.
     double bound(Sum sum, std::size_t n) const {
         const double twice = 2.0 * static_cast<double>(n), b = chord_curves.b[curve];
         const double least = std::exp(std::min(exponent - twice * b, 690.0));
         return sum == Sum::nodes ? least : least / -std::expm1(-(twice + 2.0) * b);
     }
-    // Bound if the integrand is multiplied by a Zernike term of degree n.
+    // Error bound if the integrand is multiplied by a Zernike term of degree n.
     ChordLine times(std::size_t n) const {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // needed(): approximate number of chords or nodes for an error; enough(): smallest permitted one, > max_chords if none is.
+    // needed(): approximate number of chords or nodes for an error; enough(): smallest permitted number, > max_chords if none
+    // suffices.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -68,7 +69,7 @@ struct ChordLine {
     }
 };
 
-// Error bounds of one disk for its phase and window: on each curve, the logarithm of the error of either sum.
+// Error bounds of the chordal rule on one disk, for the phase given to prepare() and a window.
 class ChordBound {
    public:
     ChordBound(const TermPairs& terms, const Amplitude& light, const VBox& window)
@@ -87,7 +88,7 @@ class ChordBound {
             const ZernikeTerm& term = terms_.terms[j];
             size_ += std::abs(coefficients[j]);
             bent_ += std::abs(coefficients[j]) * static_cast<double>(term.n * term.n);
-            // A tilt (n = 1) moves the image: distances in the window are measured from there.
+            // A tilt (n = 1) moves the image: distances in the window are measured from the moved centre.
             (term.m > 0 ? tilt_x : tilt_y) += term.n == 1 ? coefficients[j] : 0.0;
         }
         std::fill(amplitudes_.begin(), amplitudes_.end(), 0.0);
@@ -97,12 +98,13 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // The bound for chords continues x and y to complex values, the bound for nodes y alone.
+        // The bound for chords continues x and y to complex values, the bound for nodes only y.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // size(): bound on the growth on a curve, |Im(Phi + v . rho)|; bend(): bound on its second derivative by the angle.
+    // size(): bound on |Im(Phi + v . rho)| on a curve, with Phi the phase, v in the window; bend(): bound on its second derivative
+    // by the angle along the curve.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -121,8 +123,8 @@ class ChordBound {
     // Error bound of a curve on which the integrand is at most e^logarithm.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Bound of the curve that needs the fewest chords or nodes for `error`, if the growth is `share` times its bound. The number
-    // is convex in the height b of the curve, so that descent finds the minimum.
+    // Error bound of the curve that needs the fewest chords or nodes for `error`, if log(integrand) on a curve is `share` times
+    // size(). This number is convex in the height of the curve: descent finds the minimum.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -147,7 +149,7 @@ class ChordBound {
     double size() const { return size_; }
     double variance() const { return variance_; }
 
-    // Rounding of phase, kernel and sums; without extended precision also of nodes and tabulated terms.
+    // Rounding error of phase, kernel and sums in double precision; without extended precision also of nodes and tabulated terms.
     double rounding() const {
         const double terms = static_cast<double>(terms_.terms.size() + terms_.degree);
         return unit_roundoff * (36.0 + (terms + 7.0) * size_ + 3.0 * reach_[0] + (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_[0]));
@@ -156,19 +158,19 @@ class ChordBound {
         return unit_roundoff * static_cast<double>(2 * chords + (wider ? 1 : 2) * nodes);
     }
 
-    // Rounding error of U from sums in single precision, whose phases, sums of `terms` terms, are multiples of 2^-32 turns.
+    // Rounding error of the field from sums in single precision. A phase is a sum of `terms` terms, as a multiple of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
         return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
     }
 
-    // Further rounding error where the integrand is multiplied by a Zernike term of degree n.
+    // Additional rounding error if the integrand is multiplied by a Zernike term of degree n.
     static double factor_rounding(std::size_t n, bool single) {
         const double square = static_cast<double>(n * n);
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
-    // Throw LimitExceeded with a message on the largest window or phase that would fit; `most_nodes`: maximum number of nodes in
-    // all tables.
+    // Throw LimitExceeded; the message says which size of window, or of window and phase, would fit. most_nodes: maximum number of
+    // nodes in all tables.
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
         const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
         std::string message = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
@@ -176,7 +178,7 @@ class ChordBound {
                               (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                               std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
-        // Largest fraction of the window (phases: and of the phase) that max_chords suffice for, in hundredths, less a margin.
+        // Percentage to which the window (with `phases`: and the phase) must shrink for max_chords to suffice with a margin.
         const auto largest = [&](bool phases) {
             int hundredths = 99;
             for (; hundredths > 0; --hundredths) {
@@ -202,15 +204,16 @@ class ChordBound {
     }
 
    private:
-    // First curve of the descent of best(), at most: on higher ones ChordCurves truncates sinh(n b) of the highest degrees.
+    // Highest curve at which the descent of best() may start: on higher curves ChordCurves truncates sinh(n b) of the highest
+    // degrees n.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }
 
     const TermPairs& terms_;
     VBox window_;
-    ChordCurves::Values still_[2];  // [sum][curve]: logarithm of the bound at growth 0
-    std::vector<double> amplitudes_;  // [degree]: amplitude of the terms
+    ChordCurves::Values still_[2];  // [sum][curve]: logarithm of the error bound for phase 0 and v = 0
+    std::vector<double> amplitudes_;  // [degree]: sum of the amplitudes of its Zernike pairs
     double size_ = 0.0, bent_ = 0.0, variance_ = 0.0, reach_[2] = {0.0, 0.0};
     std::size_t start_[2] = {ChordCurves::count / 2, ChordCurves::count / 2};
 };

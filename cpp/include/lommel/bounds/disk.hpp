@@ -1,11 +1,13 @@
-// Growth M(b) of a pupil function on complex chords of the disk, and the bounds that follow from it (certificate, section 7).
+// Bounds on a pupil function exp(i Phi) on complex chords of the disk, and on the tails of its series (docs/certificate.md, section
+// 7).
 //
-// On the line of points cos(phi) xi + eta sin(phi) xi', xi and xi' orthonormal and |eta| <= 1, a Zernike polynomial of degree n
-// is a real trigonometric polynomial of degree n in phi, at most 1. At phi = a + ib its imaginary part is at most sinh(n b)
-// (Duffin and Schaeffer 1938, integrated), so |exp(i Phi)| <= M(b) = exp sum_j W_j sinh(n_j b), W_j the amplitude of term j.
-// Hence the means of the pupil function over chords are analytic in Bernstein ellipses. Their Chebyshev coefficients (Marr
-// 1974; Logan and Shepp 1975) are the components of degree n, b_n / (n + 1), at most M(b) (1 + e^{-2b}) e^{-n b} for every b >
-// 0. The best b of a fixed set is used.
+// On the line of points cos(phi) xi + eta sin(phi) xi', with orthonormal vectors xi and xi' and |eta| <= 1, a Zernike polynomial of
+// degree n is a real trigonometric polynomial of degree n in the angle phi, at most 1. At phi = a + ib its imaginary part is at
+// most sinh(n b) (Duffin and Schaeffer 1938, integrated). Hence |exp(i Phi)| <= M(b) = exp sum_j W_j sinh(n_j b), with W_j the
+// amplitude of Zernike term j.
+//
+// The means of the pupil function over chords are therefore analytic in Bernstein ellipses. Their Chebyshev coefficients (Marr
+// 1974; Logan and Shepp 1975) are at most M(b) (1 + e^{-2b}) e^{-n b} for every b > 0; the best b of a fixed set is used.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +24,12 @@
 
 namespace lommel {
 
-// Zernike terms, cosine and sine of the same n and |m| as a pair. The amplitude of a pair is sqrt(cosine^2 + sine^2).
+// Zernike terms in pairs: the cosine and the sine term of the same degree n and azimuthal order m. Amplitude of a pair:
+// sqrt(cosine^2 + sine^2).
 struct TermPairs {
     static constexpr std::size_t none = ~std::size_t{0};
     struct Pair {
-        std::size_t n, m, cosine, sine;  // indices of terms, or none
+        std::size_t n, m, cosine, sine;  // cosine, sine: indices of terms, or none
         double square(const double* c) const {  // squared amplitude
             return (cosine == none ? 0.0 : c[cosine] * c[cosine]) + (sine == none ? 0.0 : c[sine] * c[sine]);
         }
@@ -54,12 +57,12 @@ LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(l
 }
 #endif
 
-// Functions of the height b of a curve, at the 64 heights among which bounds choose.
+// Functions of the height b of a complex curve, at the 64 heights among which bounds choose.
 struct ChordCurves {
     static constexpr std::size_t count = 64;
     using Values = std::array<double, count>;
     Values b, inverse, decay, cosh, constant, closed;  // b, 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
-    std::vector<Values> growth;  // sinh(n b), for each n
+    std::vector<Values> growth;  // [n]: sinh(n b)
 
     ChordCurves();
 };
@@ -81,7 +84,7 @@ LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
     }
 }
 #endif
-// Constructed at load time: a static inside a function could be half built when the process forks.
+// A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const ChordCurves chord_curves;
 
 // Index of the minimum. The minimum is taken in eight chains, which compilers vectorise; its index is then looked up.
@@ -97,33 +100,32 @@ LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     return static_cast<std::size_t>(std::find(values.begin(), values.end() - 1, least) - values.begin());
 }
 
-// size[k]: bound on log |pupil function| on the curve at height b[k].
+// size[k]: bound on log |pupil function| on the complex curve at height b[k].
 struct ChordGrowth {
     ChordCurves::Values size{};
 
-    // Add a Zernike pair of degree n and amplitude sqrt(cosine^2 + sine^2).
     LOMMEL_INLINE void add(double amplitude, std::size_t n) {
         const ChordCurves::Values& growth = chord_curves.growth.at(n);
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
             size[k] += amplitude * growth[k];
         }
     }
-    // Add the amplitude of the pupil: on a complex chord, t = rho^2 stays in the ellipse around [0, 1] with c = cosh 2b of
-    // Amplitude::growth().
+    // Add the bound on the pupil's amplitude: on a complex chord at height b, rho^2 stays in the ellipse of Amplitude::growth()
+    // with c = cosh 2b.
     void add(const Amplitude& light) {
         for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
             size[k] += light.growth(chord_curves.cosh[k]);
         }
     }
 
-    // Bound on the sum of all coefficients k >= n, each at most e^(size - k b).
+    // Bound on the sum of the coefficients k >= n of a series, if on each curve coefficient k is at most e^(size - k b).
     double tail(std::size_t n) const;
 
     // Approximate smallest n with log tail(n) <= `logarithm`.
     double fewest(double logarithm) const;
 
-    // Bound on the maximum distance of the pupil function from polynomials of degree d on the disk: component n is a mean of
-    // U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
+    // Bound on the maximum distance on the disk between the pupil function and polynomials of degree d. The part of degree n is at
+    // most (n+1)^(3/2) times the n-th Chebyshev coefficient of the means over chords.
     double distance(std::size_t d) const;
 };
 
@@ -138,14 +140,14 @@ class DiskBounds {
     }
     void add(const Amplitude& light) { chords_.add(light); }
 
-    // Bound on the contribution of all degrees >= n to U, at every v, since |2 (n+1) J_{n+1}(v) / v| <= 1.
+    // Bound on the contribution of all degrees >= n to the field at every v, since |2 (n+1) J_{n+1}(v) / v| <= 1.
     double tail(std::size_t n) const { return chords_.tail(n); }
-    // Bound on the contribution of all azimuthal orders >= m to U: on a ring the pupil function is analytic in theta, its Fourier
-    // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    // Bound on the contribution of all azimuthal orders >= m to the field: on a ring the pupil function is analytic in the azimuth,
+    // its Fourier coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // Curve that needs the fewest degrees for an error, if the logarithm of M(b) were `share` times its bound.
+    // Index of the curve that needs the fewest degrees for an error, if log |pupil function| on it were `share` times its bound.
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -163,11 +165,12 @@ class DiskBounds {
         }
         return n;
     }
-    // lower(): subtract `by` from the bound on log M(b) of a curve, where a smaller one is proven; size(): that bound.
+    // Bound on log |pupil function| on a curve. lower(): subtract `by`, if a smaller bound is proven; size(): return the bound.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
-    // degrees(): smallest number with tail() <= error; orders(): with orders_tail() <= error; degree(): with distance() <= error.
+    // Smallest number with tail() <= error (degrees()), with orders_tail() <= error (orders()), with distance() <= error
+    // (degree()).
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
     std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }
@@ -206,7 +209,7 @@ LOMMEL_ONCE double ChordGrowth::fewest(double logarithm) const {
 }
 
 LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
-    const double first = static_cast<double>(d) + 2.0;  // n + 1 of the first omitted degree
+    const double first = static_cast<double>(d) + 2.0;  // n + 1 for the first omitted degree n
     const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
     ChordCurves::Values exponents;
     std::size_t least = 0;
@@ -217,7 +220,7 @@ LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
         }
         least = least_at(exponents);
     });
-    // Logarithms are computed only where the result can be below the minimum so far, which begins at the smallest exponent.
+    // add() takes a logarithm. It is called only for exponents below the minimum so far, starting with the smallest.
     double best = 1e300;
     const auto add = [&](std::size_t k) {
         best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));

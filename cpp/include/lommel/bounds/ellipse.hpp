@@ -1,7 +1,8 @@
-// Number of terms and nodes for a tolerance, by bounds on Bernstein ellipses (certificate, sections 1 and 2).
+// Numbers of series terms and of quadrature nodes for a tolerance, by bounds on Bernstein ellipses (docs/certificate.md, sections 1
+// and 2).
 //
-// In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around [0, 1] it is
-// at most exp g(eta), g = max_theta |Im Phi|. Hence Legendre coefficients fall like exp(-n eta) and errors of Gauss quadrature
+// In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around [0, 1] it is at
+// most exp g(eta), g = max_theta |Im Phi|. Hence Legendre coefficients fall like exp(-n eta) and errors of n-point Gauss quadrature
 // like exp(-2 n eta), for every eta > 0; the best eta of a fixed set is used.
 #pragma once
 
@@ -23,7 +24,8 @@
 
 namespace lommel {
 
-// Functions of eta at the 40 ellipses among which bounds choose, and of the 97 angles at which the phase is sampled on each.
+// Functions of the size eta of an ellipse, for the 40 ellipses among which bounds choose; sine and cosine at the 97 angles at which
+// the phase is sampled.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -41,7 +43,7 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
         decay[i] = std::exp(-eta[i]);
         closed[i] = -std::log(1.0 - decay[i]);
         const double both = std::log(-std::expm1(-2.0 * eta[i]));
-        // The perimeter l of the ellipse: log(l / pi) <= log sqrt(2 cosh 2 eta).
+        // Bound on the perimeter l of an ellipse: log(l / pi) <= log sqrt(2 cosh 2 eta).
         perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - both;
         quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
     }
@@ -52,10 +54,11 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
 }
 #endif
 
-// Constructed at load time: a static inside a function could be half built when the process forks.
+// A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const EllipseGrid ellipse_grid;
 
-// Im P_1, Im P_2, ... at the angles of each ellipse: 1 MiB, only for more than two terms.
+// Imaginary parts of the Legendre polynomials P_1, P_2, ... at the samples of each ellipse: 1 MiB, for phases of three terms or
+// more.
 struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
@@ -92,7 +95,7 @@ class Ellipses {
    public:
     static constexpr std::size_t count = EllipseGrid::count;
 
-    // Bounds for t^power A exp(i Phi), from the coefficients of P_1(2t - 1), P_2, ... in rad and the amplitude A.
+    // Bounds for t^power A exp(i Phi), with A the amplitude. phase: coefficients in rad of P_1(2t - 1), P_2, ... in the phase Phi.
     Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
         measure(phase, terms);
         for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
@@ -103,7 +106,8 @@ class Ellipses {
         }
     }
 
-    // Bounds for all pupils whose coefficients lie between `least` and `most`: g is convex, so the corners of that box suffice.
+    // Bounds for all pupils with phase coefficients between `least` and `most`: max |Im Phi| is convex, so the corners of this box
+    // suffice.
     Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
         const std::size_t terms = least.size();
         std::vector<double> corner(terms);
@@ -119,8 +123,9 @@ class Ellipses {
         }
     }
 
-    // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v. On an ellipse of perimeter l,
-    // where |f| <= M, |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
+    // Bound on the tail of the Legendre series at every v: the sum over n >= terms of |beta_n| / sqrt(2n+1), with Legendre
+    // coefficients beta_n. On an ellipse eta of perimeter l, if |pupil function| <= M, |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi
+    // (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
     double tail(std::size_t terms) const {
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         std::array<double, count> exponent;
@@ -131,7 +136,7 @@ class Ellipses {
             const double q = grid.decay[i];
             return exponent[i] + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q)));
         };
-        // whole() adds the logarithm of a sum >= 1 to an exponent: it is called only where the result can be below the minimum.
+        // whole() adds the logarithm of a sum >= 1 to an exponent: it is called only if the exponent is below the minimum so far.
         const double rest = least([&](std::size_t i) { return exponent[i]; });
         const auto first = static_cast<std::size_t>(std::find(exponent.begin(), exponent.end() - 1, rest) - exponent.begin());
         double best = whole(first);
@@ -143,10 +148,10 @@ class Ellipses {
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
 
-    // Number of terms with tail() <= `error`, close to the smallest, and that tail.
+    // Number of terms with tail() <= error, close to the smallest, and the tail for it.
     std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
-        // First number of terms to try, a lower bound: the sum over n of tail() is taken as a geometric series.
+        // First number of terms to try, a lower bound: the sum over n in tail() is taken as a geometric series.
         const double needed =
             least([&](std::size_t i) { return (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0; });
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
@@ -158,8 +163,8 @@ class Ellipses {
         return {n, left};
     }
 
-    // Bound on the error of U if the first `terms` coefficients come from `nodes`-point Gauss quadrature (Trefethen,
-    // Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
+    // Bound on the error of the field if the first `terms` coefficients are computed by Gauss quadrature with `nodes` nodes
+    // (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
     double quadrature(std::size_t nodes, std::size_t terms) const {
         const double best = least([&](std::size_t i) {
             return g_[i] + grid.quadrature[i] + (static_cast<double>(terms) - 2.0 * static_cast<double>(nodes)) * grid.eta[i];
@@ -167,7 +172,7 @@ class Ellipses {
         return std::sqrt(2.0 * static_cast<double>(terms) + 1.0) * std::exp(std::min(best, 700.0));
     }
 
-    // Number of nodes with quadrature() <= `error`.
+    // Number of nodes with quadrature() <= error.
     std::size_t nodes(std::size_t terms, double error) const {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         const double needed = least([&](std::size_t i) {
@@ -177,7 +182,7 @@ class Ellipses {
     }
 
    private:
-    // Minimum over all ellipses, in eight independent chains.
+    // Minimum of of(index) over all ellipses, in eight independent chains.
     template <class F>
     static double least(const F& of) {
         static_assert(count % 8 == 0);
@@ -205,8 +210,8 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// Bound on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|, for all v <= reach: of a series, all terms
-// that no phase can make large within the window (certificate, section 1, "By the window").
+// Bound for all v <= reach on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|. These terms of a series are
+// small in the window, whatever the phase (docs/certificate.md, section 1, "By the window").
 inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
         return m > 1.0 ? 0.0 : 1.0;
@@ -218,16 +223,16 @@ inline double beyond_window(double m, double step, double power, double reach) {
     const double x = reach / m, root = std::sqrt(std::max(0.0, 1.0 - x * x)), rate = std::log((1.0 + root) / x);
     const double top = m * (root - rate);
     const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
-    // Close to m = v, Kapteyn's bound over v does not increase with v.
+    // If m is close to v, Kapteyn's bound over v may decrease with v: v = reach need not be the maximum.
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
-    // For m > v, 2/v |J_m(v)| increases with v, so v = reach is the maximum.
+    // For m > v, 2/v |J_m(v)| increases with v: the maximum is at v = reach.
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// window_tail(): bound on the contribution of the Legendre terms n >= `terms`, with J_{2n+1}, to U at v <= reach, for any pupil,
-// since |beta_n| <= sqrt(2n+1) (Parseval). window_terms(): smallest number of terms with window_tail() <= error.
+// Legendre series, for any pupil. window_tail(): bound on the contribution to the field at v <= reach of the terms n >= `terms`,
+// with J_{2n+1}, since |coefficient n| <= sqrt(2n+1) (Parseval); window_terms(): smallest number with window_tail() <= error.
 inline double window_tail(std::size_t terms, double reach) {
     return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
 }
@@ -235,7 +240,8 @@ inline std::size_t window_terms(double reach, double error) {
     return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
 }
 
-// disk_window_tail(), disk_window_degrees(): likewise for the degrees n >= `degrees` of a Zernike series, with (n+1) J_{n+1}.
+// Zernike series, for any pupil. disk_window_tail(): bound on the contribution to the field at v <= reach of the degrees n >=
+// `degrees`, with (n+1) J_{n+1}; disk_window_degrees(): smallest number with disk_window_tail() <= error.
 inline double disk_window_tail(std::size_t degrees, double reach) {
     return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
 }
@@ -246,7 +252,8 @@ inline std::size_t disk_window_degrees(double reach, double error) {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
     if (terms <= 2) {
-        // Of two terms a1 and a2: |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta|, whose maximum has a closed form.
+        // For two terms a1 and a2 of the phase, |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta|; its maximum over
+        // theta is closed.
         const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t i = 0; i < count; ++i) {
@@ -268,7 +275,8 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
         for (const double sum : sums) {
             top = std::max(top, std::abs(sum));
         }
-        // From samples to the maximum over all angles of a trigonometric polynomial of this degree (Ehlich and Zeller, 1964).
+        // Factor from the largest sample to the maximum over all angles, for trigonometric polynomials of this degree (Ehlich and
+        // Zeller, 1964).
         g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }

@@ -1,6 +1,6 @@
-// Error bounds of pixel averages (certificate, section 9), for a function f of the distance from the axis that is of exponential
-// type 2 along every line and differs from a constant by at most 1. f is the intensity over half its maximum, or a derivative of
-// the intensity over the bound of that derivative. Lengths are in optical units v.
+// Error bounds of pixel averages (docs/certificate.md, section 9), for a function f of the distance from the axis that is of
+// exponential type 2 along every line and differs from a constant by at most 1: the intensity over half its maximum, or a
+// derivative of the intensity over the bound of that derivative. Lengths are in optical units v.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace lommel {
 // Bound on the Lebesgue constant of Chebyshev points of the first kind.
 inline double lebesgue(std::size_t points) { return 1.0 + 0.63661977236758134 * std::log(static_cast<double>(points)); }
 
-// log n! to rounding: from n = 16 on Stirling's series, whose first omitted term is below 1 / (1188 n^9). std::lgamma is not
+// log n! to rounding; from n = 16 on by Stirling's series, whose first omitted term is below 1 / (1188 n^9). std::lgamma is not
 // used: it sets a global sign, a data race between threads.
 inline double log_factorial(double n) {
     if (n < 16.0) {
@@ -26,13 +26,14 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Error of interpolation at n = `points` Chebyshev points over a width of 2 `half`, from the derivative bound |f^(n)| <= 2^n.
+// Error of interpolating f at n = `points` Chebyshev points on an interval of length 2 `half`, from the bound |n-th derivative of
+// f| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// Factor on interpolation_by_slope() where f is interpolated as a function of r^2 instead of the radius r, at r >= `radius`.
+// Factor on interpolation_by_slope() if f is interpolated as a function of r^2 instead of the radius r, at r >= `radius`.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -42,8 +43,8 @@ inline double of_squares(double radius, std::size_t points) {
     return sum;
 }
 
-// Error of interpolation at `points` Chebyshev points over a width of 2 `half`: the smaller of the bounds from the derivatives
-// of f and from its maximum on the best Bernstein ellipse.
+// Error of interpolating f at `points` Chebyshev points on an interval of length 2 `half`: the smaller of two bounds, from the
+// derivatives of f and from its maximum on the best Bernstein ellipse.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {
         return 0.0;
@@ -58,7 +59,7 @@ inline double interpolation_error(double half, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of the average over a square of this side by a Gauss-Legendre rule of `points` nodes along either axis.
+// Error of the average of f over a square of this side by a Gauss-Legendre rule of `points` nodes in each direction.
 inline double gauss_error(double side, std::size_t points) {
     if (side <= 0.0) {
         return 0.0;
@@ -69,8 +70,8 @@ inline double gauss_error(double side, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of trigonometric interpolation with all orders below `order`, for a function of the angle that is at most
-// e^(reach sinh b) at imaginary part b and has only every `spacing`-th order.
+// Error of trigonometric interpolation by all orders below `order`, for a function of the angle that contains only every
+// `spacing`-th order and is at most e^(reach sinh b) at angles of imaginary part b.
 inline double turning_error(double reach, double order, double spacing) {
     if (order <= reach) {
         return 1e300;
@@ -80,14 +81,14 @@ inline double turning_error(double reach, double order, double spacing) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of the average over a square as a function of its azimuth, interpolated from `angles` angles as a polynomial in
-// cos(4 azimuth).
+// Error of interpolating the average over a square as a function of the azimuth of its centre, from `angles` angles by a polynomial
+// in cos(4 azimuth).
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Error of the difference between the averages over two opposite sides of a square as a function of its azimuth, interpolated
-// from `angles` angles by odd orders (certificate, section 15).
+// Error of interpolating the difference between the averages over two opposite sides of a square as a function of the azimuth of
+// its centre, from `angles` angles by odd orders (docs/certificate.md, section 15).
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

@@ -8,8 +8,8 @@
 
 namespace lommel {
 
-// Call attempt(), which computes and returns its error bound, until the bound is at most `tol`; return it. more(bound) refines
-// the next attempt, or returns false if no refinement is left.
+// Call attempt(), which computes and returns its error bound, until the bound is at most `tol`; return the bound. more(bound)
+// refines the next attempt; it returns false if no refinement is left.
 template <class Attempt, class More>
 double settle(double tol, const Attempt& attempt, const More& more) {
     for (;;) {
@@ -24,8 +24,8 @@ double settle(double tol, const Attempt& attempt, const More& more) {
     }
 }
 
-// Smallest n >= `least` for which enough(n) is true, found by bisection: true for one n, it must be true for all larger. About
-// `most` if there is none below.
+// Smallest n >= `least` with enough(n), by bisection; if enough(n) is true, it must be true for all larger n. If no n below `most`
+// is enough, the result is about `most`.
 template <class Enough>
 std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
     if (enough(least)) {

@@ -12,7 +12,8 @@
 
 namespace lommel {
 
-// Arrays over pixels: electrons counted; variance of the read noise, as recorded and as weights assume it; 1 if valid, else 0.
+// Arrays over pixels. counted: electrons; recorded: true variance of the read noise; read: its variance as the weights assume it;
+// valid: 1 if the pixel is used, else 0.
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -20,23 +21,24 @@ struct StarCounts {
     const double* valid;
 };
 
-// deviance: negative log-likelihood up to a constant; expected, spread: expectation and variance of Pearson's chi2.
+// deviance: negative log-likelihood up to a constant; expected, spread: expectation and variance of Pearson's chi^2.
 struct StarLikelihood {
     double deviance = 0.0, expected = 0.0, spread = 0.0;
 };
 
-// Likelihood of counts with the Poisson mean flux x images[0] + background and read noise. Writes the symmetric matrix of
-// inner products of images[1], ..., images[0], 1 and the residual, all divided by the standard deviation of each pixel.
+// Likelihood of electron counts with the Poisson mean flux x images[0] + background, plus read noise. products: symmetric matrix of
+// the inner products of images[1], images[2], ..., images[0], 1 and the residual, all divided by the standard deviation of each
+// pixel.
 template <class T>
 StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const std::vector<const T*>& images, double flux,
                                double background, double* products) {
     constexpr std::size_t block = 4 * widest_step, most_together = 4;  // pixels per block: its rows fit in the L1 cache
     const std::size_t slopes = images.size() - 1, rows = images.size() + 2;
-    Doubles all((rows + most_together) * block), sums;  // zero beyond the last row
+    Doubles all((rows + most_together) * block), sums;  // zeros beyond the last row
     StarLikelihood found;
     dispatch_widest([&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
-        // Rows per tile, so that the sums of a tile stay in registers.
+        // Number of rows in a tile for which the sums of the tile stay in registers.
         constexpr std::size_t lanes = decltype(isa)::lanes, together = lanes == Avx512::lanes ? most_together : 3;
         constexpr std::size_t tile = together * together * lanes;
         const std::size_t across = (rows + together - 1) / together;
@@ -55,7 +57,8 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                 root[i] = std::sqrt(weight);
                 residual[i] = (counted - mean) * root[i];
                 deviance[i] = valid * (variance - (counted + read) * logarithm(variance));
-                // With x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded and the variance mu + 2 v^2.
+                // With x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded and the variance mu + 2 v^2; mu is
+                // `light`.
                 const double exact = light + star.recorded[first + i];
                 expected[i] = weight * exact;
                 spread[i] = weight * weight * (light + 2.0 * exact * exact);

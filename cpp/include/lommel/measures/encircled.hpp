@@ -1,4 +1,4 @@
-// Encircled energy about the axis and mean intensity on circles, from the field of a circular or annular aperture.
+// Encircled energy about the optical axis and mean intensity on circles, for a circular or annular aperture.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace lommel {
 
-// Mean intensity on circles, as Chebyshev series on panels of the radius.
+// Mean intensity on circles about the axis, as Chebyshev series on intervals (panels) of the radius v.
 //
-// Along any line the intensity is of exponential type 2 and between 0 and its peak; so is the mean over all directions, an even
-// function of v. Interpolation at Chebyshev points has an error of interpolation_error() times half of the peak, and the energy
-// within v of that times v^2 / 2. Errors of the given values are multiplied by lebesgue().
+// Along any line the intensity is of exponential type 2 and between 0 and its peak; so is its mean over all directions, an even
+// function of v. Interpolation at Chebyshev points has an error of interpolation_error() times half of the peak; the energy within
+// v has an error of that times v^2 / 2. Errors of the given values are multiplied by lebesgue().
 class MeanProfile {
    public:
-    // at(v): mean intensity on the circle of radius v <= reach. `allowed`: interpolation error over half of the peak.
+    // at(v): mean intensity on the circle of radius v <= reach; allowed: interpolation error over half of the peak intensity.
     template <class At>
     MeanProfile(double reach, double allowed, const At& at) {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
@@ -55,17 +55,17 @@ class MeanProfile {
         const std::size_t s = panel(v);
         return series(&means_[s * points_], points_, place(v, s));
     }
-    // int_0^v mean(s) s ds: the light within the circle of radius v, over 2 pi.
+    // Encircled energy over 2 pi: integral of mean(s) s ds from 0 to v.
     double energy(double v) const {
         const std::size_t s = panel(v);
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Factor by which errors of at() are multiplied in mean().
+    // Bound on the error of mean() over the error of the given values at(v).
     double magnification() const { return lebesgue(points_); }
 
    private:
-    static constexpr double widest = 20.0;  // width of a panel in v
+    static constexpr double widest = 20.0;  // largest width of a panel in v
 
     double middle(std::size_t s) const { return half_ * static_cast<double>(2 * s + 1); }
     std::size_t panel(double v) const {
@@ -73,7 +73,7 @@ class MeanProfile {
     }
     double place(double v, std::size_t s) const { return std::min(1.0, (v - middle(s)) / half_); }
 
-    // sum of c[k] T_k(x), k < count, by Clenshaw's recurrence.
+    // Sum over k < count of c[k] T_k(x), with Chebyshev polynomials T_k, by Clenshaw's recurrence.
     static double series(const double* c, std::size_t count, double x) {
         double after = 0.0, here = 0.0;
         for (std::size_t k = count; --k > 0;) {
@@ -86,7 +86,7 @@ class MeanProfile {
 
     double half_ = 1.0;
     std::size_t points_ = 1;
-    std::vector<double> means_, energies_;  // [panel][coefficient of T_k]
+    std::vector<double> means_, energies_;  // [panel][index of the Chebyshev polynomial]
 };
 
 }  // namespace lommel

@@ -1,14 +1,14 @@
-// Optical transfer function of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
+// Optical transfer function (OTF) of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
 //
-// With f in units of the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int |P|^2 d^2 rho. In coordinates (u, y) along
-// and across f, the substitution y = sin(theta) makes the ends of the lens-shaped overlap of two discs, u = +-(cos(theta) -
-// f), entire functions of theta, so that Gauss-Legendre rules in theta and u converge faster than any power. With an
-// obscuration, the region is cut where its arcs meet, with y = eps sin(theta) beside the obscuration (H. H. Hopkins, Proc. R.
-// Soc. A 231, 91, 1955).
+// With the pupil function P and the frequency f in units of the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int
+// |P|^2 d^2 rho. In coordinates u along f and y perpendicular to f, the overlap of two discs is a lens with the ends u =
+// +-(cos(theta) - f) at y = sin(theta). They are entire functions of theta, so that Gauss-Legendre rules in theta and u converge
+// faster than any power. With an obscuration of ratio eps, the region is cut where its arcs meet, and beside the obscuration y =
+// eps sin(theta) (H. H. Hopkins, Proc. R. Soc. A 231, 91, 1955).
 //
-// D(u, y) = Phi(u - f, y) - Phi(u + f, y) is the phase of the integrand. For exp(i D), on an interval where D changes by s
-// radians, a rule of n nodes has an error of about J_2n(s / 2), which falls faster than any power once n exceeds s / 4 by a few
-// cube roots of s. The change of D is estimated from the first and second derivatives of Phi; intervals of large change are
+// The phase of the integrand is D(u, y) = Phi(u - f, y) - Phi(u + f, y), with Phi the phase of P. On an interval where D changes by
+// s radians, a rule of n nodes for exp(i D) has an error of about J_2n(s / 2), which falls faster than any power once n exceeds s /
+// 4 by a few cube roots of s. The change of D is estimated from first and second derivatives of Phi; intervals of large change are
 // divided to keep the rules short.
 #pragma once
 
@@ -28,7 +28,7 @@
 
 namespace lommel {
 
-// Area shared by two discs of radii a and b whose centres are d apart.
+// Area shared by two discs of radii a and b whose centres are at the distance d.
 inline double shared_area(double a, double b, double d) {
     if (d >= a + b) {
         return 0.0;
@@ -42,7 +42,7 @@ inline double shared_area(double a, double b, double d) {
     return a * a * std::atan2(height, x) + b * b * std::atan2(height, other) - d * height;
 }
 
-// OTF without aberrations at frequency f, relative to the cutoff; eps: obscuration ratio.
+// OTF without aberrations. f: frequency in units of the cutoff; eps: obscuration ratio.
 inline double flat_overlap(double f, double eps) {
     const double area = shared_area(1.0, 1.0, 2.0 * f) - 2.0 * shared_area(1.0, eps, 2.0 * f) + shared_area(eps, eps, 2.0 * f);
     return area / (pi * (1.0 - eps * eps));
@@ -50,11 +50,11 @@ inline double flat_overlap(double f, double eps) {
 
 class Overlap {
    public:
-    // Beyond this degree, monomials in x and y would lose digits by cancellation.
+    // Highest Zernike degree: beyond it, monomials in x and y would lose digits by cancellation.
     static constexpr std::size_t most = 12;
     using Line = std::array<double, most + 1>;
 
-    // edge: coefficients in radians at the edge. eps: obscuration ratio.
+    // edge: Zernike coefficients in radians at the pupil's edge; eps: obscuration ratio.
     Overlap(const std::vector<ZernikeTerm>& terms, const double* edge, double eps) : eps_(eps) {
         for (std::size_t j = 0; j < terms.size(); ++j) {
             if (edge[j] == 0.0) {
@@ -78,7 +78,7 @@ class Overlap {
         for (std::size_t j = 0; j < terms_.size(); ++j) {
             const int m = std::abs(terms_[j].m);
             const double c = std::cos(m * angle), s = std::sin(m * angle);
-            // A term cos(m (theta + angle)) or sin(m (theta + angle)) as a sum of cos(m theta) and sin(m theta).
+            // Expand cos(m (theta + angle)) or sin(m (theta + angle)) in cos(m theta) and sin(m theta).
             const double cosine = terms_[j].m >= 0 ? c : s, sine = terms_[j].m >= 0 ? -s : c;
             even_ = even_ && m % 2 == 0;
             mirrored_ = mirrored_ && (m == 0 || std::abs(sine) < 1e-15);
@@ -87,8 +87,8 @@ class Overlap {
         survey();
     }
 
-    // OTF at frequency f in units of the cutoff, 0 to 1, in the direction of face(). `more`: nodes of each rule beyond those for
-    // an error of 1e-4.
+    // OTF at frequency f in units of the cutoff, 0 to 1, in the direction of face(). more: number of nodes of each rule beyond
+    // those for an error of 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -103,7 +103,7 @@ class Overlap {
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 
-    // Prepare along() for frequency f in units of the cutoff; `more` as for at().
+    // Prepare along() for frequency f in units of the cutoff. more: number of nodes of each rule beyond those for an error of 1e-4.
     void set_shift(double f, std::size_t more) {
         f_ = f;
         more_ = more;
@@ -112,7 +112,7 @@ class Overlap {
         shift();
     }
 
-    // Bound on the gradient of D at the frequency of set_shift(), radians per radius of the aperture.
+    // Bound on the gradient of the phase D of the integrand, in radians per radius of the aperture.
     double run() const { return std::max(across_, down_); }
 
     // Estimated number of nodes of at(f), a measure of its time.
@@ -123,7 +123,7 @@ class Overlap {
                (25.0 + 0.25 * end * (across * height + down)) * (eps_ > 0.0 ? 1.7 : 1.0);
     }
 
-    // Integral of exp(i D(u, y)) over u from `low` to `high`.
+    // Integral of exp(i D(u, y)) over u from `low` to `high`, with D the phase of the integrand.
     std::complex<double> along(double y, double low, double high) {
         re_ = im_ = 0.0;
         pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
@@ -132,7 +132,8 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Phase in the coordinates of face(): powers()[power of x][power of y], its largest gradient, and its degree.
+    // Phase Phi of the pupil in the coordinates of face(). powers(): coefficients [power of x][power of y]; slope(): estimated
+    // largest gradient; degree(): highest degree.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }
@@ -161,8 +162,8 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Call use(rule, start, length) for pieces of [0, 1], each with the rule that its change of phase needs; over [0, 1] the
-    // phase changes by `radians`.
+    // Divide [0, 1] into pieces and call use(rule, start, length) for each, with a rule for its change of phase. radians: change of
+    // phase over [0, 1].
     template <class Use>
     void pieces(double radians, Use use) const {
         const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);
@@ -174,7 +175,7 @@ class Overlap {
         }
     }
 
-    // Add R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j.
+    // Add the Zernike term R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j, n the degree.
     void add(std::int32_t degree, int m, double c, double s) {
         const int n = degree;
         for (int k = 0; 2 * k <= n - m; ++k) {
@@ -184,7 +185,7 @@ class Overlap {
             const int squares = (n - m) / 2 - k;  // power of x^2 + y^2
             for (int p = 0; p <= squares; ++p) {
                 for (int q = 0; q <= m; ++q) {
-                    // In (x + i y)^m: the term i^q x^(m - q) y^q, times binomial coefficients.
+                    // Term of (x + i y)^m: i^q x^(m - q) y^q times binomial coefficients.
                     const double part = radial * choose_of(squares, p) * choose_of(m, q) * (q % 4 < 2 ? 1.0 : -1.0);
                     powers_[static_cast<std::size_t>(2 * (squares - p) + m - q)][static_cast<std::size_t>(2 * p + q)] +=
                         part * (q % 2 == 0 ? c : s);
@@ -196,7 +197,7 @@ class Overlap {
         return std::round(std::tgamma(n + 1.0) / (std::tgamma(k + 1.0) * std::tgamma(n - k + 1.0)));
     }
 
-    // Estimate max |grad Phi|, |d^2 Phi / dx^2| and |d^2 Phi / dx dy| from samples.
+    // Estimate the maxima of |grad Phi|, |d^2 Phi / dx^2| and |d^2 Phi / dx dy| from samples of the pupil's phase Phi.
     void survey() {
         steepest_ = bend_along_ = bend_across_ = 0.0;
         for (std::size_t i = 0; i <= 8; ++i) {
@@ -225,7 +226,7 @@ class Overlap {
         }
     }
 
-    // Coefficients of D(u, y) = Phi(u - f, y) - Phi(u + f, y), [power of u][power of y].
+    // Coefficients [power of u][power of y] of the integrand's phase D(u, y) = Phi(u - f, y) - Phi(u + f, y).
     void shift() {
         for (std::size_t p = 0; p < degree_; ++p) {
             Line& row = shifted_[p];
@@ -243,12 +244,12 @@ class Overlap {
         }
     }
 
-    // Integrate over the overlap by lines of constant y: its upper half, and the lower half unless that follows by symmetry.
+    // Integrate over the overlap along lines of constant y: its upper half, and the lower half unless that follows by symmetry.
     void cover() {
         const double end = 2.0 * std::asin(std::sqrt(0.5 * (1.0 - f_))), top = std::sqrt((1.0 - f_) * (1.0 + f_));
         panel(std::asin(std::min(eps_, top)), end, 1.0);
         if (eps_ > 0.0) {
-            // Arcs meet where the rim of one aperture crosses the obscuration of the other, and where the obscurations cross.
+            // Arcs meet where the rim of one aperture crosses the obscuration of the other, and where the two obscurations cross.
             const double last = std::asin(std::min(1.0, top / eps_));
             const double meets = std::abs(f_ - (1.0 - eps_ * eps_) / (4.0 * f_));
             std::array<double, 4> edges{0.0, std::min(last, std::acos(std::min(1.0, meets / eps_))),
@@ -260,19 +261,19 @@ class Overlap {
         }
     }
 
-    // Integrate over lines with y = radius sin(theta), theta from `first` to `last`.
+    // Integrate over the lines of constant y = radius sin(theta), with theta from `first` to `last`.
     void panel(double first, double last, double radius) {
         if (!(last > first)) {
             return;
         }
-        // Bounds per radian of theta: `move` on the displacement of the ends of lines, `rise` on the change of y.
+        // Bounds on changes per radian of theta: `move` for the ends of a line of constant y, `rise` for y.
         const double move = radius * (radius == 1.0 ? std::sin(last) : 1.0), rise = radius * std::cos(first);
         pieces((last - first) * (across_ * move + down_ * rise), [&](const Rule& rule, double start, double part) {
             rows(rule, first + start * (last - first), part * (last - first), radius);
         });
     }
 
-    // Add the lines at the nodes of `rule` for theta from `first` to first + length.
+    // Add the integrals along the lines of constant y at the nodes of `rule` for theta from `first` to first + length.
     void rows(const Rule& rule, double first, double length, double radius) {
         for (std::size_t k = 0; k < rule.nodes; ++k) {
             const double theta = first + length * rule.x[k];
@@ -283,7 +284,7 @@ class Overlap {
                     line(y, low, high, weight);
                 }
             };
-            if (radius == 1.0) {  // above the obscurations
+            if (radius == 1.0) {  // lines above the obscurations
                 between(f_ - rim, rim - f_);
                 continue;
             }
@@ -299,8 +300,8 @@ class Overlap {
     }
 
     void line(double y, double low, double high, double weight) {
-        // Rotation by half a turn maps an even phase to the conjugate integrand; reflection in y leaves a symmetric one
-        // unchanged.
+        // If the pupil's phase is even, rotation by half a turn gives the conjugate integrand; if it is symmetric in y, reflection
+        // in y leaves the integrand unchanged. Either symmetry gives the lower half.
         const bool once = even_ || mirrored_;
         const double times = (once ? 2.0 : 1.0) * weight * (high - low);
         pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
@@ -343,10 +344,10 @@ class Overlap {
     std::vector<ZernikeTerm> terms_;
     std::vector<double> edge_;
     std::size_t degree_ = 1, more_ = 0;
-    std::array<Line, size> powers_{}, shifted_{};  // of Phi and of D, [power of x or u][power of y]
-    bool even_ = true, mirrored_ = true;  // symmetry under half a turn, and in y
+    std::array<Line, size> powers_{}, shifted_{};  // coefficients of Phi and of D, [power of x or u][power of y]
+    bool even_ = true, mirrored_ = true;  // is Phi even under half a turn; is it symmetric in y
     double steepest_ = 0.0, bend_along_ = 0.0, bend_across_ = 0.0;
-    double across_ = 0.0, down_ = 0.0;  // bounds on |dD/du| (across the lines y) and |dD/dy|
+    double across_ = 0.0, down_ = 0.0;  // bounds on |dD/du| and |dD/dy|
     double f_ = 0.0, re_ = 0.0, im_ = 0.0;
 };
 

@@ -1,5 +1,5 @@
-// The paper's closed form, as printed or refined: the power series of J0 up to a transition and an asymptotic form beyond it,
-// whose amplitude and phase are quadratic on pieces; every piece is an elementary end-point term and a Fresnel integral.
+// The paper's closed form, as printed or refined. J0 is a power series up to a transition and an asymptotic form beyond it. On
+// pieces, the phase and the form's amplitude are quadratic; each piece is an elementary end-point term and a Fresnel integral.
 #pragma once
 
 #include <algorithm>
@@ -23,38 +23,40 @@
 
 namespace lommel {
 
-// Pieces of the phases of a stack, [pupil][piece]: alpha R^2 + beta R on [edges[i], edges[i + 1]), R from 0 to 1, and turns[i]
-// = 2 exp(i (Phi - alpha R^2 - beta R)).
+// Pieces of the phases Phi of a stack of pupils, R the pupil radius from 0 to 1. On edges[i] <= R < edges[i + 1], Phi is about
+// alpha R^2 + beta R plus a constant; turns: 2 exp(i constant). alpha, beta, turns: [pupil][piece].
 struct PhasePieces {
     const double *edges, *alpha, *beta;
     const std::complex<double>* turns;
     std::size_t count;
 };
 
-// x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] from starts[i] to starts[i + 1], the last piece without end; before the
-// first, `terms` terms of the power series.
+// Asymptotic form x J0(x) ~ Re[(c0 + c1 x + c2 x^2) e^{i (x - pi/4)}] for x from starts[i] to starts[i + 1], the last piece without
+// end. Below starts[0], J0 is the first `terms` terms of its power series.
 struct BesselExponentials {
     const double* starts;
-    const std::complex<double>* coefficients;  // three per piece
+    const std::complex<double>* coefficients;  // c0, c1, c2 of each piece
     std::size_t count, terms;
 };
 
-// Evaluation of the Fresnel integral: by a series of `terms` terms; by a table, if there is one; to rounding, if neither.
+// Evaluation of the Fresnel integral: by the table, if it has samples; else by a series of `terms` terms; to rounding if terms = 0.
 struct FresnelForm {
     std::size_t terms;
     FresnelTable table;
 };
 
-// Moments out[m * count + i] = int_low^high R^m exp(i (a R^2 + b R)) dR, for `count` values of b, low and high.
+// Moments of a chirp: out[m * count + i] = integral of R^m exp(i (a R^2 + b R)) dR from low to high, for element i of b, low and
+// high.
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
-// U = 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` radii v in ascending order: out[pupil * count + i].
+// Field U = 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` radii v in ascending order, with Phi the pupil's phase:
+// out[pupil][radius].
 void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 
-// U at n radii v in ascending order, out[pupil * n + i], from polynomials with `terms` coefficients on each of `count` intervals of
-// this width, the first from `start` on. The variable of a polynomial goes from -1 to 1 over its interval.
+// Field at n radii v in ascending order, out[pupil][radius], from `count` polynomials of `terms` coefficients each, on intervals of
+// length `width` from `start` on. The variable of a polynomial goes from -1 to 1 over its interval.
 void polynomial_fields(const std::complex<double>* pieces, std::size_t pupils, std::size_t count, std::size_t terms,
                        double start, double width, const double* v, std::size_t n, int threads, std::complex<double>* out);
 
@@ -94,7 +96,8 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // Lanes (radii v) are on different Bessel pieces: step back to the first piece of any; the next loop runs to the last.
+            // The lanes are radii v on different pieces of J0: step back to the first piece of any lane; the next loop runs to the
+            // last piece.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }
@@ -123,8 +126,8 @@ class ClosedFormField {
         Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
     };
 
-    // Add the integral over R where v R is below the transition, by Gauss quadrature of the power series on panels of at most
-    // 4 rad, or by one rule of few nodes if the phase hardly varies and the terms are few.
+    // Add the integral over the pupil radii R with v R below the transition, by Gauss quadrature with the power series of J0 on
+    // panels of at most 4 rad, or by one rule of few nodes if the phase hardly varies and the series is short.
     template <class I>
     LOMMEL_INLINE void add_series(I isa, double alpha, double beta, typename I::pack v, typename I::pack low,
                                   typename I::pack high, typename I::pack& re, typename I::pack& im) const {
@@ -163,8 +166,8 @@ class ClosedFormField {
         }
     }
 
-    // Add the integral over R where x = v R is above the transition: R J0(v R) = x J0(x) / v, and Re z = (z + conj z) / 2 splits
-    // x J0(x) into two waves e^{+-i (x - pi/4)}.
+    // Add the integral over the pupil radii R with x = v R above the transition: R J0(v R) = x J0(x) / v, and Re z = (z + conj z) /
+    // 2 splits x J0(x) into two waves e^{+-i (x - pi/4)}.
     template <class I>
     LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
                                  const std::complex<double>* c, typename I::pack low, typename I::pack high,
@@ -191,7 +194,7 @@ class ClosedFormField {
     const Rule<12> many_;
 };
 
-// Call use(auxiliary) with the auxiliary functions of the Fresnel integral in the requested evaluation.
+// Call use(auxiliary) with the auxiliary functions of the Fresnel integral, evaluated as `form` says.
 template <class Use>
 void with_auxiliary(const FresnelForm& form, const Use& use) {
     if (form.table.samples > 0) {
@@ -203,7 +206,7 @@ void with_auxiliary(const FresnelForm& form, const Use& use) {
     }
 }
 
-// Load values from `first` on; lanes beyond the last value repeat it.
+// Load a vector of values from values[first] on; lanes beyond `last` repeat the last value.
 template <class I>
 LOMMEL_INLINE typename I::pack lanes_from(const double* values, std::size_t first, std::size_t last) {
     if (first + I::lanes <= last) {
@@ -227,7 +230,7 @@ LOMMEL_INLINE void store_lanes(typename I::pack re, typename I::pack im, std::si
 
 LOMMEL_ONCE void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high,
                                std::size_t count, std::complex<double>* out) {
-    // Portable instructions only: images do not use this function.
+    // Portable instructions suffice: images do not use this function.
     using I = Portable;
     with_auxiliary(form, [&](const auto& auxiliary) {
         for (std::size_t i = 0; i < count; i += I::lanes) {
@@ -249,7 +252,7 @@ LOMMEL_ONCE void closed_form_fields(const PhasePieces& phase, std::size_t pupils
     const double work = static_cast<double>(pupils * count * (phase.count + bessel.count - 1));
     with_auxiliary(form, [&](const auto& auxiliary) {
         const ClosedFormField field(bessel, auxiliary);
-        // Estimate: 0.1 microseconds for each radius and piece.
+        // Estimated work: 0.1 microseconds for each radius and piece.
         parallel_for(pupils * blocks, worthwhile_threads(threads, 0.1 * work), [&](std::size_t, std::size_t task) {
             const std::size_t pupil = task / blocks, first = task % blocks * block, last = std::min(count, first + block);
             const PhasePieces own{phase.edges, phase.alpha + pupil * phase.count, phase.beta + pupil * phase.count,
@@ -285,7 +288,7 @@ LOMMEL_ONCE void polynomial_fields(const std::complex<double>* pieces, std::size
             using V = typename I::pack;
             const V middle = splat<V>(start + (static_cast<double>(s) + 0.5) * width), slope = splat<V>(2.0 / width);
             for (std::size_t i = first; i < last; i += I::unroll * I::lanes) {
-                // Two chains of multiply-adds for each vector; several vectors at once hide their latency.
+                // Each vector needs two chains of multiply-adds; several vectors at once hide their latency.
                 V x[I::unroll], re[I::unroll], im[I::unroll];
                 for (std::size_t j = 0; j < I::unroll; ++j) {
                     x[j] = (lanes_from<I>(v, i + j * I::lanes, last) - middle) * slope;

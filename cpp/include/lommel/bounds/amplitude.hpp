@@ -1,5 +1,4 @@
-// Amplitude of the pupil function as the exponential of a polynomial in t = rho^2, rho the radius in the pupil; and bounds on it
-// for complex t.
+// Amplitude of the pupil function: exponential of a polynomial in t = rho^2, rho the pupil radius; with bounds for complex t.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +8,7 @@
 
 namespace lommel {
 
-// A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 for t = rho^2 in [0, 1]. A Gaussian amplitude has only g_1, a uniform one
-// no terms.
+// A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 for t = rho^2 in [0, 1]. A Gaussian has only g_1; uniform: no terms.
 class Amplitude {
    public:
     static constexpr std::size_t most = 10;  // highest power of t
@@ -109,8 +107,7 @@ class Amplitude {
     }
 
     bool closed() const { return terms_ <= 1; }
-    // Integral of A dt from obscuration^2 to 1, which is the peak of the field's modulus without aberrations: exact if closed(),
-    // else by 16 Gauss-Legendre nodes.
+    // Peak of |field| without aberrations: integral of A dt from obscuration^2 to 1, exact if closed(), else by 16 Gauss nodes.
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {

@@ -19,8 +19,7 @@ constexpr std::size_t max_chords = 1024;  // maximum number of chords, and of no
 // The two sums of the chordal rule: over chords, and over the nodes of a chord.
 enum class Sum { chords, nodes };
 
-// Smallest permitted size of a sum that is at least `wanted`. Permitted sizes are few, so that tables are shared, and even, because
-// nodes lie symmetrically at (+-x, +-y).
+// Smallest permitted size of a sum, at least `wanted`. Sizes are few, to share tables, and even, for nodes at (+-x, +-y).
 inline std::size_t rounded_size(Sum sum, double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
     const std::size_t step = n <= (sum == Sum::chords ? 64 : 24) ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
@@ -57,8 +56,7 @@ struct ChordLine {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // needed(): approximate number of chords or nodes for an error; enough(): smallest permitted number, > max_chords if none
-    // suffices.
+    // needed(): approximate number of chords or nodes for an error; enough(): smallest permitted number, > max_chords if none.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -103,8 +101,8 @@ class ChordBound {
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // size(): bound on |Im(Phi + v . rho)| on a curve, with Phi the phase, v in the window; bend(): bound on its second derivative
-    // by the angle along the curve.
+    // size(): bound on |Im(Phi + v . rho)| on a curve, Phi the phase, v in the window; bend(): on its second derivative by the
+    // angle.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -169,8 +167,7 @@ class ChordBound {
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
-    // Throw LimitExceeded; the message says which size of window, or of window and phase, would fit. most_nodes: maximum number of
-    // nodes in all tables.
+    // Throw LimitExceeded; the message says which windows and phases would fit. most_nodes: maximum number of nodes in all tables.
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error, double most_nodes) {
         const double needed = line.needed(error), more = needed - best(sum, error, 1.0).needed(error);
         std::string message = "phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
@@ -204,8 +201,7 @@ class ChordBound {
     }
 
    private:
-    // Highest curve at which the descent of best() may start: on higher curves ChordCurves truncates sinh(n b) of the highest
-    // degrees n.
+    // Highest curve at which best() may start: on higher curves ChordCurves truncates sinh(n b) of the highest degrees n.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }

@@ -24,8 +24,7 @@
 
 namespace lommel {
 
-// Zernike terms in pairs: the cosine and the sine term of the same degree n and azimuthal order m. Amplitude of a pair:
-// sqrt(cosine^2 + sine^2).
+// Zernike terms in pairs, cosine and sine of the same degree n and order m. Amplitude of a pair: sqrt(cosine^2 + sine^2).
 struct TermPairs {
     static constexpr std::size_t none = ~std::size_t{0};
     struct Pair {
@@ -110,8 +109,7 @@ struct ChordGrowth {
             size[k] += amplitude * growth[k];
         }
     }
-    // Add the bound on the pupil's amplitude: on a complex chord at height b, rho^2 stays in the ellipse of Amplitude::growth()
-    // with c = cosh 2b.
+    // Add the bound on the amplitude: on a chord at height b, rho^2 stays in the ellipse of Amplitude::growth() with c = cosh 2b.
     void add(const Amplitude& light) {
         for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
             size[k] += light.growth(chord_curves.cosh[k]);
@@ -169,8 +167,7 @@ class DiskBounds {
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
-    // Smallest number with tail() <= error (degrees()), with orders_tail() <= error (orders()), with distance() <= error
-    // (degree()).
+    // Smallest number with: tail() <= error (degrees()); orders_tail() <= error (orders()); distance() <= error (degree()).
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
     std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }

@@ -24,8 +24,7 @@
 
 namespace lommel {
 
-// Functions of the size eta of an ellipse, for the 40 ellipses among which bounds choose; sine and cosine at the 97 angles at which
-// the phase is sampled.
+// Functions of the size eta of an ellipse, for the 40 ellipses among which bounds choose; sin and cos of the 97 sampled angles.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -57,8 +56,7 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
 // A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const EllipseGrid ellipse_grid;
 
-// Imaginary parts of the Legendre polynomials P_1, P_2, ... at the samples of each ellipse: 1 MiB, for phases of three terms or
-// more.
+// Imaginary parts of the Legendre polynomials P_1, P_2, ... at the samples of each ellipse: 1 MiB, for more than two terms.
 struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
@@ -106,7 +104,7 @@ class Ellipses {
         }
     }
 
-    // Bounds for all pupils with phase coefficients between `least` and `most`: max |Im Phi| is convex, so the corners of this box
+    // Bounds for all pupils with coefficients between `least` and `most`: max |Im Phi| is convex, so the corners of this box
     // suffice.
     Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
         const std::size_t terms = least.size();
@@ -252,8 +250,7 @@ inline std::size_t disk_window_degrees(double reach, double error) {
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
     if (terms <= 2) {
-        // For two terms a1 and a2 of the phase, |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta|; its maximum over
-        // theta is closed.
+        // Two terms: max over theta of |Im Phi| = |sin theta| sinh eta |a1 + 3 a2 cos theta cosh eta| in closed form.
         const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             for (std::size_t i = 0; i < count; ++i) {
@@ -275,8 +272,7 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
         for (const double sum : sums) {
             top = std::max(top, std::abs(sum));
         }
-        // Factor from the largest sample to the maximum over all angles, for trigonometric polynomials of this degree (Ehlich and
-        // Zeller, 1964).
+        // From the largest sample to the maximum over all angles of a trigonometric polynomial (Ehlich and Zeller, 1964).
         g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }

@@ -26,8 +26,7 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Error of interpolating f at n = `points` Chebyshev points on an interval of length 2 `half`, from the bound |n-th derivative of
-// f| <= 2^n.
+// Error of interpolating f at n = `points` Chebyshev points on an interval of length 2 `half`, if |n-th derivative of f| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
@@ -81,8 +80,7 @@ inline double turning_error(double reach, double order, double spacing) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of interpolating the average over a square as a function of the azimuth of its centre, from `angles` angles by a polynomial
-// in cos(4 azimuth).
+// Error of interpolating the average over a square in the azimuth of its centre, from `angles` angles, in powers of cos(4 azimuth).
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }

@@ -24,8 +24,7 @@ double settle(double tol, const Attempt& attempt, const More& more) {
     }
 }
 
-// Smallest n >= `least` with enough(n), by bisection; if enough(n) is true, it must be true for all larger n. If no n below `most`
-// is enough, the result is about `most`.
+// Smallest n >= `least` with enough(n), by bisection; about `most` if there is none below. enough(n) must be monotonic in n.
 template <class Enough>
 std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
     if (enough(least)) {

@@ -20,8 +20,7 @@
 
 namespace lommel {
 
-// Quadrature rule with `size` chords of `size` nodes each. weights: complex weights [chord][node][signs of x and y][re, im], as
-// TermTable::weigh() takes them.
+// Quadrature rule with `size` chords of `size` nodes each. weights[chord][node][signs of x and y]: complex, for TermTable::weigh().
 struct ApertureRule {
     std::size_t size;
     const double* weights;

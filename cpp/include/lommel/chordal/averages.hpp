@@ -1,5 +1,4 @@
-// Averages of the intensity over pixels, from samples at nodes in the window; each vector lane is one pupil (docs/certificate.md,
-// section 10).
+// Pixel averages of the intensity from samples at nodes in the window; lanes are pupils (docs/certificate.md, section 10).
 #pragma once
 
 #include <algorithm>
@@ -15,8 +14,7 @@
 
 namespace lommel {
 
-// Sampling nodes along the rows and columns of a window. down[pixel row][node], across[pixel column][node]: weights of the nodes in
-// the average of a pixel.
+// Sampling nodes along the rows and columns of a window. down, across: weights in each pixel's average, [pixel][node].
 struct PixelNodes {
     WindowAxis rows, columns;
     std::size_t height, width;  // in pixels
@@ -147,8 +145,7 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Add one block of sums over rows, lines[vector][node of the block], to sums[row of pixels][vector][lane]; from: first node row of
-// the block.
+// Add one block of sums over rows, lines[vector][node of the block], to sums[row of pixels][vector][lane]; from: first node row.
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -1,5 +1,4 @@
-// Batch of pupils: the fields of one pupil per vector lane, or of a single pupil with its chords in the lanes, from tables of the
-// full disk and of the central obscuration.
+// Fields of a batch of pupils, one per vector lane, or of a single pupil with its chords in the lanes.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +22,7 @@ struct ChordalTables {
     std::shared_ptr<const KernelTable<Real>> kernel;
     std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives
 
-    // Fetch the tables from the cache. radius: of the disk, relative to the aperture; step: pixel pitch in v, units of lambda / (2
-    // pi NA).
+    // Fetch the tables from the cache. radius: of the disk over that of the aperture; step: pixel pitch in v (lambda / (2 pi NA)).
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -45,8 +43,7 @@ struct ChordalScratch {
     Doubles sums;
 };
 
-// A batch of pupils. If area != 0, the aperture is obscured, and its field U is the full disk's minus `area` times the
-// obscuration's.
+// Batch of pupils. If area != 0, the aperture is annular: its field is the full disk's minus `area` times the obscuration's.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -121,8 +118,7 @@ struct ChordalBatch {
         });
     }
 
-    // Compute the field U from the pupil functions. If `keep`, the pupil function at all nodes is stored in scratch.kept, for
-    // derivatives.
+    // Compute the field U from the pupil functions. keep: store the pupil function at all nodes in scratch.kept, for derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

@@ -28,12 +28,10 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
     return degree;
 }
 
-// Error data of a pupil: {sqrt(peak intensity), error bound of its field, error bound of the field of the pupil function times a
-// Zernike term of this degree}.
+// {sqrt(peak intensity), error bound of the field, error bound of the field of pupil function x Zernike term of this degree}.
 using PupilErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
-// Policy: compute derivatives of the intensity. images[term][pupil]: scaled like the images; bounds[term][pupil]: error bounds
-// relative to the peak.
+// Policy: derivatives of the intensity, [term][pupil]. images: scaled like the images; bounds: error bounds relative to the peak.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;

@@ -56,8 +56,7 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, find the curves with the fewest chords and nodes for an error of error(p, bound), and store them in
-    // disk(p).
+    // For each pupil p, choose the curves with the fewest chords and nodes for the error error(p, bound); result: disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the curves again for a smaller error; a new curve is kept if it needs fewer chords or nodes.

@@ -21,9 +21,8 @@
 
 namespace lommel {
 
-// Samples on one complex curve of one sum (over chords or nodes): values of the Zernike terms on a quarter of the curve, and for
-// each corner of the window the weights of the samples in the mean. A sample at (x, y) also represents (+-x, +-y) and their
-// conjugates.
+// Samples on a quarter of one complex curve, for the sum over chords or over nodes: values of the Zernike terms, and for each
+// corner of the window the weights of the samples in the mean. A sample at (x, y) also represents (+-x, +-y) and their conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
     static constexpr std::size_t tile = 16;  // samples per tile: a multiple of all vector lengths
@@ -57,8 +56,8 @@ struct SharpTable {
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Bound on the error of the sampled log(mean): change between samples, with second derivatives by both angles of at most
-    // `bend`, plus rounding in float.
+    // Bound on the error of the sampled log(mean): rounding in float, and change between samples. bend: bound on second
+    // derivatives.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -77,16 +76,14 @@ struct SharpTable {
     }
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
     std::size_t room() const { return tiles() * tile * images; }  // number of vectors for all mirror images of all samples
-    // Index of a sample's first value in the array. Each sample has `numbers` values; consecutive values of a sample are `tile`
-    // apart.
+    // Index of a sample's first value. Each sample has `numbers` values; consecutive values of a sample are `tile` apart.
     static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of the samples along the first angle of the curve, halved at the ends, where mirror images coincide. For chords the
-    // angle is a, with weight |sin(a + ib)|^2 at height b; for nodes it is the angle of the chord, with the largest weight that any
-    // number of chords gives.
+    // Weights of samples along a curve's first angle, halved at the ends, where mirror images coincide. Chords: angle a, with
+    // weight |sin(a + ib)|^2 at height b; nodes: angle of the chord, with the largest weight for any number of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -113,8 +110,8 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of the samples along the second angle tau. For chords, cos(tau) is the position along a chord; for nodes, tau is the
-    // angle along the curve.
+    // Weights of samples along a curve's second angle tau. Chords: cos(tau) is the position on a chord; nodes: tau is along the
+    // curve.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);

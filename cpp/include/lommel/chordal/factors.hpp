@@ -1,5 +1,4 @@
-// Zernike polynomials at the nodes, as factors of derivatives: dP/dc = i Z P for the pupil function P and the coefficient c of the
-// Zernike polynomial Z.
+// Zernike polynomials at the nodes: dP/dc = i Z P for the pupil function P and the coefficient c of the Zernike polynomial Z.
 #pragma once
 
 #include <algorithm>
@@ -65,8 +64,7 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function at the nodes of a pair of chords by the Zernike term of each lane. The parities in x and in y of a
-// product are the sums modulo 2 of its factors' parities.
+// Multiply the pupil function at the nodes of a pair of chords by each lane's Zernike term; parities of factors add modulo 2.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;

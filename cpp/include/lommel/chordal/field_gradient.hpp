@@ -1,7 +1,6 @@
 // Reverse-mode derivatives of the intensity sum |E|^2 over several fields E (docs/certificate.md, section 16, "Gradients"). With
-// pixel weights w, the sum over pixels of w conj(E) e^(-i v r), called G, is the transpose of the transform from nodes to pixels.
-// The derivatives for Zernike terms share the sum over the fields of G times the pupil function; those for other amplitude series
-// take one inner product each.
+// pixel weights w, G = sum over pixels of w conj(E) e^(-i v r) is the transpose of the transform from nodes to pixels. Derivatives
+// for Zernike terms share the sum over fields of pupil function x G; other amplitude series take one inner product each.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +18,8 @@
 
 namespace lommel {
 
-// Gradient of the weighted sum over pixels of the intensity. values[plane]: this sum; its derivative for each field set after the
-// first; its derivative for each Zernike term.
+// Gradient of sum over pixels of weights x intensity. values: this sum; derivatives for each field set but the first; for each
+// term.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;
@@ -120,8 +119,7 @@ LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&ve
     }
 }
 
-// For all rows j and all vectors c, call found(j, c, inner product of row(j) and vector(j, c)); `count`: their length. Rows are
-// taken in cache-sized blocks.
+// Call found(j, c, inner product of row(j) and vector(j, c)) for all j and c, in cache-sized blocks of rows; count: their length.
 template <class Row, class Of, class Found>
 void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_t count, int threads, const Row& row,
                   const Of& vector, const Found& found) {
@@ -164,8 +162,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // Sums of a batch for each plane of its fields: intensity, sums that all Zernike terms share, sums for the parts of the
-    // amplitudes.
+    // Sums of a batch for each plane of its fields: intensity; shared by all Zernike terms; for the parts of the amplitudes.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);

@@ -77,8 +77,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
-        // Hadamard transform between four mirror images and four parities, along y, then along x; except for a factor it is its own
-        // inverse.
+        // Hadamard transform between four mirror images and four parities, along y, then along x; up to a factor its own inverse.
         const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
             const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
             q[0] = a + c, q[1] = b + d, q[2] = a - c, q[3] = b - d;
@@ -161,8 +160,7 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Parts of the amplitudes of all `series`, for `planes` planes from `first` on: [series][plane][part][re, im][node]. Nodes are
-// taken in cache-sized blocks.
+// Parts of amplitudes for all series and `planes` planes from `first` on: [series][plane][part][re, im][node], in blocks of nodes.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -178,8 +176,7 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// One parity of a field's pupil function at all nodes. own: flags of the parities of the plane's wave that are not zero; parts:
-// amplitudes from sum_series().
+// One parity of a field's pupil function at all nodes. own: nonzero parities of the plane's wave; parts: from sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -397,8 +394,8 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]: index of the part
     double *values, *largest;  // [set][plane][row][column], [set][plane][field]; from this plane on
 
-    // Return whether the intensity is symmetric about an axis, because no field has both an even and an odd part. odd: the axis'
-    // bit in parities.
+    // Return whether the intensity is symmetric about an axis: no field has both even and odd parts. odd: the axis' bit in
+    // parities.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -414,8 +411,7 @@ struct PlaneLight {
         }
         return true;
     }
-    // Contribution of one parity of a field to a row of pixels in one quadrant: (by_re x re, by_im x im). The factors hold -i for
-    // each odd direction and the quadrant's sign.
+    // Part of a field on a row of one quadrant: (by_re x re, by_im x im), with -i for each odd direction and the quadrant's sign.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -434,8 +430,8 @@ struct PlaneLight {
         }
         return count;
     }
-    // Intensity and derivatives along a row of one quadrant. squares[set][field][lane]: updated maximum of the field's |.|^2 over
-    // lanes with there[lane] = 1.
+    // Intensity and derivatives on a row of one quadrant. squares[set][field][lane]: updated max of |field|^2 where there[lane] =
+    // 1.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {

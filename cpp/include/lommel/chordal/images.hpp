@@ -43,8 +43,7 @@ struct ChordalBudget {
     // Largest share of a disk's error for the sum over chords; the sum over nodes gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of U with rounding, as a share of tol x estimated max |U|; rounding: its largest share for
-    // rounding.
+    // Single precision. single: error of U with rounding, as a share of tol x estimated max |U|; rounding: its part for rounding.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the allowed error if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak
     // may then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
@@ -76,8 +75,7 @@ class ChordalRenderer {
 
     void run();
 
-    // Run if the estimated time is less than that of the Zernike series (section 7 of docs/certificate.md); else throw
-    // LimitExceeded.
+    // Run if the estimated time is less than that of the Zernike series (certificate, section 7); else throw LimitExceeded.
     void run_if_cheaper() {
         weighed_ = true;
         run();
@@ -166,8 +164,7 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups the same rule and tables, unless that increases a group's number of nodes by more than the factor
-    // `more`.
+    // Give neighbouring groups the same tables, unless a group's number of nodes grows by more than the factor `more`.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];

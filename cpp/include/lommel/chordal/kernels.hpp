@@ -14,8 +14,7 @@ namespace lommel {
 
 constexpr std::size_t most_pupils = 2 * row_lanes;  // largest number of pupils in a vector
 
-// Kernels of the chordal rule by instruction set, each described at the template of the same name (transform.hpp, transpose.hpp,
-// factors.hpp).
+// Kernels of the chordal rule by instruction set; each is described at the template of the same name.
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;

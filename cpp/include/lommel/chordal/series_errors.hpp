@@ -1,5 +1,4 @@
-// Bounds on series of pupil amplitudes on the complex curves of the chordal rule, and the resulting error bounds of its sums
-// (docs/certificate.md, section 16).
+// Error bounds of the chordal rule for series of pupil amplitudes, from bounds on complex curves (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// Intensities in single precision by a chordal rule of given size (docs/certificate.md, "By the core"). The caller bounds the
-// error.
+// Intensities in single precision by a chordal rule of given size, without error bound (docs/certificate.md, "By the core").
 #pragma once
 
 #include <algorithm>

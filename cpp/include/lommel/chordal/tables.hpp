@@ -1,5 +1,4 @@
-// The chordal Gauss rule on the unit disk: tables of Zernike terms at its nodes, and of the Fourier kernel for a window
-// (docs/certificate.md, section 8).
+// The chordal Gauss rule on the unit disk: tables of Zernike terms and of the Fourier kernel (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -115,7 +114,7 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Set complex weights for each node of the whole disk (sampled apertures): given[chord][node][signs of x, y as in `own`][re,
+    // Set complex weights at the nodes of the whole disk (sampled apertures): given[chord][node][signs of x, y as in `own`][re,
     // im].
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
@@ -160,8 +159,8 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
 }
 #endif
 
-// Rows or columns of a window. at[entry]: distance from the axis, in pixels or (for nodes) in v, units of lambda / (2 pi NA); two
-// rows or columns at opposite distances share one entry.
+// Rows or columns of a window. at[entry]: distance from the axis, in pixels or (nodes) in v, units of lambda / (2 pi NA); two rows
+// or columns at opposite distances share one entry.
 struct WindowAxis {
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t count;

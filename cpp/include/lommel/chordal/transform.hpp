@@ -1,5 +1,4 @@
-// Fourier transform of the pupil function on a disk as two matrix products, along y, then along x. Vector lanes are pupils, or
-// chords of one pupil.
+// Fourier transform of the pupil function on a disk by two matrix products. Lanes are pupils, or chords of one pupil.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +11,7 @@
 
 namespace lommel {
 
-// sum[r][c] += table[k][r] * data[k][c] over k, with vectors data[k][c]: R * C independent chains of multiply-adds hide their
-// latency.
+// sum[r][c] += table[k][r] * data[k][c] over k, with vectors data[k][c]; R * C independent chains of sums hide the latency.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -160,8 +158,7 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
 }
 
 // Weighted pupil function of a pair of chords at +-x: nodes[parity in y][node][parity in x][re, im], parity 0 even, 1 odd. `Lone`:
-// lanes are pairs of chords of one pupil, else pupils. `Own`: with the complex weights TermTable::own. Most of the time goes into
-// sines and cosines.
+// lanes are pairs of chords of one pupil, else pupils. `Own`: with the complex weights TermTable::own.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -295,8 +292,7 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     });
 }
 
-// Transform along x for one pupil, from chords in the lanes to columns in the lanes: row[vector of columns][re, im], padded with
-// zeros.
+// Transform along x for one pupil: chords in the lanes -> row[vector of columns][re, im], columns in the lanes, padded with zeros.
 template <class I, class Real>
 LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;

@@ -33,8 +33,7 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the transform along x: pixels[row][column][re, im] -> chords[row][parity in x][chord][re, im]. Odd parts omit the
-// factor -i.
+// Transpose of the transform along x: pixels[row][column] -> chords[row][parity in x][chord], complex; odd parts omit -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -63,8 +62,8 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the transform along y for a pair of chords: chords[row][parity in x][chord][re, im] -> nodes[parity in
-// y][node][parity in x][re, im].
+// Transpose of the transform along y for a pair of chords: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in
+// x].
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;

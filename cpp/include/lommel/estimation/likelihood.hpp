@@ -12,8 +12,7 @@
 
 namespace lommel {
 
-// Arrays over pixels. counted: electrons; recorded: true variance of the read noise; read: its variance as the weights assume it;
-// valid: 1 if the pixel is used, else 0.
+// Arrays over pixels. counted: electrons; recorded: variance of the read noise; read: the same as weights assume it; valid: 1 or 0.
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -26,9 +25,8 @@ struct StarLikelihood {
     double deviance = 0.0, expected = 0.0, spread = 0.0;
 };
 
-// Likelihood of electron counts with the Poisson mean flux x images[0] + background, plus read noise. products: symmetric matrix of
-// the inner products of images[1], images[2], ..., images[0], 1 and the residual, all divided by the standard deviation of each
-// pixel.
+// Likelihood of electron counts with the Poisson mean flux x images[0] + background and read noise. products: inner products of
+// images[1], images[2], ..., images[0], 1 and the residual, each divided by the standard deviation of a pixel.
 template <class T>
 StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const std::vector<const T*>& images, double flux,
                                double background, double* products) {
@@ -57,8 +55,8 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                 root[i] = std::sqrt(weight);
                 residual[i] = (counted - mean) * root[i];
                 deviance[i] = valid * (variance - (counted + read) * logarithm(variance));
-                // With x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded and the variance mu + 2 v^2; mu is
-                // `light`.
+                // With x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded and the variance mu + 2 v^2; mu =
+                // light.
                 const double exact = light + star.recorded[first + i];
                 expected[i] = weight * exact;
                 spread[i] = weight * weight * (light + 2.0 * exact * exact);

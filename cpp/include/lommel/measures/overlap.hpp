@@ -87,8 +87,8 @@ class Overlap {
         survey();
     }
 
-    // OTF at frequency f in units of the cutoff, 0 to 1, in the direction of face(). more: number of nodes of each rule beyond
-    // those for an error of 1e-4.
+    // OTF at frequency f in units of the cutoff, in the direction of face(). more: nodes of each rule beyond those for an error of
+    // 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -132,8 +132,7 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Phase Phi of the pupil in the coordinates of face(). powers(): coefficients [power of x][power of y]; slope(): estimated
-    // largest gradient; degree(): highest degree.
+    // Phase of the pupil in the coordinates of face(). powers(): coefficients [power of x][power of y]; slope(): largest gradient.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }
@@ -162,8 +161,7 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Divide [0, 1] into pieces and call use(rule, start, length) for each, with a rule for its change of phase. radians: change of
-    // phase over [0, 1].
+    // Call use(rule, start, length) for pieces of [0, 1], each with a rule for its change of phase. radians: change over [0, 1].
     template <class Use>
     void pieces(double radians, Use use) const {
         const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);

@@ -45,13 +45,11 @@ struct FresnelForm {
     FresnelTable table;
 };
 
-// Moments of a chirp: out[m * count + i] = integral of R^m exp(i (a R^2 + b R)) dR from low to high, for element i of b, low and
-// high.
+// Moments of a chirp, integrals from low to high of R^m exp(i (a R^2 + b R)) dR, for each b, low, high: out[m * count + i].
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
-// Field U = 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` radii v in ascending order, with Phi the pupil's phase:
-// out[pupil][radius].
+// Field 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` radii v, ascending, with the pupil's phase Phi(R): out[pupil][radius].
 void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 
@@ -96,8 +94,8 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // The lanes are radii v on different pieces of J0: step back to the first piece of any lane; the next loop runs to the
-            // last piece.
+            // The lanes (radii v) are on different pieces of J0: step back to the first piece of any lane; the next loop runs to
+            // the last.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }

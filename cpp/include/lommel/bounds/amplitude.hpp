@@ -43,7 +43,7 @@ class Amplitude {
         return std::exp(-sum);
     }
 
-    // Amplitude on the disk of this relative area, as a function of its own t, which is 1 at its edge.
+    // Amplitude on a concentric disk of this relative area, as a function of its own t, which is 1 at the edge of that disk.
     Amplitude scaled(double area) const { return changed(1.0, area); }
     Amplitude raised(double power) const { return changed(power, 1.0); }
 

@@ -39,8 +39,8 @@ struct VBox {
     }
 };
 
-// Error bound from the integrand on one complex curve at height b: with n nodes, a sum changes the field by at most e^{exponent - 2
-// n b}; with n chords, by this times 1 / (1 - e^{-2 (n + 1) b}) (docs/certificate.md, section 8).
+// Error bound of the field from one complex curve at height b: e^{exponent - 2 n b} for a sum over n nodes; for a sum over n chords
+// this times 1 / (1 - e^{-2 (n + 1) b}) (docs/certificate.md, section 8).
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
@@ -101,8 +101,7 @@ class ChordBound {
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // size(): bound on |Im(Phi + v . rho)| on a curve, Phi the phase, v in the window; bend(): on its second derivative by the
-    // angle.
+    // On a curve, with phase Phi and v in the window: size(): bound on |Im(Phi + v . rho)|; bend(): bound on its second derivative.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {

@@ -24,7 +24,7 @@
 
 namespace lommel {
 
-// Functions of the size eta of an ellipse, for the 40 ellipses among which bounds choose; sin and cos of the 97 sampled angles.
+// Functions of the size eta of an ellipse, for the 40 ellipses among which bounds choose; sine and cosine of the sampled angles.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -104,8 +104,7 @@ class Ellipses {
         }
     }
 
-    // Bounds for all pupils with coefficients between `least` and `most`: max |Im Phi| is convex, so the corners of this box
-    // suffice.
+    // Bounds for all pupils with coefficients from `least` to `most`: max |Im Phi| is convex, so the corners of this box suffice.
     Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
         const std::size_t terms = least.size();
         std::vector<double> corner(terms);
@@ -272,7 +271,7 @@ LOMMEL_ONCE void Ellipses::measure(const double* phase, std::size_t terms) {
         for (const double sum : sums) {
             top = std::max(top, std::abs(sum));
         }
-        // From the largest sample to the maximum over all angles of a trigonometric polynomial (Ehlich and Zeller, 1964).
+        // Largest sample -> bound on the maximum over all angles, for a trigonometric polynomial (Ehlich and Zeller, 1964).
         g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi / static_cast<double>(EllipseGrid::steps));
     }
 }

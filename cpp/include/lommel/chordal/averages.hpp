@@ -70,7 +70,7 @@ struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
 
     std::size_t height, width, rows, columns;  // height, width: in pixels; rows, columns: numbers of nodes
-    std::size_t side;                          // number of pupils in a vector; 1 if lanes are columns of one pupil
+    std::size_t side;                          // 1 if lanes are pupils; else number of lanes, columns of one pupil
     std::size_t vectors;                       // number of vectors in a row of pixels
     Values across;  // weights along a row: [pixel tile][node][pixel of the tile]; for one pupil [node][vector of pixels]
     Values down;    // weights along a column: [block of nodes][pixel tile][node of the block][pixel of the tile]

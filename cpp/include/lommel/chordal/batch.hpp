@@ -22,7 +22,7 @@ struct ChordalTables {
     std::shared_ptr<const KernelTable<Real>> kernel;
     std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives
 
-    // Fetch the tables from the cache. radius: of the disk over that of the aperture; step: pixel pitch in v (lambda / (2 pi NA)).
+    // Fetch the tables from the cache. radius: of the disk over the aperture's; step: pixel pitch in units of lambda / (2 pi NA).
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {

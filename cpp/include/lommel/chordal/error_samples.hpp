@@ -1,5 +1,5 @@
-// Mean modulus of the integrand by samples on the curves of the error bound: sharper for strong aberrations than the product
-// of the maxima of all terms (docs/certificate.md, section 8, "Means by samples").
+// Mean modulus of the integrand on complex curves, by samples: sharper for strong aberrations than the product of the maxima of all
+// terms (docs/certificate.md, section 8, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -56,8 +56,7 @@ struct SharpTable {
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Bound on the error of the sampled log(mean): rounding in float, and change between samples. bend: bound on second
-    // derivatives.
+    // Bound on the error of the sampled log(mean): rounding, and change between samples; bend: bound on second derivatives.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -110,8 +109,7 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of samples along a curve's second angle tau. Chords: cos(tau) is the position on a chord; nodes: tau is along the
-    // curve.
+    // Weights of samples along a curve's second angle tau. Chords: cos(tau) is the position on a chord; nodes: a full turn.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -173,8 +171,8 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 #endif
 
 // For each pupil: top = largest |Im Phi| of the phase Phi over all samples; mean = mean modulus of the integrand exp(i (Phi - v r))
-// at the worst corner v of the window, divided by e^{top + scale}. Layout: coefficients[term, in class order][pupil]; lanes are
-// pupils or, with `Lone`, samples of one pupil. room: working memory of table.room() vectors.
+// at the worst corner v of the window, r the sample, divided by e^{top + scale}. Layout: coefficients[term][pupil] in TermClasses
+// order; lanes are pupils or, with `Lone`, samples of one pupil. room: working memory of table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;

@@ -18,7 +18,7 @@ struct FactorTable {
     std::vector<ZernikeTerm> terms;
     double radius;  // radius of this disk (aperture or obscuration) relative to the aperture
     TermClasses classes;
-    Doubles values;  // [term, in class order][chord][node]
+    Doubles values;  // [term, in TermClasses order][chord][node]
 
     FactorTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over)
         : count(n), terms(list), radius(over), classes(list), values(n.half_chords() * n.half_nodes() * list.size()) {
@@ -37,7 +37,7 @@ struct FactorTable {
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over) const {
         return count == n && radius == over && terms == list;
     }
-    // Values of a Zernike term at the nodes of a pair of chords. term: index in class order.
+    // Values of a Zernike term at the nodes of a pair of chords. term: index in TermClasses order.
     const double* at(std::size_t term, std::size_t chord) const {
         return values.data() + (term * count.half_chords() + chord) * count.half_nodes();
     }
@@ -45,7 +45,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Assignment of vector lanes: each lane is one pupil times one Zernike term. A batch takes as many terms as fit, in class order.
+// Vector lanes, each one pupil times one Zernike term. A batch takes as many terms as fit, in TermClasses order.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -54,7 +54,7 @@ struct FactorLanes {
         : table(factors), here(pupils), lanes(all), first(from), count(std::min(all / pupils, factors.terms.size() - from)) {}
 
     std::size_t used() const { return count * here; }
-    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in class order
+    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in TermClasses order
     std::size_t parity(std::size_t at) const {
         std::size_t parity = 0;
         while (at >= table.classes.ends[parity]) {
@@ -64,7 +64,7 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function at the nodes of a pair of chords by each lane's Zernike term; parities of factors add modulo 2.
+// Multiply the pupil function at the nodes of a pair of chords by each lane's Zernike term. Parities of factors add modulo 2.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;
@@ -87,7 +87,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
         }
         return;
     }
-    // Lanes whose term is of another parity class get the factor 0. It is set once for all chords.
+    // A lane whose term has another parity gets the factor 0, set once for all chords.
     bool used[4] = {};
     for (std::size_t lane = 0; lane < given.used(); ++lane) {
         const std::size_t term = given.term(lane), parity = given.parity(term);

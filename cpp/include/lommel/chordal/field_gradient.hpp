@@ -1,6 +1,7 @@
 // Reverse-mode derivatives of the intensity sum |E|^2 over several fields E (docs/certificate.md, section 16, "Gradients"). With
-// pixel weights w, G = sum over pixels of w conj(E) e^(-i v r) is the transpose of the transform from nodes to pixels. Derivatives
-// for Zernike terms share the sum over fields of pupil function x G; other amplitude series take one inner product each.
+// weights w of pixels v, G(r) = sum over pixels of w conj(E) e^(-i v r) at the nodes r is the transpose of the transform from nodes
+// to pixels. Derivatives for Zernike terms share the sum over fields of pupil function x G; other amplitude series take one inner
+// product each.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +19,7 @@
 
 namespace lommel {
 
-// Gradient of sum over pixels of weights x intensity. values: this sum; derivatives for each field set but the first; for each
-// term.
+// values: sum over pixels of weights x intensity; its derivatives for each field set but the first, then for each Zernike term.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;
@@ -49,8 +49,8 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field(). adjoint: G of one field, at the nodes of a pair of chords. Adds to sums[part][re, im][node] the
-// derivatives of sum (pupil function x G) with respect to each part of the field's amplitude.
+// Transpose of place_field(). adjoint: transposed transform G of one field, at the nodes of a pair of chords. Adds to
+// sums[part][re, im][node] the derivatives of sum (pupil function x G) with respect to each part of the field's amplitude.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -162,7 +162,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // Sums of a batch for each plane of its fields: intensity; shared by all Zernike terms; for the parts of the amplitudes.
+    // Contribution of a batch to each of its planes: intensity, sums shared by all Zernike terms, sums for the amplitudes' parts.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);
@@ -254,7 +254,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     if (rates == 0) {
         return;
     }
-    // Part of the amplitude that each term of a series belongs to. Real and imaginary parts of a part are separate rows.
+    // part_of[term]: part of the amplitude to which the term belongs.
     std::vector<std::size_t> part_of(given.total);
     for (std::size_t part = 0, term = 0; part < given.ends.size(); ++part) {
         for (; term < given.ends[part]; ++term) {

@@ -160,7 +160,7 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Parts of amplitudes for all series and `planes` planes from `first` on: [series][plane][part][re, im][node], in blocks of nodes.
+// Amplitudes [series][plane][part][re, im][node] of `planes` planes from `first` on, summed in cache-sized blocks of nodes.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -176,7 +176,7 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// One parity of a field's pupil function at all nodes. own: nonzero parities of the plane's wave; parts: from sum_series().
+// Compute one parity of a field's pupil function at all nodes. own: nonzero parities of the plane's wave; parts: sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -208,7 +208,7 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
     });
 }
 
-// Write the pupil function of one field at a pair of chords to a vector lane: nodes[parity in y][node][parity in x][re, im]. parts:
+// Write the pupil function of one field at a pair of chords to a vector lane, [parity in y][node][parity in x][re, im]. parts:
 // amplitudes from sum_series().
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
@@ -392,10 +392,9 @@ struct PlaneLight {
     const WindowAxis &rows, &columns;
     const double* parts;       // from part_fields()
     const std::size_t* place;  // [set][field][parity]: index of the part
-    double *values, *largest;  // [set][plane][row][column], [set][plane][field]; from this plane on
+    double *values, *largest;  // from this plane on: values[set][plane][row][column]; largest[set][plane][field]
 
-    // Return whether the intensity is symmetric about an axis: no field has both even and odd parts. odd: the axis' bit in
-    // parities.
+    // Is the intensity symmetric about an axis: no field has both even and odd parts? odd: bit of the axis in a parity.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -411,7 +410,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // Part of a field on a row of one quadrant: (by_re x re, by_im x im), with -i for each odd direction and the quadrant's sign.
+    // Part of a field on a row of one quadrant: (by_re x re, by_im x im); the factors hold -i per odd direction and the quadrant's
+    // sign.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -430,7 +430,7 @@ struct PlaneLight {
         }
         return count;
     }
-    // Intensity and derivatives on a row of one quadrant. squares[set][field][lane]: updated max of |field|^2 where there[lane] =
+    // Intensity and derivatives on a row of one quadrant. squares[set][field][lane]: largest |field|^2 so far where there[lane] =
     // 1.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
@@ -510,7 +510,7 @@ struct PlaneLight {
     }
 };
 
-// The result of PlaneLight, for fields with all four parities, which are transformed together.
+// Intensities and derivatives of fields with all four parities, which are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
@@ -523,7 +523,7 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
         series = std::max(series, static_cast<std::size_t>(set.series) + 1);
     }
     const Doubles parts = all_parts(level, given, series, 0, given.planes, threads);
-    // [plane][set][field][row][column][re, im]
+    // Fields [plane][set][field][row][column][re, im].
     thread_local Doubles scratch;
     scratch.resize(2 * jobs * pixels);
     double* const u = scratch.data();  // scratch of this thread, filled by all threads

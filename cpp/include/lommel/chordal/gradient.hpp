@@ -1,6 +1,7 @@
 // Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all Zernike coefficients c at once
-// (docs/certificate.md, section 8, "Derivatives"). With pixel weights w and fields U, G = sum w conj(U) e^(-i v r) at the nodes is
-// the transposed transform, and d/dc = -2 Im sum Z P G over the nodes, with the Zernike polynomial Z and the pupil function P.
+// (docs/certificate.md, section 8, "Derivatives"). With weights w and fields U of pixels v, G(r) = sum w conj(U) e^(-i v r) at the
+// nodes r is the transposed transform, and d/dc = -2 Im sum Z P G over the nodes, with the Zernike polynomial Z and the pupil
+// function P.
 #pragma once
 
 #include <algorithm>

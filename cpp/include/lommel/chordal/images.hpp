@@ -32,27 +32,30 @@ namespace lommel {
 
 constexpr double max_table_bytes = 402653184.0;  // for the kernel table of one window
 
-// Error budget of the chordal rule; U is the field, tol the tolerance of the intensity relative to its peak.
+// Error budget of the chordal rule; tol: tolerance of the intensity relative to its peak.
 struct ChordalBudget {
-    // Error of U, as a share of tol x max |U|. It counts twice in |U|^2; 1 - 2 field is a margin for the estimate of the peak.
+    // Error of the field, as a share of tol x max |field|. It counts twice in the intensity; 1 - 2 field is a margin for the peak's
+    // estimate.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the error of U for the full disk, and for the obscuration of an annular aperture.
+    // Shares of the field's error for the full disk, and for the obscuration of an annular aperture.
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
     // Largest share of a disk's error for the sum over chords; the sum over nodes gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of U with rounding, as a share of tol x estimated max |U|; rounding: its part for rounding.
+    // Single precision. single: error of the field with rounding, over tol x estimated max |field|; rounding: largest share of it
+    // for rounding errors.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the allowed error if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak
     // may then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
-    // Second attempt. retry_least, retry_most: limits of the new error of U over the first; retry_single: error of U with rounding,
-    // as a share of tol x computed max |U|.
+    // Second attempt. retry_least, retry_most: limits of the field's new error over the first; retry_single: error in single
+    // precision with rounding, over tol x computed max |field|.
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Share of the error of U for samples at pixel nodes; the margin is for batches with shared tables, whose rounding is larger.
+    // Share of the field's error for samples at pixel nodes; the margin is for batches with shared tables, whose rounding is
+    // larger.
     static constexpr double of_nodes = 0.9;
 };
 
@@ -98,7 +101,7 @@ class ChordalRenderer {
         ChordDisk outer, inner;                       // full disk and obscuration
     };
 
-    // Requested error of the field: share x tol x max |field|; for samples at pixel nodes, of_nodes x tol.
+    // Requested error of the field; peak: max |field|. For samples at pixel nodes the tolerance is absolute.
     double requested_error(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
@@ -334,8 +337,7 @@ class ChordalRenderer {
         }
     }
 
-    // Estimated CPU time in ns if all tables are cached; coefficients fitted with benchmarks/choice.py. The time per vector hardly
-    // depends on the width of vectors.
+    // Estimated CPU time in ns if all tables are cached (coefficients: benchmarks/choice.py); hardly depends on the vector width.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
@@ -383,7 +385,7 @@ class ChordalRenderer {
             return;
         }
         DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
-        if (nodes_ != nullptr) {  // The series would sample finer, with this factor more samples in each direction.
+        if (nodes_ != nullptr) {  // the Zernike series needs finer samples, by about this factor
             constexpr double more = 1.3;
             const double width = rows_.high() - rows_.low();
             window.height = static_cast<std::size_t>(more * static_cast<double>(rows_.count));
@@ -445,7 +447,7 @@ class ChordalRenderer {
     ChordLines lines_;
     std::vector<State> states_;
     const PixelNodes* nodes_ = nullptr;  // for pixel averages
-    bool weighed_ = false, only_costs_ = false;  // run_if_cheaper(); costs()
+    bool weighed_ = false, only_costs_ = false;  // set by run_if_cheaper(); set by costs()
     std::pair<double, double> costs_;
 };
 

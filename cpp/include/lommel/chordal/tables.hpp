@@ -103,7 +103,7 @@ struct TermTable {
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     TermClasses classes;
-    Doubles values;   // [vector of chords][tile of nodes][term, in class order][node of the tile][chord]
+    Doubles values;   // [vector of chords][tile of nodes][term, in TermClasses order][node of the tile][chord]
     Doubles weights;  // [vector of chords][node][chord]: quadrature weight times pupil amplitude
     Doubles own;      // complex weights, see weigh(): [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x, y][re, im][chord]
 
@@ -114,8 +114,7 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Set complex weights at the nodes of the whole disk (sampled apertures): given[chord][node][signs of x, y as in `own`][re,
-    // im].
+    // Set complex weights at the nodes of the whole disk (sampled apertures): given[chord][node][signs of x and y][re, im].
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
         own.assign(weights.size() * 8, 0.0);
@@ -201,8 +200,8 @@ struct WindowAxis {
     double low_, high_;
 };
 
-// Fourier kernel in the precision of the sums: cosines and sines of v_y y for the nodes of each pair of chords at +-x and each row
-// (v_y), and of v_x x for each chord and each column (v_x).
+// Fourier kernel in the precision of the sums: cosines and sines of v_y y for nodes at y and rows of pixels at v_y (chords at +-x),
+// and of v_x x for chords at x and columns of pixels at v_x.
 template <class Real>
 struct KernelTable {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -236,8 +235,8 @@ struct KernelTable {
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
-    // Write cos and sin of at[i] factor nodes[k]. The distances `at` are in tiles of at most `tile`, padded to equal length if
-    // `padded`; `stride`: step between values in memory.
+    // Write cosines and sines of at[i] x factor x nodes[k]. The distances `at` are in tiles of at most `tile`, padded to equal
+    // length if `padded`; stride: step between values in memory.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
               std::size_t stride, Real* cosines, Real* sines) const {
         look();

@@ -62,8 +62,7 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the transform along y for a pair of chords: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in
-// x].
+// Transpose of the transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x] of chords at +-x.
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;
@@ -99,8 +98,8 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     });
 }
 
-// Add -2 share Im sum Z P G over the nodes of a pair of chords to sums[term, in class order]; Z: Zernike term (table), P: pupil
-// function (pupil), G: transposed transform (adjoint).
+// Add -2 share Im(sum of Z P G over the nodes of a pair of chords) to sums[term in TermClasses order], with Zernike term Z, pupil
+// function P (pupil) and transposed transform G of the weighted field (adjoint).
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {

@@ -86,7 +86,7 @@ class MeanProfile {
 
     double half_ = 1.0;
     std::size_t points_ = 1;
-    std::vector<double> means_, energies_;  // [panel][index of the Chebyshev polynomial]
+    std::vector<double> means_, energies_;  // coefficients of Chebyshev polynomials, [panel][index]
 };
 
 }  // namespace lommel

@@ -87,7 +87,7 @@ class Overlap {
         survey();
     }
 
-    // OTF at frequency f in units of the cutoff, in the direction of face(). more: nodes of each rule beyond those for an error of
+    // OTF at frequency f in units of the cutoff, in the direction of face(). more: number of nodes beyond those for an error of
     // 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
@@ -206,7 +206,7 @@ class Overlap {
                 // Horner's rule in x: value, first derivative, half the second derivative.
                 double along[3] = {}, down[2] = {};
                 for (std::size_t a = degree_ + 1; a-- > 0;) {
-                    double value = 0.0, slope = 0.0;  // of the coefficient of x^a, as a polynomial in y
+                    double value = 0.0, slope = 0.0;  // value and y derivative of the coefficient of x^a
                     for (std::size_t b = degree_ - a + 1; b-- > 0;) {
                         slope = slope * y + (b < degree_ - a ? static_cast<double>(b + 1) * powers_[a][b + 1] : 0.0);
                         value = value * y + powers_[a][b];

@@ -94,8 +94,8 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // The lanes (radii v) are on different pieces of J0: step back to the first piece of any lane; the next loop runs to
-            // the last.
+            // The lanes (radii v) are on different pieces of J0: go back to the first piece of any lane; the next loop runs to the
+            // last.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }
@@ -187,7 +187,7 @@ class ClosedFormField {
 
     BesselExponentials bessel_;
     const Auxiliary& auxiliary_;
-    std::vector<double> series_;  // 1 / m!^2
+    std::vector<double> series_;  // [m]: 1 / m!^2, of the power series of J0
     const Rule<6> few_;
     const Rule<12> many_;
 };

@@ -12,7 +12,7 @@ namespace lommel {
 // Bound on the Lebesgue constant of Chebyshev points of the first kind.
 inline double lebesgue(std::size_t points) { return 1.0 + 0.63661977236758134 * std::log(static_cast<double>(points)); }
 
-// log n! to rounding; from n = 16 on by Stirling's series, whose first omitted term is below 1 / (1188 n^9). std::lgamma is not
+// log n! to rounding; from n = 16 on by Stirling's series, with the first omitted term below 1 / (1188 n^9). std::lgamma is not
 // used: it sets a global sign, a data race between threads.
 inline double log_factorial(double n) {
     if (n < 16.0) {

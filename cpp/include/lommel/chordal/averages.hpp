@@ -116,8 +116,7 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// Add the weighted sum over a row of samples to sums[vector of pixels][lane]. Layout: samples[node][pupil]; with `Lone`, a single
-// pupil: samples[node], and lanes are pixels.
+// Add weighted sums over a row of samples[node][pupil] to sums[vector of pixels][lane]. `Lone`: samples[node]; lanes are pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -39,7 +39,7 @@ struct ChordalDerivatives {
     T* images;
     double* bounds;
     double* averages = nullptr;  // if not null: derivatives of pixel averages; `bounds` are then absolute
-    double* sizes = nullptr;     // with `averages`: bounds on |derivative of the intensity| at the nodes
+    double* sizes = nullptr;  // with `averages`: bounds on |derivative of the intensity| at the nodes
 
     // Compute the derivatives for a batch from scratch.fields (U of each pixel) and scratch.kept (pupil function at the nodes).
     // scales[lane]: factor from |U|^2 to the image; weights: for pixel averages only, else null.

@@ -35,10 +35,10 @@ struct SharpTable {
     VBox box;
     TermClasses classes;
     std::size_t samples;
-    double step;         // angle between samples, rad
+    double step;  // angle between samples, rad
     double scale = 0.0;  // log of the number by which all `shares` are divided
-    Floats values;       // Zernike terms at the samples, [tile][term][sample]
-    Floats shares;       // weights of the samples: [tile][image][sign of its phase][corner][sample]; 0 for padding
+    Floats values;  // Zernike terms at the samples, [tile][term][sample]
+    Floats shares;  // weights of the samples: [tile][image][sign of its phase][corner][sample]; 0 for padding
     std::vector<double> most;  // [term]: largest modulus of its samples
 
     SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);

@@ -39,17 +39,17 @@ struct FieldSet {
 struct NodeSeries {
     ChordCount count;
     std::size_t planes, fields, total;  // total: number of terms of a series
-    std::vector<std::size_t> ends;      // [part]: end of its terms in the series
-    const double* radial;               // radial polynomials [term][node]
+    std::vector<std::size_t> ends;  // [part]: end of its terms in the series
+    const double* radial;  // radial polynomials [term][node]
     const std::complex<double>* coefficients;  // [series][plane][term]
     std::vector<FieldShare> shares;
     const std::complex<double>* factors;  // factors of the amplitude's parts, [share][node]
     std::vector<FieldSet> sets;
-    const double* terms;                 // Zernike polynomials [term][node]
+    const double* terms;  // Zernike polynomials [term][node]
     const std::int32_t* term_parity;
     std::size_t wave_count;
     const std::complex<double>* waves;  // [kind][wave][parity][node]: from fold_waves()
-    const std::int32_t* wave;           // [plane]: index of the plane's wave
+    const std::int32_t* wave;  // [plane]: index of the plane's wave
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
@@ -325,8 +325,8 @@ struct FieldParts {
 // Number of distinct column distances from the axis, padded to whole vectors.
 inline std::size_t padded(const WindowAxis& columns) { return (columns.at.size() + row_lanes - 1) / row_lanes * row_lanes; }
 
-// Transform each element of `wanted.list`, one parity of a field, to its values at the distances of rows and columns from the axis:
-// to[element][row][re, im][column], padded with zeros.
+// Transform each element (parity of a field) to its values at the rows' and columns' distances from the axis, to[element][row][re,
+// im][column], padded with zeros.
 inline void part_fields(Level level, const NodeSeries& given, const FieldParts& wanted, const KernelTable<double>& kernel,
                         int threads, double* to) {
     using Kernels = ChordKernels<double>;
@@ -390,7 +390,7 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
 struct PlaneLight {
     const NodeSeries& given;
     const WindowAxis &rows, &columns;
-    const double* parts;       // from part_fields()
+    const double* parts;  // from part_fields()
     const std::size_t* place;  // [set][field][parity]: index of the part
     double *values, *largest;  // from this plane on: values[set][plane][row][column]; largest[set][plane][field]
 
@@ -410,8 +410,7 @@ struct PlaneLight {
         }
         return true;
     }
-    // Part of a field on a row of one quadrant: (by_re x re, by_im x im); the factors hold -i per odd direction and the quadrant's
-    // sign.
+    // Part of a field on a row of one quadrant: (by_re x re, by_im x im); the factors hold -i per odd direction and the signs.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -430,8 +429,7 @@ struct PlaneLight {
         }
         return count;
     }
-    // Intensity and derivatives on a row of one quadrant. squares[set][field][lane]: largest |field|^2 so far where there[lane] =
-    // 1.
+    // Intensity and derivatives on a row of one quadrant. squares[set][field][lane]: max |field|^2 so far, where there[lane] = 1.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {

@@ -34,8 +34,7 @@ constexpr double max_table_bytes = 402653184.0;  // for the kernel table of one 
 
 // Error budget of the chordal rule; tol: tolerance of the intensity relative to its peak.
 struct ChordalBudget {
-    // Error of the field, as a share of tol x max |field|. It counts twice in the intensity; 1 - 2 field is a margin for the peak's
-    // estimate.
+    // Error of the field over tol x max |field|. It counts twice in the intensity; 1 - 2 field is a margin for the estimated peak.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the field's error for the full disk, and for the obscuration of an annular aperture.
@@ -44,8 +43,8 @@ struct ChordalBudget {
     // Largest share of a disk's error for the sum over chords; the sum over nodes gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of the field with rounding, over tol x estimated max |field|; rounding: largest share of it
-    // for rounding errors.
+    // Single precision. single: error of the field with rounding, over tol x estimated max |field|; rounding: its share for
+    // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the allowed error if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak
     // may then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
@@ -54,8 +53,7 @@ struct ChordalBudget {
     // Second attempt. retry_least, retry_most: limits of the field's new error over the first; retry_single: error in single
     // precision with rounding, over tol x computed max |field|.
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Share of the field's error for samples at pixel nodes; the margin is for batches with shared tables, whose rounding is
-    // larger.
+    // Share of the field's error for samples at pixel nodes; the margin is for the larger rounding in batches with shared tables.
     static constexpr double of_nodes = 0.9;
 };
 

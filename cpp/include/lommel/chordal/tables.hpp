@@ -105,7 +105,7 @@ struct TermTable {
     TermClasses classes;
     Doubles values;   // [vector of chords][tile of nodes][term, in TermClasses order][node of the tile][chord]
     Doubles weights;  // [vector of chords][node][chord]: quadrature weight times pupil amplitude
-    Doubles own;      // complex weights, see weigh(): [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x, y][re, im][chord]
+    Doubles own;  // complex weights, see weigh(): [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x, y][re, im][chord]
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
@@ -210,7 +210,7 @@ struct KernelTable {
     ChordLanes lanes;
     WindowAxis rows, columns;
     double step;
-    Values row_cos, row_sin;        // [vector of chords][tile of rows][node][row of the tile][chord]
+    Values row_cos, row_sin;  // [vector of chords][tile of rows][node][row of the tile][chord]
     Values column_cos, column_sin;  // [tile of columns][chord][column of the tile]
 
     KernelTable(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step, const ChordLanes& in)

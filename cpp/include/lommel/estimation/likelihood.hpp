@@ -55,8 +55,8 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                 root[i] = std::sqrt(weight);
                 residual[i] = (counted - mean) * root[i];
                 deviance[i] = valid * (variance - (counted + read) * logarithm(variance));
-                // With x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded and the variance mu + 2 v^2; mu =
-                // light.
+                // With mu = light and x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded, the variance mu +
+                // 2 v^2.
                 const double exact = light + star.recorded[first + i];
                 expected[i] = weight * exact;
                 spread[i] = weight * weight * (light + 2.0 * exact * exact);

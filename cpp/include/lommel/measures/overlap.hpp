@@ -1,15 +1,14 @@
 // Optical transfer function (OTF) of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
 //
-// With the pupil function P and the frequency f in units of the cutoff, OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int
-// |P|^2 d^2 rho. In coordinates u along f and y perpendicular to f, the overlap of two discs is a lens with the ends u =
-// +-(cos(theta) - f) at y = sin(theta). They are entire functions of theta, so that Gauss-Legendre rules in theta and u converge
-// faster than any power. With an obscuration of ratio eps, the region is cut where its arcs meet, and beside the obscuration y =
-// eps sin(theta) (H. H. Hopkins, Proc. R. Soc. A 231, 91, 1955).
+// With the pupil function P and the frequency f in units of the cutoff, OTF(f) is the integral of P(rho - f) conj(P(rho + f)) over
+// that of |P|^2. Let u be the coordinate along f, y that perpendicular to f. The overlap of two discs has the ends u =
+// +-(cos(theta) - f) at y = sin(theta), entire functions of theta: Gauss-Legendre rules in theta and u converge faster than any
+// power. With an obscuration of ratio eps, the region is cut where its arcs meet; beside the obscuration y = eps sin(theta) (H. H.
+// Hopkins, Proc. R. Soc. A 231, 91, 1955).
 //
 // The phase of the integrand is D(u, y) = Phi(u - f, y) - Phi(u + f, y), with Phi the phase of P. On an interval where D changes by
-// s radians, a rule of n nodes for exp(i D) has an error of about J_2n(s / 2), which falls faster than any power once n exceeds s /
-// 4 by a few cube roots of s. The change of D is estimated from first and second derivatives of Phi; intervals of large change are
-// divided to keep the rules short.
+// s radians, a rule of n nodes for exp(i D) has an error of about J_2n(s / 2), which falls faster than any power once n exceeds s/4
+// by a few cube roots of s. The change of D is estimated from derivatives of Phi; intervals of large change are divided.
 #pragma once
 
 #include <algorithm>
@@ -87,8 +86,7 @@ class Overlap {
         survey();
     }
 
-    // OTF at frequency f in units of the cutoff, in the direction of face(). more: number of nodes beyond those for an error of
-    // 1e-4.
+    // OTF at frequency f in units of the cutoff, in the direction of face(). more: nodes beyond those for an error of 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;

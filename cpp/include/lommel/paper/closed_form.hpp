@@ -95,7 +95,7 @@ class ClosedFormField {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
             // The lanes (radii v) are on different pieces of J0: go back to the first piece of any lane; the next loop runs to the
-            // last.
+            // last
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }

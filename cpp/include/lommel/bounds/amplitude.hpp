@@ -107,7 +107,7 @@ class Amplitude {
     }
 
     bool closed() const { return terms_ <= 1; }
-    // Peak of |field| without aberrations: integral of A dt from obscuration^2 to 1, exact if closed(), else by 16 Gauss nodes.
+    // Peak of |field| without aberrations: integral of the amplitude over t from obscuration^2 to 1, exact or by 16 Gauss nodes.
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {
@@ -138,10 +138,11 @@ class Amplitude {
         return made;
     }
 
-    // Chebyshev coefficients a_k of the exponent, from t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)).
+    // Chebyshev coefficients a_k of the exponent: t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)), C binomial
+    // coefficients.
     void expand() {
         a_[0] = g_[0];
-        double middle = 1.0;  // C(2k, k) / 4^k
+        double middle = 1.0;  // binomial coefficient C(2k, k) over 4^k
         for (std::size_t k = 1; k <= terms_; ++k) {
             middle *= (2.0 * static_cast<double>(k) - 1.0) / (2.0 * static_cast<double>(k));
             a_[0] += middle * g_[k];

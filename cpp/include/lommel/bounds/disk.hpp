@@ -86,7 +86,7 @@ LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
 // A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const ChordCurves chord_curves;
 
-// Index of the minimum. The minimum is taken in eight chains, which compilers vectorise; its index is then looked up.
+// Index of the minimum, which is taken in eight chains that compilers vectorise; its index is then looked up.
 LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     std::array<double, 8> low;
     std::copy_n(values.begin(), 8, low.begin());
@@ -116,10 +116,10 @@ struct ChordGrowth {
         }
     }
 
-    // Bound on the sum of the coefficients k >= n of a series, if on each curve coefficient k is at most e^(size - k b).
+    // Bound on the sum of a series' coefficients k >= n, each at most e^(size - k b) on the curve at height b.
     double tail(std::size_t n) const;
 
-    // Approximate smallest n with log tail(n) <= `logarithm`.
+    // Approximate smallest degree n with log tail(n) <= `logarithm`.
     double fewest(double logarithm) const;
 
     // Bound on the maximum distance on the disk between the pupil function and polynomials of degree d. The part of degree n is at
@@ -138,10 +138,10 @@ class DiskBounds {
     }
     void add(const Amplitude& light) { chords_.add(light); }
 
-    // Bound on the contribution of all degrees >= n to the field at every v, since |2 (n+1) J_{n+1}(v) / v| <= 1.
+    // Bound on the contribution of all degrees >= n to the field at any image radius v, since |2 (n+1) J_{n+1}(v) / v| <= 1.
     double tail(std::size_t n) const { return chords_.tail(n); }
-    // Bound on the contribution of all azimuthal orders >= m to the field: on a ring the pupil function is analytic in the azimuth,
-    // its Fourier coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    // Bound on the contribution of all azimuthal orders >= m to the field at any image radius v: on a ring the pupil function is
+    // analytic in the azimuth, its Fourier coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 

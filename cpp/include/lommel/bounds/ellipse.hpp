@@ -120,9 +120,9 @@ class Ellipses {
         }
     }
 
-    // Bound on the tail of the Legendre series at every v: the sum over n >= terms of |beta_n| / sqrt(2n+1), with Legendre
-    // coefficients beta_n. On an ellipse eta of perimeter l, if |pupil function| <= M, |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi
-    // (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
+    // Bound on the tail of the Legendre series at any image radius: the sum over n >= terms of |beta_n| / sqrt(2n+1), with Legendre
+    // coefficients beta_n. On an ellipse of size eta and perimeter l, if |pupil function| <= M, |beta_n| <= (2n+1) l M e^{-(n+1)
+    // eta} / (pi (1 - e^{-2 eta})) (Wang and Xiang, Math. Comp. 81, 861 (2012)).
     double tail(std::size_t terms) const {
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         std::array<double, count> exponent;
@@ -145,7 +145,7 @@ class Ellipses {
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
 
-    // Number of terms with tail() <= error, close to the smallest, and the tail for it.
+    // Number of Legendre terms with tail() <= error, close to the smallest, and the tail beyond them.
     std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
         // First number of terms to try, a lower bound: the sum over n in tail() is taken as a geometric series.
@@ -169,7 +169,7 @@ class Ellipses {
         return std::sqrt(2.0 * static_cast<double>(terms) + 1.0) * std::exp(std::min(best, 700.0));
     }
 
-    // Number of nodes with quadrature() <= error.
+    // Number of Gauss nodes with quadrature() <= error.
     std::size_t nodes(std::size_t terms, double error) const {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         const double needed = least([&](std::size_t i) {
@@ -207,8 +207,8 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// Bound for all v <= reach on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|. These terms of a series are
-// small in the window, whatever the phase (docs/certificate.md, section 1, "By the window").
+// Bound for all image radii v <= reach on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|: terms of a
+// series that are small in the window, whatever the phase (docs/certificate.md, section 1, "By the window").
 inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
         return m > 1.0 ? 0.0 : 1.0;
@@ -228,8 +228,8 @@ inline double beyond_window(double m, double step, double power, double reach) {
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// Legendre series, for any pupil. window_tail(): bound on the contribution to the field at v <= reach of the terms n >= `terms`,
-// with J_{2n+1}, since |coefficient n| <= sqrt(2n+1) (Parseval); window_terms(): smallest number with window_tail() <= error.
+// Legendre series of any pupil. window_tail(): bound on the contribution of the terms n >= `terms`, with J_{2n+1}, to the field at
+// radii v <= reach, by |coefficient n| <= sqrt(2n+1) (Parseval); window_terms(): smallest number with window_tail() <= error.
 inline double window_tail(std::size_t terms, double reach) {
     return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
 }
@@ -237,8 +237,8 @@ inline std::size_t window_terms(double reach, double error) {
     return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
 }
 
-// Zernike series, for any pupil. disk_window_tail(): bound on the contribution to the field at v <= reach of the degrees n >=
-// `degrees`, with (n+1) J_{n+1}; disk_window_degrees(): smallest number with disk_window_tail() <= error.
+// Zernike series of any pupil. disk_window_tail(): bound on the contribution of the degrees n >= `degrees`, with (n+1) J_{n+1}, to
+// the field at radii v <= reach; disk_window_degrees(): smallest number with disk_window_tail() <= error.
 inline double disk_window_tail(std::size_t degrees, double reach) {
     return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
 }

@@ -1,6 +1,6 @@
 // Error bounds of pixel averages (docs/certificate.md, section 9), for a function f of the distance from the axis that is of
 // exponential type 2 along every line and differs from a constant by at most 1: the intensity over half its maximum, or a
-// derivative of the intensity over the bound of that derivative. Lengths are in optical units v.
+// derivative of the intensity over the bound of that derivative. Lengths are in units of lambda / (2 pi NA).
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ inline double log_factorial(double n) {
     return (n + 0.5) * std::log(n) - n + 0.91893853320467274 + sum / n;
 }
 
-// Error of interpolating f at n = `points` Chebyshev points on an interval of length 2 `half`, if |n-th derivative of f| <= 2^n.
+// Error of interpolating a function f at n = `points` Chebyshev points on a length of 2 `half`, if |n-th derivative of f| <= 2^n.
 inline double interpolation_by_slope(double half, std::size_t points) {
     const double n = static_cast<double>(points);
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// Factor on interpolation_by_slope() if f is interpolated as a function of r^2 instead of the radius r, at r >= `radius`.
+// Factor on interpolation_by_slope() if a function of the radius r is interpolated in r^2 instead of r, at r >= `radius`.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -42,8 +42,8 @@ inline double of_squares(double radius, std::size_t points) {
     return sum;
 }
 
-// Error of interpolating f at `points` Chebyshev points on an interval of length 2 `half`: the smaller of two bounds, from the
-// derivatives of f and from its maximum on the best Bernstein ellipse.
+// Error of interpolating f (exponential type 2, within 1 of a constant) at `points` Chebyshev points on an interval of length 2
+// `half`: the smaller of two bounds, from its derivatives and from its maximum on the best Bernstein ellipse.
 inline double interpolation_error(double half, std::size_t points) {
     if (half <= 0.0) {
         return 0.0;
@@ -58,7 +58,7 @@ inline double interpolation_error(double half, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of the average of f over a square of this side by a Gauss-Legendre rule of `points` nodes in each direction.
+// Error of a function's average over a square of this side by a Gauss-Legendre rule of `points` nodes in each direction.
 inline double gauss_error(double side, std::size_t points) {
     if (side <= 0.0) {
         return 0.0;

@@ -56,10 +56,10 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, choose the curves with the fewest chords and nodes for the error error(p, bound); result: disk(p).
+    // For each pupil p, choose the complex curves with the fewest chords and nodes for error(p, bound); result: disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
-    // Choose the curves again for a smaller error; a new curve is kept if it needs fewer chords or nodes.
+    // Choose the complex curves again for a smaller error; a new curve is kept if it needs fewer chords or nodes.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
         bound.prepare(coefficients);
         for (const Sum sum : {Sum::chords, Sum::nodes}) {

@@ -28,8 +28,8 @@ struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// Set of fields. series: index of the amplitude series; term: index of a Zernike polynomial Z, whose factor i Z the fields have
-// (negative: no factor); kind: index of the kind of wave.
+// Set of fields. series: index of the amplitude series; term: index of a Zernike term Z, with a factor i Z in the fields (negative:
+// no factor); kind: index of the kind of wave.
 struct FieldSet {
     std::int32_t series, term, kind;
 };
@@ -593,7 +593,7 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
         return full_light(given, window, threads, values, largest);
     }
     thread_local Doubles scratch;
-    // Fields of eight planes stay in the cache.
+    // Eight planes at a time: their fields stay in the cache.
     for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
         const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
         scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));

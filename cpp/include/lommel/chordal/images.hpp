@@ -89,7 +89,7 @@ class ChordalRenderer {
     }
 
    private:
-    // State of a pupil. error: requested for the field; relative: error bound of the image; peak: of the intensity.
+    // State of a pupil. error: requested error of the field; relative: error bound of the image; peak: peak intensity.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // a smaller error cannot be requested

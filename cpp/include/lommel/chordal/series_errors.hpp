@@ -19,13 +19,13 @@ struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // [series][part][curve]: on a curve; [series][part]: at real angles
 
-    // Compute the bounds from `powers`, the bound of each term on each curve. needed[0], needed[1]: half the required numbers of
-    // chords and of nodes, min over curves of log(largest part) x rate + chosen.
+    // Compute the bounds from `powers`, the bound of each term on each curve. needed: half the required numbers of chords and of
+    // nodes, each the minimum over curves of log(largest part) x rate + chosen.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // field_errors[set][plane][field]: error bounds of the sums over chords and over nodes, each on its best curve, plus `left`,
-    // plus `rounding` times the moduli. shares: factors of the parts in each field; error: additional error of each part.
+    // field_errors[set][plane][field]: error bounds of the sums over chords and over nodes, each on its best complex curve, +
+    // `left` + `rounding` x moduli. shares: factors of the parts in each field; error: additional error of each part.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

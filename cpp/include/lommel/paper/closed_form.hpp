@@ -49,7 +49,7 @@ struct FresnelForm {
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
-// Field 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` radii v, ascending, with the pupil's phase Phi(R): out[pupil][radius].
+// Field 2 int_0^1 exp(i Phi) J0(v R) R dR at `count` image radii v, ascending, with the pupil's phase Phi(R): out[pupil][radius].
 void closed_form_fields(const PhasePieces& phase, std::size_t pupils, const BesselExponentials& bessel, const FresnelForm& form,
                         const double* v, std::size_t count, int threads, std::complex<double>* out);
 

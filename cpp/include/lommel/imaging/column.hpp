@@ -1,4 +1,4 @@
-// Spread of the points of one image column into neighbouring columns, and its transpose, with or without occlusion.
+// Blur of the points of one image column by PSF windows, and the transposed operator, with or without occlusion.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@ using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I
 template <class I>
 using Half = Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>;
 
-// PSF windows of one point or of two vertically adjacent points, read row by row for one vector of columns from column `from`
-// on. If `Alike`, both points mix the same four windows, which are loaded once. Windows are zero beyond their half width, so
-// the larger half width serves both points.
+// PSF windows of one point or of two vertically adjacent points, read row by row for one vector of columns, the first of which
+// is `from`. If `Alike`, both points mix the same four windows, which are loaded once. Windows are zero beyond their half
+// width, so the larger half width serves both points.
 template <class Vec, class T, std::size_t Points, bool Alike>
 struct Rows {
     using V = Vec;
@@ -63,7 +63,7 @@ struct Rows {
     }
 };
 
-// Call visit(rows) for each vector of columns, 0 to `half`, of the windows of one or two points.
+// For the windows of one or two points, call visit(Rows) for each vector of columns from 0, the middle, outwards to `half`.
 template <class I, std::size_t Points, bool Alike, class T, class Visit>
 LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
     using Whole = Rows<Packed<I, T>, T, Points, Alike>;
@@ -77,18 +77,18 @@ LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* point
     }
 }
 
-// Points first .. last - 1 of a column of a tile. at: index of the column's point 0 in the image; point: its index among all
-// points; half: largest half width of the points' windows (pixels); hidden: some points are partly occluded.
+// Points first .. last - 1 of a column of a tile. at: index of the column's point 0 in the image; point: index of point 0 among
+// all points; half: largest half width of the points' windows (pixels); hidden: some points are partly occluded.
 struct Column {
     std::ptrdiff_t at;
     std::size_t point, first, last, half;
     bool hidden;
 };
 
-// Accumulators ("sheets") of the windows of a column of points: [row, from `widest` above the first point][column, from the
-// points outwards]. Windows are symmetric, so one sheet serves both sides unless there is occlusion. Summing at the same
-// cache-aligned addresses for every column takes half the time of summing in the image. There is one spare row, as the last of
-// an odd number of points is paired with an empty one.
+// Accumulators ("sheets") for the windows of one column of points: [row, from `widest` (largest half width) above the first
+// point][column, from the points outwards]. Windows are symmetric, so one sheet serves both sides unless there is occlusion.
+// Sums at the same cache-aligned addresses for every column take half the time of sums in the image. One spare row serves the
+// last of an odd number of points, which is paired with an empty point.
 template <class I, class T>
 class Sheets {
    public:
@@ -103,12 +103,12 @@ class Sheets {
     T* left() { return values_.data() + 2 * size_; }
     T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // [lane] of a point; zero between columns
 
-    // Offset in a sheet of row `row`, counted from the column's first point, and of column `from`, counted outwards.
+    // Offset in a sheet. row: counted downwards from the column's first point; from: column, counted outwards from the points.
     LOMMEL_INLINE std::size_t place(std::ptrdiff_t row, std::size_t from) const {
         return (widest_ + static_cast<std::size_t>(row)) * stride_ + from;
     }
 
-    // A zero, then ones. Loaded from index 0: mask without the middle column; loaded from index 1: all ones.
+    // Masks of vectors of columns: loaded from index 0, without the middle column; loaded from index 1, all columns.
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 
@@ -145,7 +145,8 @@ class Sheets {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Call f(place, right, left) for all vectors of pixels reached; right, left: visible fraction of the layer on either side.
+    // Call f(place, right, left) for all vectors of pixels reached. right, left: fraction of the layer seen by pixels on either
+    // side.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
@@ -163,8 +164,8 @@ class Sheets {
     Aligned<T> values_, sums_;
 };
 
-// Forward operator: points add their windows to the image `out`. In a partly occluded layer the windows are summed first, and
-// the sum is multiplied by the visible fractions.
+// Forward operator: points add their windows to the image `out`. In a partly occluded layer the windows are summed first; the
+// sum is multiplied by the fractions that the pixels see (from `seen`, as in Screen).
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
@@ -228,7 +229,6 @@ struct Giving {
     }
 
    private:
-    // Return a sum and reset it to zero.
     template <class W>
     static LOMMEL_INLINE W taken(T* sum) {
         const W value = load<W>(sum);
@@ -280,8 +280,8 @@ struct Taking {
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             return load<W>(sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from));
         };
-        // Inner products with the four windows, mixed at the end. As window rows above and below a point are equal, the image's
-        // rows are added first. Row r of one point is row r + 1 or r - 1 of the other point.
+        // Inner products with each of the four windows, mixed at the end. Window rows r above and r below a point are equal, so the
+        // two image rows are added first. Row r of one point is row r + 1 or r - 1 of the other point.
         constexpr std::size_t last = R::points - 1;
         W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
         folded[0] = over, folded[last] = under;

@@ -20,9 +20,8 @@
 
 namespace lommel {
 
-// Scene of points in layers, [scene.height][scene.width] including border extension. layers[p]: layer of point p, 0 the
-// nearest; behind[p]: index of the point representing the light occluded by p, or negative. Both are indexed like
-// `scene.positions`.
+// Points of a scene in layers; scene.height and scene.width include border extension. layers[p]: layer of image pixel p, 0 the
+// nearest; behind[p]: index of the pixel representing the light that p occludes, or negative.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
@@ -32,8 +31,8 @@ struct LayeredScene {
     bool mirrored, dark;  // mirrored: light that leaves the image is reflected; dark: border extension only occludes
 };
 
-// Images [height][width] without border extension. seen: visibility; a pixel sees the fraction clamp(seen - level(l), 0, 1) of
-// layer l; total: fraction of the aperture covered so far; out: image of the light.
+// Images [height][width] without border extension. seen: visibility; a pixel sees the fraction clamp(seen - l, 0, 1) of the
+// layer of level l (Compositor::level()); total: fraction of the aperture covered so far; out: blurred light.
 template <class T>
 struct Composite {
     T *seen, *total;
@@ -97,7 +96,7 @@ struct GivingLight {
     }
 
    private:
-    // Add `sum` to the image on both sides. The middle column is in both vectors; `right`, stored last, has its sum.
+    // Add `sum` to `out` on both sides of the points. The middle column is in both vectors; `right`, stored last, has its sum.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W middle_mask) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
@@ -115,11 +114,12 @@ class Compositor {
     Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
                std::ptrdiff_t right);
 
-    // Add layers from .. to - 1. `known`: the visibility `seen` is given; otherwise it is computed, and before the first layer
-    // `seen` must be beyond() and `total` 0.
+    // Add layers from .. to - 1 to `made`. If `known`, its visibility `seen` is given. Otherwise `seen` is computed: before the
+    // first layer `seen` must be beyond(), and `total` 0.
     void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
-    // Layer number relative to the middle layer: small numbers leave more bits of `seen` for the fraction.
+    // level(): layer number relative to the middle layer, as small numbers leave more bits of the visibility for the fraction;
+    // beyond(): visibility at a pixel that sees all layers.
     T level(std::size_t layer) const { return static_cast<T>(static_cast<std::ptrdiff_t>(layer) - middle()); }
     T beyond() const { return level(layered_.count); }
 
@@ -218,7 +218,7 @@ class Compositor {
         });
     }
 
-    // Rows and columns of a tile that are image pixels, not border extension.
+    // Image pixels of a tile, without border extension, as rows and columns of the scene.
     Box inside(std::size_t row, std::size_t column) const {
         const std::size_t pad = layered_.pad;
         const auto at = [](std::size_t place) { return static_cast<std::ptrdiff_t>(place); };

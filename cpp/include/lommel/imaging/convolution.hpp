@@ -14,10 +14,9 @@
 namespace lommel {
 
 // FFT convolution of the planes (colours) of an image with real PSFs. The upper and lower half of a plane, each with its
-// margins, are the real and imaginary part of one complex plane, which a real PSF does not mix. Rows are transformed eight at a
-// time, then columns. A spectrum has the layout of the column transform: [group of eight columns][frequency][re or im][column].
-//
-// Single precision: error of about 1e-6 of the brightest pixel, by RowFft::rounding() units of roundoff in each transform.
+// margins, are the real and imaginary part of one complex plane, which convolution with a real PSF does not mix. Rows are
+// transformed eight at a time, then columns. Layout of a spectrum: [group of eight columns][frequency][re or im][column].
+// Single precision: error of about 1e-6 of the brightest pixel, bounded by RowFft::rounding() units of roundoff a transform.
 class Convolution {
    public:
     // For images of height x width pixels and PSFs of at most 2 `reach` + 1 pixels a side.
@@ -105,7 +104,7 @@ class Convolution {
         for (std::size_t c = 0; c < wide_ / 8; ++c) {
             const float *a = &picture[c * block], *b = &spread_[c * block];
             line_.resize(std::max(down_.n, wide_) * element);
-            // Inverse transform = forward transform of numbers with re and im exchanged, with re and im exchanged again.
+            // Inverse FFT by a forward FFT: re and im are exchanged before and after the transform.
             for (std::size_t k = 0; k < down_.n; ++k, a += element, b += element) {
                 float* to = &line_[k * element];
                 for (std::size_t r = 0; r < fft_rows; ++r) {

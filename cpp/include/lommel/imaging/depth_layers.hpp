@@ -67,10 +67,10 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
 
 // For each occluding point p, find a representative point for the light behind p.
 // A point p occludes a farther point q if their distance is less than radius(p) - radius(q), their signed blur radii: rays
-// through the rim of the aperture then pass the edge between them. Candidates q are visited in order of distance; those not in
-// a farther layer than p are skipped. A candidate too distant to be occluded is skipped as well, and from then on so are all
-// layers up to its own. The representative is the mirror image of p at the first q that is left, if its layer is farther than
-// all skipped ones; otherwise q.
+// through the rim of the aperture then pass the edge between them. Candidates q are visited in order of distance. A q is
+// skipped if its layer is not farther than those of p and of all q skipped as too distant to be occluded. The first q left
+// decides: the representative is the mirror image of p at q (the point 2 q - p) if that is in a farther layer than p and all
+// skipped q; otherwise q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
@@ -82,7 +82,7 @@ class HiddenPoints {
    private:
     static constexpr std::size_t block = 32, most_rings = 255;
 
-    // Offset to another point. distance: pixels; down, right: rows and columns; along: difference of the points' indices.
+    // Offset to another point. distance: length (pixels); down, right: rows, columns; along: difference of the points' indices.
     struct Step {
         float distance;
         std::int32_t down, right, along;
@@ -92,9 +92,9 @@ class HiddenPoints {
         return y >= reach && x >= reach && y + reach < height_ && x + reach < width_;
     }
 
-    // Lower bound, at each point p, on the minimum over points q of radius(q) + distance(q, p), by two sweeps over neighbours.
-    // Step lengths are multiplied by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. If the
-    // bound is not below radius(p), p occludes nothing. Returns an empty vector if no point occludes any other.
+    // Lower bound, at each point p, on the minimum over points q of blur radius(q) + distance(q, p), by two sweeps over neighbours.
+    // Step lengths are multiplied by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. If the bound
+    // is not below radius(p), p occludes nothing. Returns an empty vector if no point occludes any.
     std::vector<float> lowest() const {
         constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and sqrt(2) times that, rounded down
         std::vector<float> least(radius_, radius_ + height_ * width_);
@@ -179,7 +179,7 @@ class HiddenPoints {
         return steps;
     }
 
-    // For each point, a radius of at most `most` pixels without any point of a farther layer inside. Found by dilation with
+    // For each point, a radius (at most `most` pixels) within which no point is in a farther layer. Found by dilation with
     // octagons (squares and diamonds alternately), which contain the circles of these radii.
     std::vector<std::uint8_t> alone(std::size_t most) const {
         const std::size_t height = height_, width = width_;
@@ -263,7 +263,7 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
     const std::vector<Step> steps = by_distance(reach);
     const std::size_t across = (width_ + block - 1) / block;
     const std::vector<float> around = least_around(reach);
-    // alone() saves time only if many points may occlude others.
+    // The radii of alone() save time only if many points may occlude others.
     std::size_t candidates = 0;
     for (std::size_t i = 0; i < size; ++i) {
         candidates += reached[i] < radius_[i] ? 1 : 0;

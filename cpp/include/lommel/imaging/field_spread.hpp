@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Splines of PSF windows: coefficients[node down][node across][node over defocus][pixel of the window, by rows, zero padded].
+// Spline coefficients of PSF windows, [node down the field][node across][node over defocus][pixel, by rows, zero padded].
 template <class T>
 struct FieldWindows {
     const T* coefficients;
@@ -23,12 +23,12 @@ struct FieldWindows {
     std::size_t row() const { return depth * size; }  // stride from one node across to the next
 };
 
-// Source pixel (y, x) is pixel (rows[y], columns[x]) of the image, so that border extension needs no copy. Along image rows the
-// splines are replaced by parabolas through their values at an odd number of columns, the "places": the window at image column
-// x mixes the windows at the three places from 2 tiles[x] on, with weights shares[x][3].
+// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Along image rows
+// the splines are replaced by parabolas through their values at an odd number of columns, the "places": the window at image
+// column x mixes the windows at places 2 tiles[x] .. 2 tiles[x] + 2 with the weights shares[x][3].
 template <class T>
 struct FieldScene {
-    const T *down, *places, *shares;  // spline weights [image row][node down] and [place][node across]; [image column][3]
+    const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]
     const std::int64_t *tiles, *rows, *columns;
     std::size_t count, height, width;  // number of places, rows, columns
     const double *defocus, *breaks;    // [image row][image column]; ends of the defocus intervals
@@ -46,10 +46,11 @@ class FieldSpreader {
 
     static constexpr std::size_t step = 16;  // divides window sizes; also the number of values that may be loaded beyond a row
 
-    // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; values[height][width] of the scene.
+    // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; side: window side;
+    // values[height][width].
     void forward(const T* values, T* out) const;
 
-    // Transpose of forward(): each pixel becomes the sum of window x `image`, which has the size of forward()'s output.
+    // Transpose of forward(): out, at each scene pixel, is the sum of its window x `image`, of the size of forward()'s output.
     void adjoint(const T* image, T* out) const;
 
    private:
@@ -147,7 +148,7 @@ class FieldSpreader {
         }
     }
 
-    // Compute the weights of a pixel's 3 x Order windows (places x defocus nodes); returns the first of these windows.
+    // Compute the weights of a pixel's 3 x Order windows (places x defocus nodes); return the first of these windows.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {

@@ -14,7 +14,7 @@
 namespace lommel {
 
 // Lookup table over the leading bits (exponent and part of the fraction) of a positive float, so many bits that each interval
-// of floats contains at most one edge. Tabulated: the edge in each interval, and the number of edges below it.
+// of floats contains at most one edge. Tabulated: the edge in each interval, and the number of edges below the interval.
 class Levels {
    public:
     // `edges` between levels: increasing, positive, at most 255 of them.

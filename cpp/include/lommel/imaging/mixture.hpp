@@ -42,7 +42,7 @@ struct Mixture {
     bool any, hidden;
 };
 
-// Interpolation weights of points' windows or, with `slopes`, their derivatives with respect to the position in the bank.
+// Weights of the four windows that a point mixes or, with `slopes`, their derivatives with respect to the point's position.
 template <class T>
 class Mixer {
    public:

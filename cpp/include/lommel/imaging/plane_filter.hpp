@@ -16,13 +16,13 @@
 
 namespace lommel {
 
-// specimen, recording: numbers of planes; first: specimen plane at which the recording starts; before, after: numbers of planes
-// beyond either end of the specimen whose light reaches the recording (copies of its outermost planes).
+// Planes of an image stack. specimen, recording: numbers of planes; first: specimen plane at which the recording starts;
+// before, after: numbers of planes beyond the ends of the specimen, equal to its outermost planes, whose light is recorded.
 struct StackPlanes {
     std::size_t specimen, recording, first, before, after;
 };
 
-// Axial Fourier transform of a kernel, divided by its length: [row][group of eight columns][frequency][re or im][column],
+// Axial Fourier transform of a kernel, divided by the FFT length: [row][group of eight columns][frequency][re or im][column],
 // columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, opposite rows are equal; if only half
 // of the frequencies and one more, opposite frequencies are complex conjugates.
 struct PlaneTransfer {
@@ -30,9 +30,9 @@ struct PlaneTransfer {
     std::size_t rows, frequencies;
 };
 
-// Axial convolution, summed over kernels, of the specimen times the kernel's weight at each plane; and its transpose. Works in
-// place on [plane][row][column], on eight columns at a time. Each row is first copied from all planes, because each plane is on
-// a memory page of its own.
+// Recording = sum over kernels of the axial convolution of a kernel with the specimen times the kernel's weight of each plane;
+// and the transposed operator. Works in place on [plane][row][column], on eight columns at a time. Each row is first copied
+// from all planes, because each plane is on a memory page of its own.
 class PlaneFilter {
    public:
     // `length`: FFT length supported by RowFft, at least the number of all planes; weights[kernel][plane of the specimen].
@@ -105,8 +105,8 @@ class PlaneFilter {
         }
     }
 
-    // Forward operator, from specimen to recording, for one row and eight columns: weights, padding by repeated outermost
-    // planes, convolution, cropping.
+    // Forward operator, from specimen to recording, for one row and eight columns: multiply by the weights, pad with copies of
+    // the outermost planes, convolve, crop.
     template <class I>
     LOMMEL_INLINE void seen(I isa, std::size_t row, std::size_t group, float* held, Scratch& own) const {
         const std::size_t last = (planes_.specimen - 1) * fft_element, n = fft_.n;

@@ -1,4 +1,4 @@
-// Factors, by defocus, of the separable products that make up a PSF beyond its window (docs/certificate.md, section 13).
+// Defocus-dependent factors of the separable products that make up a PSF beyond its window (docs/certificate.md, section 13).
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// These factors as cubic polynomials values[interval][power][product] of defocus: distance, in steps of the window bank, from
+// Factors of separable products as cubic polynomials values[interval][power][product] of defocus, in steps of the window bank from
 // the second of the four windows interpolated. Each power has `stride` values, a multiple of 16, zero after the last product.
 template <class T>
 struct RemainderCubics {
@@ -20,7 +20,7 @@ struct RemainderCubics {
     std::size_t intervals, products, stride;
 };
 
-// Write the factors out[product][point] at the points' positions in a window bank, clipped to the bank's range.
+// Write the factors of the separable products, out[product][point], at positions in a window bank, clipped to the bank's range.
 template <class T>
 void remainder_factors(const RemainderCubics<T>& cubics, const double* positions, std::size_t size, int threads, T* out) {
     // together: number of points that fill one cache line of the output.

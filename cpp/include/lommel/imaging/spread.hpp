@@ -25,7 +25,7 @@ struct Scene {
     std::size_t height, width;
 };
 
-// Return whether all values are finite: inf or NaN times 0 is NaN.
+// Return whether all values are finite, by a sum of values times 0: inf or NaN times 0 is NaN.
 bool all_finite(const double* values, std::size_t size);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
@@ -71,15 +71,16 @@ class Spreader {
     static std::size_t margin(std::size_t widest) { return (widest / reach + 1) * reach; }
 
     // out += sum over source pixels of value x window, with out[height + 2 widest][width + 2 margin()]: `widest` extra rows
-    // above and below, margin() extra columns on either side. The image is indexed like `positions`; `down` and `right` are
-    // its strides.
+    // above and below, margin() extra columns on either side. `image`: values, at the same pixels as Scene::positions; `down`,
+    // `right`: its strides.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = sum of window x image per source pixel; image: size of forward()'s output.
+    // Transpose of forward(): out[height][width] = sum of window x `image` for each source pixel; `image` has the size of
+    // forward()'s out.
     void adjoint(const T* image, T* out) const;
 
    private:
-    // Tile sizes in pixels; most_rows: tallest column of points whose sums stay in the cache.
+    // least_rows, least_columns: smallest tile (pixels); most_rows: tallest column of points whose sums stay in the cache.
     static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
     // Side of the squares of points tested for occlusion together: much smaller than a window, so that few tests are wasted.
     static constexpr std::size_t near = 8;
@@ -261,8 +262,8 @@ class Spreader {
     }
 
     // Test a square of neighbouring points against the extremes of `seen` over all pixels that their windows reach: drop points
-    // that no pixel sees, and mark those that some pixel sees only in part. Most points of a scene are neither, and then cost
-    // the same as without occlusion.
+    // that no pixel sees, and mark those that some pixel sees only in part. Most points are neither dropped nor marked, and
+    // cost the same as without occlusion.
     template <class I>
     LOMMEL_INLINE void look(I, Tile& tile, std::size_t down, std::size_t height, std::size_t along, std::size_t width) const {
         using V = Packed<I, T>;

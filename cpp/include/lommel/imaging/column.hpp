@@ -280,8 +280,8 @@ struct Taking {
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             return load<W>(sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from));
         };
-        // Inner products with each of the four windows, mixed at the end. Window rows r above and r below a point are equal, so the
-        // two image rows are added first. Row r of one point is row r + 1 or r - 1 of the other point.
+        // Inner products with each of the four windows, mixed at the end. Window rows r above and below a point are equal, so
+        // the two image rows are added first. Row r of one point is row r + 1 or r - 1 of the other point.
         constexpr std::size_t last = R::points - 1;
         W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
         folded[0] = over, folded[last] = under;

@@ -92,9 +92,9 @@ class HiddenPoints {
         return y >= reach && x >= reach && y + reach < height_ && x + reach < width_;
     }
 
-    // Lower bound, at each point p, on the minimum over points q of blur radius(q) + distance(q, p), by two sweeps over neighbours.
-    // Step lengths are multiplied by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. If the bound
-    // is not below radius(p), p occludes nothing. Returns an empty vector if no point occludes any.
+    // Lower bound, at each point p, on the minimum over points q of blur radius(q) + distance(q, p), from two sweeps over
+    // pixels. Step lengths are multiplied by cos(pi / 8), the smallest ratio of a straight line to a path over 8 neighbours. If
+    // the bound is not below radius(p), p occludes nothing. Returns an empty vector if no point occludes any.
     std::vector<float> lowest() const {
         constexpr float straight = 0.92387f, slanted = 1.30655f;  // cos(pi / 8), and sqrt(2) times that, rounded down
         std::vector<float> least(radius_, radius_ + height_ * width_);

@@ -75,8 +75,8 @@ class Spreader {
     // `right`: its strides.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = sum of window x `image` for each source pixel; `image` has the size of
-    // forward()'s out.
+    // Transpose of forward(): out[height][width] = sum of window x `image` per source pixel; `image`: size of forward()'s
+    // output.
     void adjoint(const T* image, T* out) const;
 
    private:

@@ -54,7 +54,7 @@ class Bank {
 
     static constexpr std::size_t together = 4;
 
-    // Write to[image][template]: inner products of `together` images, in rows of whole vectors, with all templates.
+    // Write to[image][template]: inner products of `together` images (rows padded to whole vectors) with all templates.
     void products(std::size_t channel, const float* images, float* to) const {
         const Templates& all = channels_[channel];
         const std::size_t length = all.pixels, count = padded();
@@ -85,7 +85,7 @@ class Bank {
     std::size_t layer() const { return layer_; }
     const Place& place(std::size_t k) const { return places_[k]; }
     // photons(): least-squares photon count, from the inner product of the mean-free image with template k. share(): mean pixel
-    // value of the image that template k was made from, which is that of one photon.
+    // value, per photon, of the image of template k.
     double photons(std::size_t channel, std::size_t k, double product) const { return product / channels_[channel].norm[k]; }
     double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
 
@@ -118,7 +118,7 @@ class Localizer {
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
     // Fit `count` molecules, each from its best template or, if that fit is doubtful, from up to `starts` templates.
-    // offsets[molecule][channel][row, column]; the background is constant or, with `tilted`, linear.
+    // offsets[molecule][channel][row, column]: see Channel; tilted: the background is linear, not constant.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 

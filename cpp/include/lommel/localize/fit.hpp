@@ -25,13 +25,14 @@ constexpr std::size_t most_unknown = 3 + 4 * most_channels;
 
 enum class FitState : std::int32_t { converged, border, steps, undetermined };
 
-// Position in a channel = matrix x (row, column) in the first channel + offset; matrix[2][2] by rows. table: its images.
+// Detection channel. Position in this channel = matrix (2 x 2, by rows) x position in the first channel + offset.
 struct Channel {
     MoleculeTable table;
     double matrix[4];
 };
 
-// Molecule image, rows padded to whole vectors: electrons plus read variance; read variance (electrons^2); valid, 1 or 0.
+// Image of a molecule, rows padded to whole vectors. electrons: counts plus read; read: its variance (electrons^2); valid: 1 or
+// 0.
 struct Counts {
     Floats electrons, read, valid;
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
@@ -48,7 +49,7 @@ struct Fitted {
     std::int32_t steps = 0;
 };
 
-// Valid range of row, column and z; `stride` is the largest change of z in one step.
+// low, high: valid range of row, column and z; stride: largest change of z in one step of a fit.
 struct Limits {
     double low[3], high[3], stride;
 };
@@ -112,7 +113,7 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
             }
             const V mean = larger(base, least);
             const V weight = valid / mean, excess = weight * (d - mean);
-            // Counts d may be 0 or negative: the reference max(|d|, 1) instead of d adds a constant, d log(reference).
+            // Counts d may be 0 or negative: max(|d|, 1) replaces d in the logarithm, which adds a constant to the deviance.
             const V reference = larger(larger(d, zero - d), one);
             deviance = deviance + valid * (mean - d + d * logarithm<V>(reference / mean));
             std::size_t k = 0;
@@ -137,8 +138,8 @@ inline void add_up(const float* images, const float* ramps, std::size_t pixels, 
 }
 
 // Pearson's chi2 summed over channels, its expectation and variance. A pixel with the expected signal mu has the residual x =
-// Poisson(mu) + N(0, read) - mu; x^2 has the mean v = mu + read and the variance mu + 2 v^2. The part mu^2 / v of this variance
-// is correlated with x and is subtracted, as the fit makes the sum of x zero.
+// Poisson(mu) + N(0, read) - mu; x^2 has the mean v = mu + read and the variance mu + 2 v^2. The part mu^2 / v of this
+// variance, due to correlation of x^2 with x, is subtracted, as the fit makes the sum of x zero.
 struct Pearson {
     double chi2 = 0.0, expected = 0.0, variance = 0.0;
 };
@@ -259,8 +260,8 @@ class MoleculeFit {
                     found.state = FitState::converged;
                     break;
                 }
-                // Fisher information differs from the curvature of the log-likelihood. If the derivative changes sign, the step
-                // was too long: increase the damping.
+                // Fisher information differs from the curvature of the log-likelihood: where the derivative along the step
+                // changes sign, the step was too long, and the damping is increased.
                 const double turned = after / before;
                 damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
                           : turned < -0.2  ? damping

@@ -68,7 +68,7 @@ class MoleculeImages {
         const std::size_t piece = along_z(place.z, z);
         const std::size_t top = taps_at(place.row, table.first_row, down);
         const std::size_t left = taps_at(place.column, table.first_column, right);
-        // Interpolate along z, then over rows, then over columns, in separate loops.
+        // Interpolate along z first, then over rows, then over columns, in separate loops.
         const float* const from = table.coefficients + piece * MoleculeTable::terms * table.rows * line() + top * line();
         const std::size_t plane = table.rows * line(), all = needed();
         float* const value = between_.data();

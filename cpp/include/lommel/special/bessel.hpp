@@ -45,8 +45,8 @@ inline std::size_t bessel_start(double v, std::size_t count) {
 }
 
 // J_0(v) .. J_{count-1}(v) for v >= 0, with an absolute error of a few units of 2^-53. If all orders are well below v: upward
-// recurrence from J_0 and J_1, `count` steps. Otherwise: Miller's backward recurrence (DLMF 3.6(vi)), normalised with J_0 + 2
-// (J_2 + J_4 + ...) = 1 (DLMF 10.12.4), about v + count steps.
+// recurrence from J_0 and J_1, in `count` steps. Otherwise: Miller's backward recurrence (DLMF 3.6(vi)) in about v + count
+// steps, normalised by J_0 + 2 (J_2 + J_4 + ...) = 1 (DLMF 10.12.4).
 inline void bessel_sequence(double v, std::size_t count, double* out) {
     if (count == 0) {
         return;
@@ -107,7 +107,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
 }
 
 // 2 (-1)^k J_{2k+1+parity}(v) / v for k = 0 .. terms-1: twice the Hankel transforms, up to the sign, of the Zernike radial
-// polynomials of degree 2k + parity; for parity 0 also of the Legendre polynomials P_k(2t - 1), t = radius^2.
+// polynomials of degree 2k + parity; for parity 0 also of the Legendre polynomials P_k(2t - 1), t = (pupil radius)^2.
 inline void zernike_transforms(std::size_t parity, double v, std::size_t terms, double* out, std::vector<double>& scratch) {
     if (v < 1e-150) {
         std::fill(out, out + terms, 0.0);

@@ -18,22 +18,23 @@
 
 namespace lommel {
 
-// Permitted widths of pieces in v. On wider pieces the interpolation error is larger, and so are the coefficients, which
-// amplify rounding.
+// Permitted widths of the table's pieces, in v (radius in units of lambda / (2 pi NA)). Wider pieces have a larger
+// interpolation error and larger coefficients, which amplify rounding.
 constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
 
-// Bound, relative to sup|U|, on the interpolation error of the field U on a piece of width H: |U^(16)| <= sup|U| (Bernstein, as
-// U is of exponential type 1) times 2 (H/4)^16 / 16! for 16 Chebyshev points.
+// Bound, relative to sup|U|, on the error of interpolating the field U at 16 Chebyshev points of a piece of width H: 2 (H/4)^16
+// / 16!, as the 16th derivative of U is at most sup|U| (Bernstein's inequality: U is of exponential type 1).
 inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
 
 struct PieceTable {
     double width = 0.0;
     std::size_t terms = 0;  // number of orders n in each piece; fewer where the piece needs fewer
-    // Bound on the sum of the moduli of all summands of the field U, hence on its rounding: maximum over pieces of sum_k
-    // sqrt(sum_n (2n+1) C_nk^2), C_nk the coefficient of x^k in row n. U = sum_n beta_n row_n with pupil coefficients beta_n
-    // that satisfy sum |beta_n|^2 / (2n+1) <= 1 (certificate, identity A).
+    // The field is U = sum_n beta_n row_n, row_n = sum_k C_nk x^k, with pupil coefficients sum |beta_n|^2 / (2n+1) <= 1
+    // (certificate, identity A). magnitude: bound on the sum of the moduli of all terms of U, which bounds its rounding:
+    // maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2).
     double magnitude = 0.0;
-    // The same bound for pupils without radial symmetry: maximum of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the Zernike degree.
+    // Bound on the sum of the moduli of all terms of the field, for pupils without radial symmetry: maximum over pieces of
+    // sum_k sqrt(sum_n (n+1)^2 C_nk^2), with n the Zernike degree and C_nk the coefficient of x^k.
     double azimuthal = 0.0;
     std::vector<std::shared_ptr<const Piece>> pieces;  // [index of the piece along v]; null if never requested
     std::size_t leading = 0;  // number of pieces before the first null
@@ -119,7 +120,7 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
                                                                     const WantedPieces& wanted, std::size_t terms) {
     auto table = std::make_shared<PieceTable>();
     table->width = width;
-    // Number of rows rounded up, so that slightly more defocus needs no new table.
+    // Number of rows (orders) rounded up, so that slightly more defocus needs no new table.
     table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
     table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
     const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };
@@ -156,8 +157,8 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);
 
-// The 16 complex coefficients, in powers of x, of the field U on one piece: sum over n < terms of the pupil coefficient beta_n
-// times table row first + n. Speed is limited by reading the table, which is read once.
+// The 16 complex coefficients of the field U on one piece, in powers of x (-1 to 1 on the piece): sum over n < terms of the
+// pupil coefficient beta_n times table row first + n. Speed is limited by reading the table, which is read once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
                            double* im, std::size_t first = 0) {

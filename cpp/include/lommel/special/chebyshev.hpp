@@ -15,8 +15,8 @@ Real chebyshev_point(std::size_t j, std::size_t count) {
     return std::cos(std::acos(Real(-1)) * (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(count));
 }
 
-// Integral of r f(r) dr, r = middle + half x, for a Chebyshev series f of `count` terms in x. `out`: its count + 2 Chebyshev
-// coefficients, with value `before` at x = -1. `moment`: scratch of count + 3 numbers. Returns the integral at x = 1.
+// Integral of r f(r) dr, r = middle + half x, for a Chebyshev series f of `count` terms in x. `out`: count + 2 Chebyshev
+// coefficients of the integral, `before` at x = -1. `moment`: scratch, count + 3 numbers. Returns the integral at x = 1.
 inline double integrate_moment(double half, double middle, const double* series, std::size_t count, double before,
                                double* moment, double* out) {
     std::fill_n(moment, count + 3, 0.0);
@@ -38,8 +38,8 @@ inline double integrate_moment(double half, double middle, const double* series,
     return out[0] + end;
 }
 
-// Conversion of values at `Count` Chebyshev points to Chebyshev coefficients, then by an integer matrix, which adds no error,
-// to coefficients of 1, x, x^2, .... One matrix for both steps would lose five digits in double.
+// Conversion of values at `Count` Chebyshev points to Chebyshev coefficients, then, by an integer matrix that adds no error, to
+// coefficients of 1, x, x^2, .... One matrix for both steps would lose five digits in double.
 template <std::size_t Count, class Real = wide>
 class ChebyshevToMonomials {
    public:
@@ -57,7 +57,7 @@ class ChebyshevToMonomials {
             }
         }
     }
-    // Write the series truncated to its first `kept` Chebyshev terms; return the sum of the moduli of the dropped ones.
+    // Write the first `kept` Chebyshev terms as a sum of powers of x; return the sum of the moduli of the dropped terms.
     template <class In, class Out>
     Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
         std::array<Real, Count> sums{};

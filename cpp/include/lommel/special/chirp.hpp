@@ -36,7 +36,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
             (size[n][i] < 2.0 ? slow : fast) = true;
         }
     }
-    // All q advance together, as each step of the recurrence waits for the result of the previous one.
+    // The recurrences of all q advance together, because within one recurrence each step waits for the previous result.
     if (fast) {
         V turn[count], s[count], c[count];
         for (std::size_t n = 0; n < count; ++n) {
@@ -80,7 +80,7 @@ LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typen
     }
 }
 
-// Moments of chirps of small curvature a on [middle - half, middle + half], for several slopes b at once: expansion in a.
+// Moments of chirps exp(i (a R^2 + b R)) on [middle - half, middle + half], for several slopes b: expansion in small a.
 template <class I, std::size_t count>
 LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[count], typename I::pack middle,
                                 typename I::pack half, ChirpMoments<I> (&out)[count]) {
@@ -93,7 +93,7 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     wave_moments(isa, q, waves);
     for (std::size_t n = 0; n < count; ++n) {
         // re + i im = int_{-1}^1 x^m exp(i (p x^2 + q x)) dx, expanded up to p^7 for |p| <= nearly_linear. The moment m = 1 is
-        // divided by i, as `waves` of odd index are.
+        // divided by i, as the odd moments of wave_moments() are.
         V sine, cosine, re[3], im[3], power = splat<V>(1.0);
         for (int m = 0; m < 3; ++m) {
             re[m] = im[m] = splat<V>(0.0);
@@ -120,8 +120,8 @@ LOMMEL_INLINE void flat_moments(I isa, double a, const typename I::pack (&b)[cou
     }
 }
 
-// Moments of chirps of curvature a > 0 on [low, high], for several slopes b at once, by Fresnel integrals at both ends. Only
-// their non-oscillating factor is used, so that the large phase b^2 / 4a of a distant stationary point does not appear.
+// Moments of chirps exp(i (a R^2 + b R)), a > 0, on [low, high], for several slopes b, by Fresnel integrals at both ends. Only
+// the integrals' non-oscillating factor is used, so the large phase b^2 / 4a of a distant stationary point does not appear.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, const typename I::pack (&b)[count],
                                 typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
@@ -173,7 +173,7 @@ template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void chirp_moments(I isa, const Auxiliary& auxiliary, double curvature, const typename I::pack (&slope)[count],
                                  typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {
     using V = typename I::pack;
-    // A chirp of negative curvature: its moments are the complex conjugates of those of the opposite phase.
+    // Negative curvature: moments are complex conjugates of those of the chirp with the opposite phase, -a R^2 - b R.
     const double sign = curvature < 0.0 ? -1.0 : 1.0, a = sign * curvature;
     const V half = splat<V>(0.5) * (high - low), middle = splat<V>(0.5) * (high + low), bend = splat<V>(a) * half * half;
     V b[count];

@@ -18,7 +18,7 @@ LOMMEL_INLINE typename I::pack exponential(I, typename I::pack x) {
     using V = typename I::pack;
     const V magic = splat<V>(6755399441055744.0), least = splat<V>(-700.0), at = larger(x, least);
     const V shifted = at * splat<V>(1.44269504088896340736) + magic, k = shifted - magic;
-    // ln 2 is subtracted in two parts: the product of the integer k with the first part is exact.
+    // r = x - k ln 2, with ln 2 in two parts: the product of the integer k with the first part is exact.
     const V r = (at - k * splat<V>(0.693147180369123816490)) - k * splat<V>(1.90821492927058770002e-10);
     V sum = splat<V>(1.0 / 6227020800.0);
     for (const double factorial :

@@ -78,9 +78,9 @@ class RowFft {
 
     const std::size_t n;
 
-    // Rounding bound of any output X_l, in units of roundoff times sum |x_j|. Contributions: 1 for a complex sum, sqrt(5) for a
-    // complex product, 1 for a tabulated root of unity and, in double precision, three units of its angle. A pass of radix 3
-    // has one more sum and two more products.
+    // Rounding bound of any output X_l, in units of roundoff times the sum of all |x_j| of the input. Contributions of a pass:
+    // 1 for a complex sum, sqrt(5) for a complex product, 1 for a tabulated root of unity and, in double precision, three units
+    // of its angle. A pass of radix 3 has one more sum and two more products.
     double rounding() const {
         constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
         double units = 2.0;
@@ -90,8 +90,8 @@ class RowFft {
         return units;
     }
 
-    // Run all passes but the last. Returns the array of the result, x or `other`, between which the passes alternate. `Sparse`:
-    // the two middle quarters of x are zero and are not read.
+    // Run all passes but the last. The passes alternate between the arrays x and `other`; returns the one with the result.
+    // `Sparse`: the two middle quarters of x are zero and are not read.
     template <bool Sparse = true, class I>
     LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
         using V = typename RowPack<I, Real>::type;
@@ -132,7 +132,7 @@ class RowFft {
         x[3] = other - third;
     }
 
-    // Run all passes for arbitrary x. Returns the array of the transform X: x or `other`.
+    // Run all passes, for any input x. Returns the array, x or `other`, that holds the transform.
     template <class I>
     LOMMEL_INLINE Real* whole(I isa, Real* x, Real* other) const {
         static constexpr Real none[] = {1, 0, 1, 0, 1, 0};

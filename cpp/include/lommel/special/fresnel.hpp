@@ -22,7 +22,7 @@ namespace lommel {
 // Real and imaginary part of int_0^inf exp(i tau^2) d tau: sqrt(pi / 8).
 constexpr double half_fresnel = 0.62665706865775012560;
 
-// G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau to rounding: (s + 2) G(s) is a polynomial in (s - a) / (s + a), a = `center`,
+// G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau to rounding: (s + 2) G(s) as a polynomial in (s - a) / (s + a), a = `center`,
 // or for large s the asymptotic series (DLMF 7.12). Cost: two divisions and 88 multiply-adds; series: one and 16.
 class FresnelAuxiliary {
    public:
@@ -71,7 +71,7 @@ class FresnelAuxiliary {
         }
     }
 
-    // Interpolate (s + 2) times the Fresnel factor at Chebyshev points of y, if possible in extended precision.
+    // Interpolate (s + 2) G(s), with G the Fresnel factor, at Chebyshev points of y, in extended precision if available.
     FresnelAuxiliary() {
         std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {
@@ -88,7 +88,7 @@ class FresnelAuxiliary {
    private:
     static constexpr double center = 2.6, large = 8.0;
 
-    // Fresnel factor by its asymptotic series, sum over k = 0 .. 15 of (i / 2s) (2k-1)!! (-i u)^k, u = 1 / (2 s^2).
+    // Fresnel factor G(s) by its asymptotic series, sum over k = 0 .. 15 of (i / 2s) (2k-1)!! (-i u)^k, u = 1 / (2 s^2).
     template <class V>
     static LOMMEL_INLINE void asymptotic(V s, V& re, V& im) {
         const V scale = splat<V>(0.5) / s, u = splat<V>(2.0) * scale * scale, square = u * u;
@@ -106,8 +106,8 @@ class FresnelAuxiliary {
         im = scale * even;
     }
 
-    // Fresnel factor by quadrature: on the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s
-    // x). The trapezoidal rule in w, x = exp(w - e^{-w}) (double exponential rule of a half line), converges to the last digit.
+    // Fresnel factor G(s) by quadrature: on the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2)
+    // s x). With x = exp(w - e^{-w}) (double exponential rule) the trapezoidal rule in w converges to the last digit.
     static std::complex<wide> by_quadrature(wide s) {
         using real = wide;
         const real root2 = std::sqrt(real(2)), h = real(1) / 64;

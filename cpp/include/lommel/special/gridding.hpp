@@ -22,9 +22,9 @@ namespace lommel {
 template <class Real>
 constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// Kernel phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, with w taps; 0 beyond |x| = w/2: the continuous
-// Kaiser-Bessel window. Let F(j) be samples at unit steps of a function whose spectrum in omega (radians per step) has been
-// divided by the transform of phi; then sum_j phi(x - j) F(j) is the function of the undivided spectrum, up to aliases.
+// Continuous Kaiser-Bessel window of w taps: phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2; 0 beyond |x| =
+// w/2. Let F(j) be samples, at unit steps, of a function whose spectrum in omega (radians per step) was divided by the
+// transform of phi; then sum_j phi(x - j) F(j) is the function of the undivided spectrum, up to aliases.
 class GriddingKernel {
    public:
     GriddingKernel(std::size_t taps, double beta) : w(taps), beta_(beta), top_(shape(1.0)) {}
@@ -42,8 +42,8 @@ class GriddingKernel {
         return y > 0.0 ? shape(y) / top_ : 0.0;
     }
 
-    // Fourier transform: integral of phi(x) cos(omega x) dx = w beta (cosh y - sinh(y) / y) / (y^2 I_1(beta)), y^2 = beta^2 -
-    // (w omega / 2)^2.
+    // Fourier transform of the kernel, integral of phi(x) cos(omega x) dx: w beta (cosh y - sinh(y) / y) / (y^2 I_1(beta)),
+    // with y^2 = beta^2 - (w omega / 2)^2.
     double transform(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega;
         return scale() * quotient(beta_ * beta_ - zeta * zeta);
@@ -56,11 +56,11 @@ class GriddingKernel {
         double sum = 0.0;
         for (std::size_t k = 1; k <= counted; ++k) {
             const double turns = 2.0 * pi * static_cast<double>(k);
-            // size(2 pi k) also bounds the transform at omega + 2 pi k.
+            // size(f) bounds |transform| at frequencies of at least f, so size(2 pi k) serves omega + 2 pi k.
             sum += size(turns - omega) + size(turns);
         }
         // Larger k: |transform| <= scale() sqrt(1 + 1/eta^2) / eta^2, eta^2 = zeta^2 - beta^2 >= zeta^2 (1 - (beta / first)^2),
-        // where zeta = w/2 x frequency >= w pi (k - 1/2) >= first.
+        // with zeta = w/2 x frequency >= w pi (k - 1/2) >= first, w taps and the kernel's parameter beta.
         const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
         const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
         sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
@@ -73,7 +73,7 @@ class GriddingKernel {
         constexpr std::size_t cells = 192;
         double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
-            // Integrate over a, s = cos(a): in each cell of a, aliases() is largest at the start and sin(a) at the end.
+            // Integral over a, s = cos(a): in each cell of a, aliases() is largest at the start and sin(a) at the end.
             const double first = 0.5 * pi * static_cast<double>(i) / cells,
                          last = 0.5 * pi * static_cast<double>(i + 1) / cells;
             const double most = aliases(step * std::cos(first)), sine = std::sin(last);
@@ -82,7 +82,7 @@ class GriddingKernel {
         return std::sqrt(2.0 * squares / cells);
     }
 
-    // Bound on the sum of all taps at any position, by Poisson's summation formula.
+    // Bound on the sum of the kernel's values at all taps, for any position, by Poisson's summation formula.
     double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
 
     // Rounding of a sum over taps i = 0 .. w - 1 at any position: bound on the sum of (w - i) times tap i, as tap i takes part
@@ -168,7 +168,7 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
             out[(terms - 1 - p) * stride + i] = powers[p];
         }
         // Error of interpolation at `all` points: 4 M rho^(1 - all) / (rho - 1), M the largest |phi| on the ellipse with foci
-        // -1 and 1 whose semi-axes sum to rho. There |y| is at most (1 + far)(1 + near).
+        // -1 and 1 whose semi-axes sum to rho. The argument y of shape() has |y| <= (1 + far)(1 + near) on this ellipse.
         double rest = 1e300;
         for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
             const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
@@ -182,7 +182,7 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
 }
 #endif
 
-// Horner's rule at x for a vector of polynomials; row(k): address of their coefficients of the k-th highest power.
+// Horner's rule at x for a vector of polynomials; row(k): address of the coefficients of the k-th highest power.
 template <class V, class Row>
 LOMMEL_INLINE V horner(std::size_t terms, V x, const Row& row) {
     V sum = load<V>(row(0));
@@ -218,7 +218,7 @@ using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
 
-// Up to four taps of each of two kernels, in one vector.
+// Tap polynomials of two kernels of up to four taps each, side by side in one vector; halves: kernel of each tap.
 struct PairedTaps {
     static constexpr std::size_t terms = CoarseTaps::terms, taps = 8;
     static constexpr std::uint32_t halves[taps] = {0, 0, 0, 0, 1, 1, 1, 1};
@@ -233,7 +233,7 @@ struct PairedTaps {
     }
 };
 
-// Gridding kernel with its tap polynomials and rounding factors, computed once.
+// Gridding kernel with its tap polynomials and its bounds weight() and chain(), computed once.
 struct GriddingTaps {
     GriddingKernel kernel;
     double weight, chain;

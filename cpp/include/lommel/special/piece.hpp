@@ -20,7 +20,7 @@ namespace lommel {
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
 // Piece of the Bessel table. Row n: 16 coefficients, in powers of x from -1 to 1 on the piece, of Bessel function n; negligible
-// functions have no row. magnitude, azimuthal: this piece's terms of the bounds in PieceTable.
+// functions have no row. magnitude, azimuthal: values, for this piece, of the bounds of these names in PieceTable.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
@@ -50,8 +50,8 @@ constexpr double cosines[17][2] = {{0x1p+0, 0.0},
                                    {0x1.917a7p-4, -0x1.0f592f50789c6p-26},
                                    {0.0, 0.0}};
 
-// Conversion of values at the 16 Chebyshev points to 8 times the coefficients of T_0, T_1, ..., by sums and differences of
-// mirrored points, and of these, without rounding, to coefficients of 1, x, x^2, ...
+// Conversion in two steps: values at 16 Chebyshev points to 8 times the coefficients of the Chebyshev polynomials, by sums and
+// differences of mirrored points; then, without rounding, to coefficients of 1, x, x^2, ...
 class PieceRule {
    public:
     constexpr PieceRule() {
@@ -79,8 +79,8 @@ class PieceRule {
     }
 
     // Convert `values` at the 16 points, each a vector over orders, to coefficients. For |values| <= 1 each coefficient is
-    // rounded once, and the polynomial has a further error below 2^-66. The sums `exact` are exact: multiples of 2^-25 times
-    // those of 2^-24 (2^-25 for i = 0), and integers below 2^17 times multiples of 2^-32, sum to less than 2^53 units.
+    // rounded once, and the polynomial has a further error below 2^-66. The sums `exact` have no rounding error: they are
+    // integers below 2^53 times a power of two, as values, cosines and coefficients are split at fixed powers of two.
     template <class V>
     LOMMEL_INLINE void operator()(const V* values, V* out) const {
         V high[2][half], low[2][half], both[2][half];
@@ -128,9 +128,9 @@ class PieceRule {
 };
 inline constexpr PieceRule piece_rule;
 
-// values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms() computes, at the 16 points v of a piece in
-// descending order. The last point must be at least half the first, so that the backward recurrence does not overflow for
-// orders that matter. Values do not depend on the number of terms, up to `most`.
+// values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as by zernike_transforms(), at the 16 points v of a piece in
+// descending order. The last point must be at least half the first: otherwise the backward recurrence overflows for orders that
+// matter. `most`: largest number of terms that a piece needs; values do not depend on `terms`.
 template <class I>
 LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
                                 double* values) {

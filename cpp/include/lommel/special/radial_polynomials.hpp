@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// One step of Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1 (DLMF 18.9.1), from R_{m+2k}^m to R_{m+2k+2}^m: next =
-// (slope x + shift) here - back before.
+// One step, from R_{m+2k}^m to R_{m+2k+2}^m, of the recurrence of the Jacobi polynomials P_k^(0,m)(x), x = 2 rho^2 - 1 (DLMF
+// 18.9.1): next = (slope x + shift) here - back before.
 template <class Real>
 struct RadialStep {
     Real slope, shift, back = 0;

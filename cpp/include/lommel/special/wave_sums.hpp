@@ -109,7 +109,8 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sums, gain), j = k + side / 2, for each k: eight real and eight imaginary parts, and a factor to apply.
+    // Call at(j, sums, gain) for each integer k, j = k + side / 2: eight real, eight imaginary parts, and a factor to multiply
+    // them by.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;

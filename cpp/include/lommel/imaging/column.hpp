@@ -145,8 +145,7 @@ class Sheets {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Call f(place, right, left) for all vectors of pixels reached. right, left: fraction of the layer seen by pixels on either
-    // side.
+    // Call f(place, right, left) for all vectors of pixels; right, left: fractions of the layer seen by pixels on either side.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
@@ -164,8 +163,8 @@ class Sheets {
     Aligned<T> values_, sums_;
 };
 
-// Forward operator: points add their windows to the image `out`. In a partly occluded layer the windows are summed first; the
-// sum is multiplied by the fractions that the pixels see (from `seen`, as in Screen).
+// Forward operator: points add their windows to the image `out`. In a partly occluded layer the windows are summed first; each
+// pixel then receives the fraction of the sum that it sees.
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
@@ -200,7 +199,8 @@ struct Giving {
                 to(static_cast<std::ptrdiff_t>(row), above[0]), to(-static_cast<std::ptrdiff_t>(row), above[0]);
             }
         } else {
-            // Row r below the first point is row r - 1 below the second; row r above the first is row r + 1 above the second.
+            // Two adjacent points: row r below the first is row r - 1 below the second; row r above the first is row r + 1
+            // above the second.
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
                 to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1]);
@@ -221,7 +221,7 @@ struct Giving {
                     here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
                 }
                 // Load both sides before storing either: a load that partly overlaps a recent store stalls the processor. The
-                // middle column is in both vectors; `right`, which is stored last, has its sum.
+                // middle column is in both vectors; `right`, stored last, holds its sum.
                 here = load<W>(out + right) + here;
                 store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * middle_mask));
                 store(out + right, here);

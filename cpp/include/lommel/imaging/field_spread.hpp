@@ -23,9 +23,9 @@ struct FieldWindows {
     std::size_t row() const { return depth * size; }  // stride from one node across to the next
 };
 
-// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Along image rows
-// the splines are replaced by parabolas through their values at an odd number of columns, the "places": the window at image
-// column x mixes the windows at places 2 tiles[x] .. 2 tiles[x] + 2 with the weights shares[x][3].
+// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Between an odd
+// number of columns, the "places", windows are interpolated by parabolas instead of splines: image column x mixes the windows
+// at places 2 tiles[x] .. 2 tiles[x] + 2 with the weights shares[x][3].
 template <class T>
 struct FieldScene {
     const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]
@@ -46,11 +46,12 @@ class FieldSpreader {
 
     static constexpr std::size_t step = 16;  // divides window sizes; also the number of values that may be loaded beyond a row
 
-    // out[height + side - 1][width + side - 1 + step] += sum over pixels of value x window; side: window side;
-    // values[height][width].
+    // Add values[height][width], each times its window of side x side pixels, to out[height + side - 1][width + side - 1 +
+    // step].
     void forward(const T* values, T* out) const;
 
-    // Transpose of forward(): out, at each scene pixel, is the sum of its window x `image`, of the size of forward()'s output.
+    // Transpose of forward(): out[height][width] = inner product of each pixel's window with `image`, of the size of
+    // forward()'s out.
     void adjoint(const T* image, T* out) const;
 
    private:

@@ -23,15 +23,15 @@ struct StackPlanes {
 };
 
 // Axial Fourier transform of a kernel, divided by the FFT length: [row][group of eight columns][frequency][re or im][column],
-// columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, opposite rows are equal; if only half
-// of the frequencies and one more, opposite frequencies are complex conjugates.
+// columns in the order 0 4 1 5 2 6 3 7. If only half of the rows and one more are stored, rows k and -k are equal; if only half
+// of the frequencies and one more, frequencies k and -k are complex conjugates.
 struct PlaneTransfer {
     const float* values;
     std::size_t rows, frequencies;
 };
 
-// Recording = sum over kernels of the axial convolution of a kernel with the specimen times the kernel's weight of each plane;
-// and the transposed operator. Works in place on [plane][row][column], on eight columns at a time. Each row is first copied
+// Axial convolution of a specimen: recording = sum over kernels of kernel * (weight of the plane x specimen), with convolution
+// *; or the transposed operator. Works in place on [plane][row][column], on eight columns at a time. Each row is first copied
 // from all planes, because each plane is on a memory page of its own.
 class PlaneFilter {
    public:

@@ -199,8 +199,7 @@ struct Giving {
                 to(static_cast<std::ptrdiff_t>(row), above[0]), to(-static_cast<std::ptrdiff_t>(row), above[0]);
             }
         } else {
-            // Two adjacent points: row r below the first is row r - 1 below the second; row r above the first is row r + 1
-            // above the second.
+            // Row r below the first point is row r - 1 below the next one; row r above the first is row r + 1 above the next.
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);
                 to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1]);

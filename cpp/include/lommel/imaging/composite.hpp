@@ -70,8 +70,7 @@ struct GivingLight {
                 to(static_cast<std::ptrdiff_t>(row), above[0], middle), to(-static_cast<std::ptrdiff_t>(row), above[0], middle);
             }
         } else {
-            // Two adjacent points: row r below the first is row r - 1 below the second; row r above the first is row r + 1
-            // above the second.
+            // Row r below the first point is row r - 1 below the next one; row r above the first is row r + 1 above the next.
             W first = loaded(above[0] * value[0]), second = loaded(above[1] * value[1]);
             for (std::size_t row = 0; row < rows.half; ++row) {
                 rows.mix(row + 1, below);

@@ -46,12 +46,10 @@ class FieldSpreader {
 
     static constexpr std::size_t step = 16;  // divides window sizes; also the number of values that may be loaded beyond a row
 
-    // Add values[height][width], each times its window of side x side pixels, to out[height + side - 1][width + side - 1 +
-    // step].
+    // Add values[height][width], each times its window (side x side), to out[height + side - 1][width + side - 1 + step].
     void forward(const T* values, T* out) const;
 
-    // Transpose of forward(): out[height][width] = inner product of each pixel's window with `image`, of the size of
-    // forward()'s out.
+    // Transpose of forward(): out[height][width] = inner product of each pixel's window with `image` (size: forward()'s out).
     void adjoint(const T* image, T* out) const;
 
    private:

@@ -118,7 +118,7 @@ class Localizer {
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
     // Fit `count` molecules, each from its best template or, if that fit is doubtful, from up to `starts` templates.
-    // offsets[molecule][channel][row, column]: see Channel; tilted: the background is linear, not constant.
+    // offsets[molecule][channel][row, column]: between positions in channels; tilted: the background is linear, not constant.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 

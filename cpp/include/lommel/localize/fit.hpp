@@ -31,7 +31,7 @@ struct Channel {
     double matrix[4];
 };
 
-// Image of a molecule, rows padded to whole vectors. electrons: counts plus read; read: its variance (electrons^2); valid: 1 or
+// Image of a molecule, rows padded. electrons: counts plus `read`; read: variance of the read noise (electrons^2); valid: 1 or
 // 0.
 struct Counts {
     Floats electrons, read, valid;
@@ -224,7 +224,7 @@ class MoleculeFit {
         }
     }
 
-    // Number of unknowns of each channel: photons, background and, if tilted, its two slopes.
+    // Number of unknowns of each channel: photons, background and, if tilted, two slopes of the background.
     std::size_t own() const { return own_; }
 
     // Fit from the values `start` of the unknowns. `counts`: one image per channel; `offsets`: (row, column) per channel.

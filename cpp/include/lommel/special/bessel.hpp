@@ -33,7 +33,7 @@ LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& fir
     first = scale * (parts[1][0] * (sine - cosine) + parts[1][1] * (sine + cosine));
 }
 
-// Number of orders, from J_0 on, that the upward recurrence from J_0 and J_1 can compute: it is stable for orders well below v.
+// Number of orders, from J_0 on, for which the upward recurrence from J_0 and J_1 is stable: orders well below v.
 inline std::size_t rising(double v) { return v >= 100.0 ? static_cast<std::size_t>(0.5 * v) : 0; }
 
 // Starting order of Miller's backward recurrence. Beyond order v + O(v^(1/3)), J_n(v) falls faster than any power of n, so the

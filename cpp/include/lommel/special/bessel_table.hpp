@@ -29,8 +29,8 @@ inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16
 struct PieceTable {
     double width = 0.0;
     std::size_t terms = 0;  // number of orders n in each piece; fewer where the piece needs fewer
-    // The field is U = sum_n beta_n row_n, row_n = sum_k C_nk x^k, with pupil coefficients sum |beta_n|^2 / (2n+1) <= 1
-    // (certificate, identity A). magnitude: bound on the sum of the moduli of all terms of U, which bounds its rounding:
+    // The field is U = sum_n beta_n row_n, row_n = sum_k C_nk x^k, with pupil coefficients beta_n, sum |beta_n|^2 / (2n+1) <= 1
+    // (certificate, identity A). magnitude: bound on the sum of the moduli of all terms of U, which bounds the rounding of U:
     // maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2).
     double magnitude = 0.0;
     // Bound on the sum of the moduli of all terms of the field, for pupils without radial symmetry: maximum over pieces of

@@ -1,5 +1,5 @@
-// Non-oscillating factor of the Fresnel integral, G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0, computed in three
-// ways. Each handles `count` vectors at once, so that their chains of multiply-adds overlap.
+// Non-oscillating factor of the Fresnel integral, G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0, by three methods.
+// Each method handles `count` vectors at once, so that their chains of multiply-adds overlap.
 #pragma once
 
 #include <algorithm>

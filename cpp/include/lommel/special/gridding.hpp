@@ -43,14 +43,14 @@ class GriddingKernel {
     }
 
     // Fourier transform of the kernel, integral of phi(x) cos(omega x) dx: w beta (cosh y - sinh(y) / y) / (y^2 I_1(beta)),
-    // with y^2 = beta^2 - (w omega / 2)^2.
+    // with w taps, the shape parameter beta and y^2 = beta^2 - (w omega / 2)^2.
     double transform(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega;
         return scale() * quotient(beta_ * beta_ - zeta * zeta);
     }
 
-    // Bound on the aliases at frequency omega, 0 to pi: sum over k != 0 of |transform(omega + 2 pi k)| / transform(omega). It
-    // increases with omega.
+    // Bound, increasing with omega (0 to pi), on the aliases at frequency omega: sum of |transform(omega + 2 pi k)| /
+    // transform(omega) over all k != 0.
     double aliases(double omega) const {
         constexpr std::size_t counted = 64;
         double sum = 0.0;
@@ -60,7 +60,7 @@ class GriddingKernel {
             sum += size(turns - omega) + size(turns);
         }
         // Larger k: |transform| <= scale() sqrt(1 + 1/eta^2) / eta^2, eta^2 = zeta^2 - beta^2 >= zeta^2 (1 - (beta / first)^2),
-        // with zeta = w/2 x frequency >= w pi (k - 1/2) >= first, w taps and the kernel's parameter beta.
+        // with w taps, the shape parameter beta and zeta = w/2 x frequency >= w pi (k - 1/2) >= first.
         const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
         const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
         sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
@@ -103,8 +103,8 @@ class GriddingKernel {
         return worst;
     }
 
-    // Write each tap i = 0 .. w - 1, phi(t + w/2 - 1 - i), as a polynomial of 2t - 1 for t from 0 to 1: out[power, highest
-    // first][tap], in rows of `stride` taps. Returns a bound on the sum of the errors of all taps.
+    // Write each tap i = 0 .. w - 1 of the kernel phi, phi(t + w/2 - 1 - i), as a polynomial of 2t - 1 for t from 0 to 1:
+    // out[power, highest first][tap], in rows of `stride` taps. Returns a bound on the sum of the errors of all taps.
     double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const;
 
    private:
@@ -167,8 +167,8 @@ LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t st
         for (std::size_t p = 0; p < terms; ++p) {
             out[(terms - 1 - p) * stride + i] = powers[p];
         }
-        // Error of interpolation at `all` points: 4 M rho^(1 - all) / (rho - 1), M the largest |phi| on the ellipse with foci
-        // -1 and 1 whose semi-axes sum to rho. The argument y of shape() has |y| <= (1 + far)(1 + near) on this ellipse.
+        // Error of interpolation at `all` points: 4 M rho^(1 - all) / (rho - 1), M the largest |kernel| on the ellipse with
+        // foci -1 and 1 whose semi-axes sum to rho. The argument y of shape() has |y| <= (1 + far)(1 + near) on this ellipse.
         double rest = 1e300;
         for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
             const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);

@@ -59,7 +59,7 @@ class LeastSquares {
     }
 
    private:
-    // Apply the Householder reflection of unknown k. Its vector is 0 above row k and below the regularising equation of k.
+    // Apply Householder reflection k. Its vector is 0 above row k and below the regularising equation of unknown k.
     template <class I>
     LOMMEL_INLINE void reflect(std::size_t k, std::vector<double>& of) const {
         const std::size_t count = equations_ + 1;

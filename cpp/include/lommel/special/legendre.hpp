@@ -30,7 +30,7 @@ void each_legendre(Real y, std::size_t terms, const F& f) {
 }
 
 // Nodes (ascending) and weights of the n-point rule by Newton's method from Tricomi's initial guess. The unknown y is a node's
-// distance from the end of the interval: weights from rounded nodes, or from eigenvalues, lose up to eight digits there.
+// distance from the end of the interval: near that end, weights from rounded nodes or from eigenvalues lose up to eight digits.
 template <class Number, class Real = wide>
 void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     const Real pi = std::acos(Real(-1));

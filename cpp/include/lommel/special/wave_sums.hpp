@@ -109,8 +109,8 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sums, gain) for each integer k, j = k + side / 2: eight real, eight imaginary parts, and a factor to multiply
-    // them by.
+    // Call at(j, sums, gain) for each integer k, j = k + side / 2; sums: eight real, eight imaginary parts, to multiply by
+    // gain.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;

@@ -108,7 +108,7 @@ class Sheets {
         return (widest_ + static_cast<std::size_t>(row)) * stride_ + from;
     }
 
-    // Masks of vectors of columns: loaded from index 0, without the middle column; loaded from index 1, all columns.
+    // Mask of a vector of columns: loaded from index 0, it excludes the middle column; loaded from index 1, it excludes none.
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 

@@ -155,7 +155,7 @@ class Compositor {
         }
     };
 
-    // Bounding box, in rows and columns of a part, of the points of one layer; bottom and right are exclusive.
+    // Bounding box, in rows and columns of a part of a tile, of the points of one layer; bottom and right are exclusive.
     struct Extent {
         std::uint8_t top, left, bottom, right;
 

@@ -192,7 +192,7 @@ class Localizer {
                 start[3 + fit.own() * c] = photons;
                 start[4 + fit.own() * c] = std::max(mean[c] - photons * bank_.share(c, found[z]), 0.1);
             }
-            // Exclude neighbouring z, from which the fit would converge to the same position.
+            // Exclude this z and its neighbours, from which the fit would converge to the same position.
             for (std::size_t near = z > 0 ? z - 1 : z; near < std::min(z + 2, layers); ++near) {
                 alike[near] = tried;
             }

@@ -31,8 +31,7 @@ struct Channel {
     double matrix[4];
 };
 
-// Image of a molecule, rows padded. electrons: counts plus `read`; read: variance of the read noise (electrons^2); valid: 1 or
-// 0.
+// Image of a molecule, rows padded. electrons: counts plus `read`; read: variance of read noise (electrons^2); valid: 1 or 0.
 struct Counts {
     Floats electrons, read, valid;
     explicit Counts(std::size_t pixels) : electrons(pixels), read(pixels), valid(pixels) {}
@@ -67,8 +66,8 @@ struct Light {
     double photons, background, down, across;
 };
 
-// Sums over the pixels of a channel. score, information: gradient of the log-likelihood and Fisher information (upper triangle,
-// row by row) with respect to row, column, z, photons, background and its two slopes.
+// Sums over the pixels of a channel. score: gradient of the log-likelihood; information: Fisher information (upper triangle,
+// row by row); both with respect to row, column, z, photons, background and its two slopes.
 struct Sums {
     static constexpr std::size_t unknown = 7, products = 28;
     double score[unknown], information[products], deviance;

@@ -130,7 +130,7 @@ class GriddingKernel {
         return square > 0.0 ? (std::cosh(y) - std::sinh(y) / y) / square : (std::sin(y) / y - std::cos(y)) / -square;
     }
 
-    // Bound on |transform| at all frequencies of at least omega.
+    // Bound on the modulus of the kernel's transform at all frequencies of at least omega.
     double size(double omega) const {
         const double zeta = 0.5 * static_cast<double>(w) * omega, square = zeta * zeta - beta_ * beta_;
         if (square <= 0.0) {

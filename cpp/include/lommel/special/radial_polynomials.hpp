@@ -47,7 +47,7 @@ Number radial_polynomial(std::size_t n, std::size_t m, Number x, Number here) {
 // Values of Zernike terms at a point, by one recurrence for each azimuthal order m and each of cosine and sine.
 class ZernikeValues {
    public:
-    // `order`: indices of the terms to evaluate. at() identifies a term by its place j in `order`.
+    // `order`: indices of the Zernike terms to evaluate. at() identifies a term by its place j in `order`.
     ZernikeValues(const std::vector<ZernikeTerm>& terms, const std::vector<std::size_t>& order) {
         for (const std::size_t place : order) {
             const ZernikeTerm& term = terms[place];
@@ -62,7 +62,7 @@ class ZernikeValues {
                   [](const Term& a, const Term& b) { return std::tie(a.m, a.sine, a.k) < std::tie(b.m, b.sine, b.k); });
     }
 
-    // Call put(j, value) for each term at the point (x, y), real or complex; j: place of the term in the constructor's `order`.
+    // Call put(j, value) for each Zernike term at (x, y), real or complex; j: place of the term in the constructor's `order`.
     template <class Number, class Put>
     void at(Number x, Number y, const Put& put) const {
         const Number two = 2, one = 1, square = two * (x * x + y * y) - one;

@@ -109,8 +109,7 @@ class WaveSums {
         }
     }
 
-    // Call at(j, sums, gain) for each integer k, j = k + side / 2; sums: eight real, eight imaginary parts, to multiply by
-    // gain.
+    // Call at(j, sums, gain) for each integer k, j = k + side / 2; sums: eight real, eight imaginary parts, not yet times gain.
     template <class I, class F>
     LOMMEL_INLINE void finish(I isa, const F& at) {
         const std::size_t n = kernel_.fft.n, half = kernel_.side / 2;

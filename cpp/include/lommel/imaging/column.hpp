@@ -101,7 +101,7 @@ class Sheets {
     T* both() { return values_.data(); }
     T* right() { return values_.data() + size_; }
     T* left() { return values_.data() + 2 * size_; }
-    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // [lane] of a point; zero between columns
+    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // partial sums [lane] of a point; zero between columns
 
     // Offset in a sheet. row: counted downwards from the column's first point; from: column, counted outwards from the points.
     LOMMEL_INLINE std::size_t place(std::ptrdiff_t row, std::size_t from) const {

@@ -285,8 +285,8 @@ class Compositor {
     struct Points {
         explicit Points(std::size_t tall)
             : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
-        std::unique_ptr<BankPlace<T>[]> places;  // [row, one spare][column], set within the extent of the layer
-        std::unique_ptr<T[]> values;  // [column][row, one spare], set at points of the layer
+        std::unique_ptr<BankPlace<T>[]> places;  // bank positions [row, one spare][column], set within the layer's extent
+        std::unique_ptr<T[]> values;  // light [column][row, one spare], set at points of the layer
         std::size_t first[part_width], last[part_width];
     };
 
@@ -522,7 +522,7 @@ class Compositor {
     Mixer<T> mixture_;
     std::size_t tall_, broad_, rows_, columns_, parts_;
     std::vector<std::uint64_t> masks_;  // [tile][part]: bit l is set if layer l has points in the part
-    std::vector<Extent> extents_;  // [tile][part][layer]
+    std::vector<Extent> extents_;  // [tile][part][layer]: bounding box of the layer's points
     std::vector<T> most_;  // [tile]: largest visibility `seen` of its pixels
     std::vector<std::size_t> open_;  // [tile]: number of its pixels that are not completely covered
     std::vector<unsigned char> chosen_;

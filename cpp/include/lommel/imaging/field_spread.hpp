@@ -31,7 +31,7 @@ struct FieldScene {
     const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]
     const std::int64_t *tiles, *rows, *columns;
     std::size_t count, height, width;  // number of places, rows, columns
-    const double *defocus, *breaks;    // [image row][image column]; ends of the defocus intervals
+    const double *defocus, *breaks;    // defocus[image row][image column]; breaks: ends of the defocus intervals
     const T* powers;                   // [interval][power][node]: spline weights as polynomials in the interval
     std::size_t across, intervals, order;
 };

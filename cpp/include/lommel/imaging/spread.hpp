@@ -53,7 +53,7 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
 // `seen`, a fraction of the layer that contains `seen`, and nothing of the layers behind.
 template <class T>
 struct Screen {
-    const T* layers = nullptr;  // indexed like `positions`; null: no occlusion
+    const T* layers = nullptr;  // indexed like Scene::positions; null: no occlusion
     const T* seen = nullptr;    // indexed like the output of forward()
 };
 

@@ -91,7 +91,7 @@ class LeastSquares {
     std::vector<std::vector<double>> rest_;
     std::vector<double> scales_, diagonals_;
     std::vector<std::vector<double>>
-        columns_;  // [unknown][row]: R above the diagonal, from the diagonal on the Householder vector
+        columns_;  // [unknown][row]: triangular factor R above the diagonal, Householder vector from the diagonal on
 };
 
 // Find x[unknown][side] (`found`) that minimise |A x - b| for A[row][unknown] (`matrix`) and each column of b[row][side]

@@ -47,7 +47,7 @@ def sentence(source: Callable[..., object], name: str) -> str:
 
 
 def _texts(source: Callable[..., object]) -> dict[str, str]:
-    """Return the entries of the section Parameters by their names, those of base classes first: text from the type on."""
+    """Return the entries of the section Parameters by name, those of base classes first: text from the type on."""
     found: dict[str, str] = {}
     for kind in reversed(getattr(source, "__mro__", (source,))):
         section = inspect.cleandoc(kind.__doc__ or "").partition("Parameters\n----------\n")[2]

@@ -58,7 +58,12 @@ def page(stored: dict[str, list[Run]]) -> str:
         )
     total = [one for _, one in judged(stored)]
     wrong, count = sum(one.wrong_and_good for one in total), sum(one.runs for one in total)
-    first = f"{count} results of {len(total)} worlds, {wrong} of them wrong and called good."
+    named = sum(one.good for row, one in judged(stored) if MUST[BY_ROW[row].must] == "named")
+    good = sum(one.good for one in total) - named
+    first = (
+        f"{count} results of {len(total)} worlds: {good} called good, {wrong} of them wrong. {named} more are called good in\n"
+        "the rows *named*: these name what their data leave open, may be far off in it, and are not counted as wrong."
+    )
     return first + "\n\n" + "\n".join(rows)
 
 

@@ -108,5 +108,5 @@ def test_runs_are_kept_and_become_a_table(tmp_path, monkeypatch):
     text = page.read_text(encoding="utf-8")
     assert text.startswith("before\n")
     assert text.endswith("after\n")
-    assert "1 results of 1 worlds, 0 of them wrong and called good" in text
+    assert "1 results of 1 worlds: 1 called good, 0 of them wrong. 0 more" in text
     assert "what was here" not in text

@@ -61,8 +61,8 @@ def page(stored: dict[str, list[Run]]) -> str:
     named = sum(one.good for row, one in judged(stored) if MUST[BY_ROW[row].must] == "named")
     good = sum(one.good for one in total) - named
     first = (
-        f"{count} results of {len(total)} worlds: {good} called good, {wrong} of them wrong. {named} more are called good in\n"
-        "the rows *named*: these name what their data leave open, may be far off in it, and are not counted as wrong."
+        f"{count} results of {len(total)} worlds: {good} called good, {wrong} of them wrong. {named} more are called good "
+        "in\nthe rows *named*: these name what their data leave open, may be far off in it, and are not counted as wrong."
     )
     return first + "\n\n" + "\n".join(rows)
 

@@ -60,10 +60,9 @@ def page(stored: dict[str, list[Run]]) -> str:
     wrong, count = sum(one.wrong_and_good for one in total), sum(one.runs for one in total)
     named = sum(one.good for row, one in judged(stored) if MUST[BY_ROW[row].must] == "named")
     good = sum(one.good for one in total) - named
-    first = (
-        f"{count} results of {len(total)} worlds: {good} called good, {wrong} of them wrong. {named} more are called good "
-        "in\nthe rows *named*: these name what their data leave open, may be far off in it, and are not counted as wrong."
-    )
+    counted = f"{count} results of {len(total)} worlds: {good} called good, {wrong} of them wrong. {named} more"
+    rule = "are not counted as wrong: they name what their data leave open, and may be far off in it."
+    first = f"{counted} are called good in\nthe rows *named*, and {rule}"
     return first + "\n\n" + "\n".join(rows)
 
 

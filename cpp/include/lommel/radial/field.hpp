@@ -225,7 +225,8 @@ LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double 
         return bound + (1.0 + weight_) * by_series;
     }
     const double by_table = unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
-    return bound + (1.0 + weight_) * (piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
+    // The sum that is interpolated is at most 1 + bound, as the field is at most 1.
+    return bound + (1.0 + weight_) * ((1.0 + bound) * piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
 }
 
 LOMMEL_ONCE void Field::values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im) {

@@ -1,5 +1,5 @@
-// Pixel averages for apertures of any shape, by quadrature nodes on the disk with weights that reproduce the moments of the
-// aperture (docs/certificate.md, section 18, "Moments"). The caller bounds the error.
+// Pixel averages of PSFs for apertures of any shape: quadrature on the unit disk whose complex weights reproduce the moments of
+// the aperture (docs/certificate.md, section 18, "Moments"). No error bound is computed here: it is left to the caller.
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,15 @@
 
 namespace lommel {
 
-// Quadrature rule with `size` chords of `size` nodes each. weights[chord][node][signs of x and y]: complex, for TermTable::weigh().
+// Quadrature on the unit disk: `size` chords of `size` nodes each. weights[chord][node][signs of x and y][re, im]: one complex
+// weight for each of the four nodes (+-x, +-y).
 struct ApertureRule {
     std::size_t size;
     const double* weights;
 };
 
-// Zernike terms at the nodes of an ApertureRule, cached for further images of the same aperture. given: copy of the rule's weights.
+// Zernike terms at the nodes of an ApertureRule, cached for further images with the same aperture. given: copy of the weights of
+// the rule, by which the cache finds the table.
 struct ApertureTable : TermTable {
     std::vector<double> given;
 
@@ -47,8 +49,9 @@ class ApertureAverages {
    public:
     using More = ChordalDerivatives<Real>;
 
-    // nodes: receives the pixel averages; brightest[pupil]: receives the largest sampled intensity. If `more` lists Zernike terms,
-    // derivatives are computed too; off: error bound of the fields.
+    // nodes: sampling nodes, and where pixel averages are stored; brightest[pupil]: receives the largest sampled intensity;
+    // more:
+    // Zernike terms to differentiate with respect to, may be none; off: error bound of the complex amplitude at the nodes.
     ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
                      const More& more, double off)
         : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),

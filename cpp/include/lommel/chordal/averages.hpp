@@ -1,4 +1,5 @@
-// Pixel averages of the intensity from samples at nodes in the window; lanes are pupils (docs/certificate.md, section 10).
+// Pixel averages of the intensity: weighted sums of samples at nodes in the window. Each vector lane holds one pupil
+// (docs/certificate.md, section 10).
 #pragma once
 
 #include <algorithm>
@@ -14,21 +15,25 @@
 
 namespace lommel {
 
-// Sampling nodes along the rows and columns of a window. down, across: weights in each pixel's average, [pixel][node].
+// Sampling nodes of a window and their weights in the average over each pixel. rows, columns: positions of the nodes in y and x;
+// down, across: weights along y and along x, [pixel][node].
 struct PixelNodes {
     WindowAxis rows, columns;
-    std::size_t height, width;  // in pixels
+    std::size_t height, width;  // size of the window in pixels
     const double *down, *across;
-    double* averages;  // pixel averages [pupil][row][column]
-    double *largest, *together;  // [pupil]: largest pixel average; sum of all pixel averages
+    double* averages;  // result: pixel averages, [pupil][row][column]
+    double *largest, *together;  // results, [pupil]: largest pixel average; sum of all pixel averages
 };
 
-// Convert nodes from coordinates about the middle of the window to coordinates about the optical axis. If the axis is within `near`
-// pixels of the middle, the pupils are tilted to move it there: symmetric nodes then share their sums.
+// Shift the positions `places` of sampling nodes, given relative to the middle of the window, to positions relative to the
+// optical
+// axis. If the axis is within `near` pixels of the middle, the image is shifted instead, by a tilt of the pupils: nodes at
+// opposite
+// positions then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {
-    constexpr double near = 2.0;  // pixels
+    constexpr double near = 2.0;  // distance in pixels
     DiskWindow centred = window;
     std::array<std::vector<double>, 2> about = places;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -61,19 +66,21 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
             together};
 }
 
-// Number of nodes summed in the precision of the samples; the sums of such blocks are added in double precision.
+// Samples are summed in their own precision in blocks of this many nodes; the sums of blocks are added in double precision.
 constexpr std::size_t node_block = 8;
 
-// Weights of the sampling nodes in the pixel averages, in the precision of the samples and in the layouts that the kernels read.
+// Weights of the sampling nodes in the pixel averages, converted to the precision of the samples (Real) and to the memory layout
+// of
+// average_along() and average_down().
 template <class Real>
 struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
 
-    std::size_t height, width, rows, columns;  // height, width: in pixels; rows, columns: numbers of nodes
-    std::size_t side;                          // 1 if lanes are pupils; else number of lanes, columns of one pupil
-    std::size_t vectors;                       // number of vectors in a row of pixels
-    Values across;  // weights along a row: [pixel tile][node][pixel of the tile]; for one pupil [node][vector of pixels]
-    Values down;    // weights along a column: [block of nodes][pixel tile][node of the block][pixel of the tile]
+    std::size_t height, width, rows, columns;  // size of the window in pixels, and in sampling nodes
+    std::size_t side;                          // 1 if vector lanes are pupils; if they are columns of one pupil, their number
+    std::size_t vectors;                       // number of SIMD vectors in a row of pixels
+    Values across;  // weights along x: [tile of pixels][node][pixel of the tile]; for one pupil [node][vector of pixels]
+    Values down;    // weights along y: [block of nodes][tile of pixels][node of the block][pixel of the tile]
 
     NodeWeights(const PixelNodes& nodes, const ChordLanes& in)
         : height(nodes.height), width(nodes.width), rows(nodes.rows.count), columns(nodes.columns.count), side(in.side),
@@ -116,7 +123,8 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// Add weighted sums over a row of samples[node][pupil] to sums[vector of pixels][lane]. `Lone`: samples[node]; lanes are pixels.
+// Average along x: add weighted sums over one row of samples[node][pupil] to sums[vector of pixels][lane]. With `Lone`, the
+// samples[node] are those of one pupil, and vector lanes are pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;
@@ -144,7 +152,8 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Add one block of sums over rows, lines[vector][node of the block], to sums[row of pixels][vector][lane]; from: first node row.
+// Average along y: add weighted sums over a block of node rows, lines[vector][node of the block], to sums[row of
+// pixels][vector][lane]. from: index of the first node row of the block.
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

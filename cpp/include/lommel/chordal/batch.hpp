@@ -1,4 +1,6 @@
-// Fields of a batch of pupils, one per vector lane, or of a single pupil with its chords in the lanes.
+// Complex amplitudes U in the image for a batch of pupils, one pupil per vector lane, or for a single pupil with the chords of
+// the
+// quadrature in the vector lanes.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +17,17 @@
 
 namespace lommel {
 
-// Tables of the chordal rule for one disk, the full aperture or its obscuration: Zernike terms, Fourier kernel, derivative factors.
+// Tables for quadrature along chords of one disk, the full aperture or its obscuration: Zernike terms at the nodes, Fourier
+// kernel,
+// and Zernike terms to differentiate with respect to.
 template <class Real>
 struct ChordalTables {
     std::shared_ptr<const TermTable> terms;
     std::shared_ptr<const KernelTable<Real>> kernel;
-    std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives
+    std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives; null without derivatives
 
-    // Fetch the tables from the cache. radius: of the disk over the aperture's; step: pixel pitch in units of lambda / (2 pi NA).
+    // Get the tables from the cache. radius: radius of the disk / radius of the aperture; step: pixel pitch in units of
+    // lambda/(2 pi NA).
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -32,18 +37,20 @@ struct ChordalTables {
     }
 };
 
-// Working memory for one batch.
+// Working memory of a thread for one batch of pupils.
 template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
     Doubles coefficients;
     Values chords, row, inner, intensity;
-    Values kept[2], factored, factors, fields;  // for derivatives only
-    Values lines;  // for averages only
+    Values kept[2], factored, factors, fields;  // used for derivatives only
+    Values lines;  // used for pixel averages only
     Doubles sums;
 };
 
-// Batch of pupils. If area != 0, the aperture is annular: its field is the full disk's minus `area` times the obscuration's.
+// Batch of pupils. area: relative area of the obscuration, 0 for none; the complex amplitude U in the image is that of the full
+// disk
+// minus `area` times that of the obscuration.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -62,9 +69,11 @@ struct ChordalBatch {
     std::size_t rows() const { return disks[0].kernel->rows.count; }
     std::size_t columns() const { return disks[0].kernel->columns.count; }
     bool lone() const { return disks[0].kernel->lanes.side > 1; }
-    // Number of vectors in a row of the image: one per column or, for a single pupil, one per lanes() columns.
+    // Number of SIMD vectors in a row of the image: one per column or, for a single pupil, one per lanes() columns.
     std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
-    // Number of values at the nodes of a pair of chords (for a single pupil, a vector of pairs): 4 parities in x and y, complex.
+    // Number of reals that store the pupil function on a pair of chords at +-x (for a single pupil, on a vector of pairs): per
+    // node,
+    // re and im of its four parts that are even or odd in x and in y.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
     void gather(std::size_t disk) const {
@@ -81,7 +90,9 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the field U of one disk and pass it to `sink` row by row, as [column][re, im].
+    // Compute the complex amplitude U of one disk and pass it to `sink` row by row, as [column][re, im]. nodes_of(disk, chord):
+    // returns
+    // the pupil function on a pair of chords.
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
@@ -98,7 +109,7 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the field U of the aperture; prepare(disk) is called before each disk.
+    // Compute the complex amplitude U of the aperture, obscuration subtracted; prepare(disk) is called before each disk.
     void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Sink& sink) const {
         const std::size_t all = 2 * vectors(), line = all * lanes();
         const bool obscured = area > 0.0;
@@ -118,7 +129,9 @@ struct ChordalBatch {
         });
     }
 
-    // Compute the field U from the pupil functions. keep: store the pupil function at all nodes in scratch.kept, for derivatives.
+    // Compute the complex amplitude U from the Zernike coefficients. keep: store the pupil function at all nodes in
+    // scratch.kept, for
+    // derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

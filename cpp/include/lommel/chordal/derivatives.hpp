@@ -1,5 +1,5 @@
-// Derivatives of images with respect to a Zernike coefficient c: d|U|^2/dc = -2 Im(conj(U) D), where U is the field of the pupil
-// function P, and D the field of P times the Zernike polynomial Z (docs/certificate.md, section 8).
+// Derivatives of the intensity |U|^2 with respect to a Zernike coefficient c: d|U|^2/dc = -2 Im(conj(U) D). U is the Fourier
+// transform of the pupil function P, D that of Z P, with Z the Zernike polynomial (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -28,21 +28,26 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
     return degree;
 }
 
-// {sqrt(peak intensity), error bound of the field, error bound of the field of pupil function x Zernike term of this degree}.
+// Function that returns three numbers of a pupil: sqrt(peak intensity); error bound of the complex amplitude U; error bound of
+// the
+// Fourier transform of the pupil function times a Zernike term of degree `degree`.
 using PupilErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
-// Policy: derivatives of the intensity, [term][pupil]. images: scaled like the images; bounds: error bounds relative to the peak.
+// Template argument `More` of the renderers: derivatives of images. images[term][pupil][pixel]: derivatives, scaled like the
+// images;
+// bounds[term][pupil]: their error bounds relative to the peak intensity.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;
     std::vector<ZernikeTerm> terms;
     T* images;
     double* bounds;
-    double* averages = nullptr;  // if not null: derivatives of pixel averages; `bounds` are then absolute
-    double* sizes = nullptr;  // with `averages`: bounds on |derivative of the intensity| at the nodes
+    double* averages = nullptr;  // if not null: receives derivatives of pixel averages; `bounds` are then absolute
+    double* sizes = nullptr;  // with `averages`: bounds on |derivative of the intensity| at the samples, [term][pupil]
 
-    // Compute the derivatives for a batch from scratch.fields (U of each pixel) and scratch.kept (pupil function at the nodes).
-    // scales[lane]: factor from |U|^2 to the image; weights: for pixel averages only, else null.
+    // Compute the derivatives for a batch from the complex amplitudes U (scratch.fields) and the pupil functions (scratch.kept).
+    // scales[lane]: image / |U|^2; found: errors of a pupil; weights: weights of samples in pixel averages, null without
+    // averages.
     template <class Real>
     void follow(const ChordalBatch<Real>& batch, const double* scales, const PupilErrors& found,
                 const NodeWeights<Real>* weights) const {
@@ -86,7 +91,8 @@ struct ChordalDerivatives {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
                 const auto [u, error, factor_error] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
-                // Relative rounding error of Im(conj(U) D), two products and their difference, and of storing it as a T.
+                // Relative rounding error: two products and their difference in Im(conj(U) D), and conversion of the result to
+                // T.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
                 const double off = 2.0 * (u * factor_error + d * error + factor_error * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;

@@ -1,5 +1,6 @@
-// Error bounds of the chordal rule for a stack of pupils. For each sum of the rule, a complex curve is chosen, and the integrand on
-// it is bounded by samples if that saves time (docs/certificate.md, section 8).
+// Error bounds of quadrature along chords of the pupil, for a stack of pupils. They need the maximum of the integrand on a
+// complex
+// curve, which is chosen here and, if that saves time, sampled (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -21,19 +22,20 @@
 
 namespace lommel {
 
-// Error bound of one sum, over chords or over nodes. line: bound in use; curve: index of the complex curve to be sampled; bend:
-// bound on the second derivatives of phase and kernel on that curve.
+// Error bound of one of the two sums of the quadrature, over chords or over the nodes of a chord. line: bound in use; curve:
+// index
+// of the complex curve to be sampled; bend: bound on the second derivatives of phase and Fourier kernel on that curve.
 struct ChordSide {
     ChordLine line;
     std::size_t curve = 0;
     double bend = 0.0;
 };
 
-// Error bounds of one disk, aperture or obscuration, of one pupil.
+// Error bounds of the quadrature on one disk (aperture or obscuration) of one pupil.
 struct ChordDisk {
     ChordSide chords, nodes;
     double rounding = 0.0;
-    std::size_t least = 0;  // minimum number of chords
+    std::size_t least = 0;  // minimum number of chords for the bounds to hold
     ChordCount count;
 
     ChordSide& of(Sum sum) { return sum == Sum::chords ? chords : nodes; }
@@ -41,7 +43,7 @@ struct ChordDisk {
 
 class ChordLines {
    public:
-    // step: pixel pitch in v, units of lambda / (2 pi NA).
+    // step: pixel pitch in units of lambda/(2 pi NA).
     ChordLines(const DiskStack& stack, const WindowAxis& rows, const WindowAxis& columns, double step, int threads)
         : stack_(stack), terms_(stack.terms),
           box_{step * columns.low(), step * columns.high(), step * rows.low(), step * rows.high()},
@@ -50,16 +52,19 @@ class ChordLines {
           rows_(static_cast<double>(rows.at.size())), pixels_(static_cast<double>(rows.count * columns.at.size())),
           threads_(threads) {}
 
-    // Analytic error bound for the full aperture (radius 1) or the obscuration of this relative radius.
+    // Error bound without samples for the full aperture (radius 1) or the obscuration; radius: relative to the aperture's.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
 
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, choose the complex curves with the fewest chords and nodes for error(p, bound); result: disk(p).
+    // For each pupil p, choose the complex curves that need the fewest chords and nodes to reach the error error(p, bound); the
+    // result
+    // is stored in disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
-    // Choose the complex curves again for a smaller error; a new curve is kept if it needs fewer chords or nodes.
+    // Choose the complex curves again for a smaller error; a former curve is replaced only by one that needs fewer chords or
+    // nodes.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
         bound.prepare(coefficients);
         for (const Sum sum : {Sum::chords, Sum::nodes}) {
@@ -70,13 +75,14 @@ class ChordLines {
         }
     }
 
-    // Estimated cost of the images of one vector of pupils, in vector operations like SharpTable::work().
+    // Estimated cost of the images of one vector of pupils, in vector operations.
     double work(double chords, double nodes) const {
         return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
     }
 
    private:
-    // Typical ratio log(sampled mean) / log(bound on the maximum) of the integrand, for chords and for nodes.
+    // Typical ratio of log(mean of |integrand| from samples) to log(bound on max |integrand|), for the sum over chords and over
+    // nodes.
     static constexpr double usual_share[2] = {0.4, 0.25};
 
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
@@ -112,7 +118,7 @@ class ChordLines {
             };
             room.resize(table.room() * lanes);
             float tops[2 * row_lanes], means[2 * row_lanes];
-            // Pupils that fill at most half of a vector are computed one by one, with samples in the lanes.
+            // Pupils that fill at most half of a vector are computed one by one, with samples in the vector lanes.
             const bool lone = 2 * here <= lanes;
             for (std::size_t from = 0; from < here; from += lone ? 1 : here) {
                 laid(from, lone ? 1 : here, lone ? 1 : lanes);
@@ -130,8 +136,9 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The table is that of the first pupil's curve, at the smallest height in the batch. The integrand bends least
-                // there, so each pupil's `bend`, computed on its own curve, is a bound on the table's curve too.
+                // All pupils of the batch use the table for the first pupil's curve, which is nearest to the real axis. The
+                // integrand has its
+                // smallest second derivatives there, so that each pupil's `bend`, from its own curve, is a bound on them.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);
@@ -145,7 +152,7 @@ class ChordLines {
 
     const DiskStack& stack_;
     TermPairs terms_;
-    VBox box_, around_;  // around_: box_ rounded outwards to whole pixels, so that windows around a moving axis share samples
+    VBox box_, around_;  // extent of the window; box rounded outwards to whole pixels, the same for small shifts of the axis
     double rows_, pixels_;
     int threads_;
 };

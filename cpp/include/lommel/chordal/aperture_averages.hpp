@@ -1,5 +1,5 @@
-// Pixel averages of PSFs for apertures of any shape: quadrature on the unit disk whose complex weights reproduce the moments of
-// the aperture (docs/certificate.md, section 18, "Moments"). No error bound is computed here: it is left to the caller.
+// Pixel averages of PSFs for apertures of any shape: quadrature on the unit disk whose complex weights reproduce the moments of the
+// aperture (docs/certificate.md, section 18, "Moments"). No error bound is computed here: it is left to the caller.
 #pragma once
 
 #include <algorithm>
@@ -49,8 +49,7 @@ class ApertureAverages {
    public:
     using More = ChordalDerivatives<Real>;
 
-    // nodes: sampling nodes, and where pixel averages are stored; brightest[pupil]: receives the largest sampled intensity;
-    // more:
+    // nodes: sampling nodes, and where pixel averages are stored; brightest[pupil]: receives the largest sampled intensity; more:
     // Zernike terms to differentiate with respect to, may be none; off: error bound of the complex amplitude at the nodes.
     ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
                      const More& more, double off)

@@ -25,10 +25,8 @@ struct PixelNodes {
     double *largest, *together;  // results, [pupil]: largest pixel average; sum of all pixel averages
 };
 
-// Shift the positions `places` of sampling nodes, given relative to the middle of the window, to positions relative to the
-// optical
-// axis. If the axis is within `near` pixels of the middle, the image is shifted instead, by a tilt of the pupils: nodes at
-// opposite
+// Shift the positions `places` of sampling nodes, given relative to the middle of the window, to positions relative to the optical
+// axis. If the axis is within `near` pixels of the middle, the image is shifted instead, by a tilt of the pupils: nodes at opposite
 // positions then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
@@ -69,8 +67,7 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
 // Samples are summed in their own precision in blocks of this many nodes; the sums of blocks are added in double precision.
 constexpr std::size_t node_block = 8;
 
-// Weights of the sampling nodes in the pixel averages, converted to the precision of the samples (Real) and to the memory layout
-// of
+// Weights of the sampling nodes in the pixel averages, converted to the precision of the samples (Real) and to the memory layout of
 // average_along() and average_down().
 template <class Real>
 struct NodeWeights {

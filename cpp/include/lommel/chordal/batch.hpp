@@ -1,5 +1,4 @@
-// Complex amplitudes U in the image for a batch of pupils, one pupil per vector lane, or for a single pupil with the chords of
-// the
+// Complex amplitudes U in the image for a batch of pupils, one pupil per vector lane, or for a single pupil with the chords of the
 // quadrature in the vector lanes.
 #pragma once
 
@@ -17,8 +16,7 @@
 
 namespace lommel {
 
-// Tables for quadrature along chords of one disk, the full aperture or its obscuration: Zernike terms at the nodes, Fourier
-// kernel,
+// Tables for quadrature along chords of one disk, the full aperture or its obscuration: Zernike terms at the nodes, Fourier kernel,
 // and Zernike terms to differentiate with respect to.
 template <class Real>
 struct ChordalTables {
@@ -26,8 +24,8 @@ struct ChordalTables {
     std::shared_ptr<const KernelTable<Real>> kernel;
     std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives; null without derivatives
 
-    // Get the tables from the cache. radius: radius of the disk / radius of the aperture; step: pixel pitch in units of
-    // lambda/(2 pi NA).
+    // Get the tables from the cache. radius: radius of the disk / radius of the aperture; step: pixel pitch in units of lambda/(2
+    // pi NA).
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -49,8 +47,7 @@ struct ChordalScratch {
 };
 
 // Batch of pupils. area: relative area of the obscuration, 0 for none; the complex amplitude U in the image is that of the full
-// disk
-// minus `area` times that of the obscuration.
+// disk minus `area` times that of the obscuration.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -72,8 +69,7 @@ struct ChordalBatch {
     // Number of SIMD vectors in a row of the image: one per column or, for a single pupil, one per lanes() columns.
     std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
     // Number of reals that store the pupil function on a pair of chords at +-x (for a single pupil, on a vector of pairs): per
-    // node,
-    // re and im of its four parts that are even or odd in x and in y.
+    // node, re and im of its four parts that are even or odd in x and in y.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
     void gather(std::size_t disk) const {
@@ -91,8 +87,7 @@ struct ChordalBatch {
     }
 
     // Compute the complex amplitude U of one disk and pass it to `sink` row by row, as [column][re, im]. nodes_of(disk, chord):
-    // returns
-    // the pupil function on a pair of chords.
+    // returns the pupil function on a pair of chords.
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
@@ -129,9 +124,8 @@ struct ChordalBatch {
         });
     }
 
-    // Compute the complex amplitude U from the Zernike coefficients. keep: store the pupil function at all nodes in
-    // scratch.kept, for
-    // derivatives.
+    // Compute the complex amplitude U from the Zernike coefficients. keep: store the pupil function at all nodes in scratch.kept,
+    // for derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

@@ -28,14 +28,12 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
     return degree;
 }
 
-// Function that returns three numbers of a pupil: sqrt(peak intensity); error bound of the complex amplitude U; error bound of
-// the
+// Function that returns three numbers of a pupil: sqrt(peak intensity); error bound of the complex amplitude U; error bound of the
 // Fourier transform of the pupil function times a Zernike term of degree `degree`.
 using PupilErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
 // Template argument `More` of the renderers: derivatives of images. images[term][pupil][pixel]: derivatives, scaled like the
-// images;
-// bounds[term][pupil]: their error bounds relative to the peak intensity.
+// images; bounds[term][pupil]: their error bounds relative to the peak intensity.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;
@@ -46,8 +44,7 @@ struct ChordalDerivatives {
     double* sizes = nullptr;  // with `averages`: bounds on |derivative of the intensity| at the samples, [term][pupil]
 
     // Compute the derivatives for a batch from the complex amplitudes U (scratch.fields) and the pupil functions (scratch.kept).
-    // scales[lane]: image / |U|^2; found: errors of a pupil; weights: weights of samples in pixel averages, null without
-    // averages.
+    // scales[lane]: image / |U|^2; found: errors of a pupil; weights: weights of samples in pixel averages, null without averages.
     template <class Real>
     void follow(const ChordalBatch<Real>& batch, const double* scales, const PupilErrors& found,
                 const NodeWeights<Real>* weights) const {
@@ -91,8 +88,7 @@ struct ChordalDerivatives {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
                 const auto [u, error, factor_error] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
-                // Relative rounding error: two products and their difference in Im(conj(U) D), and conversion of the result to
-                // T.
+                // Relative rounding error: two products and their difference in Im(conj(U) D), and conversion of the result to T.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
                 const double off = 2.0 * (u * factor_error + d * error + factor_error * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;

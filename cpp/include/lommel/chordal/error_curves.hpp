@@ -1,5 +1,4 @@
-// Error bounds of quadrature along chords of the pupil, for a stack of pupils. They need the maximum of the integrand on a
-// complex
+// Error bounds of quadrature along chords of the pupil, for a stack of pupils. They need the maximum of the integrand on a complex
 // curve, which is chosen here and, if that saves time, sampled (docs/certificate.md, section 8).
 #pragma once
 
@@ -22,8 +21,7 @@
 
 namespace lommel {
 
-// Error bound of one of the two sums of the quadrature, over chords or over the nodes of a chord. line: bound in use; curve:
-// index
+// Error bound of one of the two sums of the quadrature, over chords or over the nodes of a chord. line: bound in use; curve: index
 // of the complex curve to be sampled; bend: bound on the second derivatives of phase and Fourier kernel on that curve.
 struct ChordSide {
     ChordLine line;
@@ -59,12 +57,10 @@ class ChordLines {
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
     // For each pupil p, choose the complex curves that need the fewest chords and nodes to reach the error error(p, bound); the
-    // result
-    // is stored in disk(p).
+    // result is stored in disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
-    // Choose the complex curves again for a smaller error; a former curve is replaced only by one that needs fewer chords or
-    // nodes.
+    // Choose the complex curves again for a smaller error; a former curve is replaced only by one that needs fewer chords or nodes.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
         bound.prepare(coefficients);
         for (const Sum sum : {Sum::chords, Sum::nodes}) {
@@ -137,8 +133,8 @@ class ChordLines {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
                 // All pupils of the batch use the table for the first pupil's curve, which is nearest to the real axis. The
-                // integrand has its
-                // smallest second derivatives there, so that each pupil's `bend`, from its own curve, is a bound on them.
+                // integrand has its smallest second derivatives there, so that each pupil's `bend`, from its own curve, is a bound
+                // on them.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

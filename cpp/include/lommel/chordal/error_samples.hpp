@@ -1,5 +1,5 @@
-// Mean modulus of the integrand on complex curves, by samples: sharper for strong aberrations than the product of the maxima of all
-// terms (docs/certificate.md, section 8, "Means by samples").
+// Mean modulus of the pupil integrand on complex curves, bounded by samples. For strong aberrations it is much less than the
+// product of the maxima of all factors (docs/certificate.md, section 8, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@
 
 namespace lommel {
 
-// Samples on a quarter of one complex curve, for the sum over chords or over nodes: values of the Zernike terms, and for each
-// corner of the window the weights of the samples in the mean. A sample at (x, y) also represents (+-x, +-y) and their conjugates.
+// Samples (x, y) on a quarter of one complex curve: Zernike terms and, for each corner of the window, weights in the mean of
+// |integrand|. A sample also represents its mirror images (+-x, +-y) and their complex conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
-    static constexpr std::size_t tile = 16;  // samples per tile: a multiple of all vector lengths
+    static constexpr std::size_t tile = 16;  // samples per tile: a multiple of the lanes of any SIMD vector
     static constexpr double single = 5.9604644775390625e-08;  // unit roundoff of float
 
     std::vector<ZernikeTerm> terms;
@@ -36,27 +36,28 @@ struct SharpTable {
     TermClasses classes;
     std::size_t samples;
     double step;  // angle between samples, rad
-    double scale = 0.0;  // log of the number by which all `shares` are divided
-    Floats values;  // Zernike terms at the samples, [tile][term][sample]
-    Floats shares;  // weights of the samples: [tile][image][sign of its phase][corner][sample]; 0 for padding
-    std::vector<double> most;  // [term]: largest modulus of its samples
+    double scale = 0.0;  // log of the factor by which all weights `shares` are divided
+    Floats values;  // imaginary parts of the Zernike terms at the samples, [tile][term][sample]
+    Floats shares;  // weights of the samples: [tile][mirror image][sample or conjugate][corner][sample]; 0 for padding
+    std::vector<double> most;  // [term]: bound on |imaginary part| of the term at all samples
 
     SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
 
-    // Number of sampling steps in a quarter turn, for Zernike terms of this degree.
+    // Number of sampling steps in a quarter turn; degree: largest radial degree of the Zernike terms.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
-    // Check that Zernike terms of this degree, up to sinh(15) on the curve, are well within the range of float.
+    // Return whether Zernike terms of this degree, bounded on the curve by sinh(15), are well within the range of float.
     static bool serves(std::size_t degree, std::size_t curve) {
         return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
-    // Minimum number of chords for which the sampled bound on the sums over nodes is valid.
+    // Minimum number of chords for which sampled bounds on the sums over the nodes of a chord are valid.
     static constexpr std::size_t least_chords = 16;
 
-    // log(mean modulus of the integrand); top, mean: results of sharp_means().
+    // log of the mean |integrand|; top, mean: results of sharp_means().
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Bound on the error of the sampled log(mean): rounding, and change between samples; bend: bound on second derivatives.
+    // Error bound of logarithm(): rounding, and the change between samples. bend: bound on the second derivatives of the
+    // integrand's exponent; coefficients: Zernike coefficients of the pupil.
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -74,15 +75,16 @@ struct SharpTable {
         return sum == which && curve == at && box == window && terms == list;
     }
     std::size_t tiles() const { return (samples + tile - 1) / tile; }
-    std::size_t room() const { return tiles() * tile * images; }  // number of vectors for all mirror images of all samples
-    // Index of a sample's first value. Each sample has `numbers` values; consecutive values of a sample are `tile` apart.
+    std::size_t room() const { return tiles() * tile * images; }  // vectors of working memory: one per mirror image of a sample
+    // Index of a sample's first value in memory. Each sample has `numbers` values, which are `tile` elements apart.
     static std::size_t place(std::size_t sample, std::size_t numbers) { return sample / tile * tile * numbers + sample % tile; }
     std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of samples along a curve's first angle, halved at the ends, where mirror images coincide. Chords: angle a, with
-    // weight |sin(a + ib)|^2 at height b; nodes: angle of the chord, with the largest weight for any number of chords.
+    // Weights of the samples along the first angle, a in x = cos(a). They are halved at angles where a sample coincides with a
+    // mirror image. Sum over chords: proportional to |sin(a + ib)|^2 on the curve of imaginary part b; sum over nodes: the largest
+    // weight for any number of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -109,7 +111,8 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of samples along a curve's second angle tau. Chords: cos(tau) is the position on a chord; nodes: a full turn.
+    // Weights of the samples along the second angle tau in y = sqrt(1 - x^2) cos(tau). Sum over chords: weights of a mean over y;
+    // sum over nodes: weights of a mean over a full turn of tau.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -170,9 +173,10 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For each pupil: top = largest |Im Phi| of the phase Phi over all samples; mean = mean modulus of the integrand exp(i (Phi - v r))
-// at the worst corner v of the window, r the sample, divided by e^{top + scale}. Layout: coefficients[term][pupil] in TermClasses
-// order; lanes are pupils or, with `Lone`, samples of one pupil. room: working memory of table.room() vectors.
+// For the phase Phi of each pupil: top = max |Im Phi| over all samples; mean = mean of |exp(i (Phi - v r))| / exp(top +
+// table.scale) over samples r, for the corner v of the window where it is largest. coefficients[term][pupil]: Zernike coefficients,
+// terms in the order table.classes.order. Vector lanes are pupils or, with `Lone`, samples of one pupil. room: table.room()
+// vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;
@@ -188,7 +192,7 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
     };
     const std::size_t terms = table.terms.size(), vectors = Lone ? table.tiles() * SharpTable::tile / lanes : table.samples;
     V top = splat<V>(0.0f);
-    // Six independent chains of multiply-adds hide their latency.
+    // Six independent multiply-adds at a time hide the latency of one.
     for_fixed_tiles<6>(vectors, [&](std::size_t first, auto size_of) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size_of)::value;
         const float* value[R];
@@ -226,7 +230,8 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
         top = splat<V>(*std::max_element(tops, tops + lanes));
         store(tops, top);
     }
-    // The order of summation is the same for one pupil as for a vector of pupils: bounds must not depend on how pupils are grouped.
+    // Sums have the same order for one pupil as for a vector of pupils: an error bound must not depend on the other pupils of a
+    // batch.
     V all[SharpTable::corners] = {};
     const std::size_t stride = Lone ? 1 : lanes;
     for (std::size_t lane = 0; lane < stride; ++lane) {

@@ -1,4 +1,5 @@
-// Zernike polynomials at the nodes: dP/dc = i Z P for the pupil function P and the coefficient c of the Zernike polynomial Z.
+// Zernike polynomials Z at the nodes of the pupil, for derivatives dP/dc = i Z P of the pupil function P with respect to the
+// Zernike coefficient c.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace lommel {
 struct FactorTable {
     ChordCount count;
     std::vector<ZernikeTerm> terms;
-    double radius;  // radius of this disk (aperture or obscuration) relative to the aperture
+    double radius;  // radius of the disk (aperture or obscuration) / radius of the aperture
     TermClasses classes;
-    Doubles values;  // [term, in TermClasses order][chord][node]
+    Doubles values;  // Zernike terms, [index in classes.order][chord][node]
 
     FactorTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over)
         : count(n), terms(list), radius(over), classes(list), values(n.half_chords() * n.half_nodes() * list.size()) {
@@ -37,7 +38,7 @@ struct FactorTable {
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, double over) const {
         return count == n && radius == over && terms == list;
     }
-    // Values of a Zernike term at the nodes of a pair of chords. term: index in TermClasses order.
+    // Values of one Zernike term at the nodes of chord number `chord`. term: index in classes.order.
     const double* at(std::size_t term, std::size_t chord) const {
         return values.data() + (term * count.half_chords() + chord) * count.half_nodes();
     }
@@ -45,7 +46,8 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Vector lanes, each one pupil times one Zernike term. A batch takes as many terms as fit, in TermClasses order.
+// Contents of the vector lanes: each holds the product of a pupil function and a Zernike term. here: number of pupils; first,
+// count: the terms, as indices in table.classes.order.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -54,7 +56,7 @@ struct FactorLanes {
         : table(factors), here(pupils), lanes(all), first(from), count(std::min(all / pupils, factors.terms.size() - from)) {}
 
     std::size_t used() const { return count * here; }
-    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in TermClasses order
+    std::size_t term(std::size_t lane) const { return first + lane / here; }  // index in table.classes.order
     std::size_t parity(std::size_t at) const {
         std::size_t parity = 0;
         while (at >= table.classes.ends[parity]) {
@@ -64,7 +66,8 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function at the nodes of a pair of chords by each lane's Zernike term. Parities of factors add modulo 2.
+// Multiply the pupil function at the nodes of a pair of chords at +-x by the Zernike term of each lane. The parities in x and in y
+// of the two factors (0 even, 1 odd) add modulo 2. nodes: pupil function; to: product; room: working memory.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;
@@ -87,7 +90,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
         }
         return;
     }
-    // A lane whose term has another parity gets the factor 0, set once for all chords.
+    // In each of four parities, lanes whose term has another parity get the factor 0, which was stored before the first chord.
     bool used[4] = {};
     for (std::size_t lane = 0; lane < given.used(); ++lane) {
         const std::size_t term = given.term(lane), parity = given.parity(term);
@@ -117,8 +120,8 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
     }
 }
 
-// Write the derivatives -2 Im(conj(U) D) of the intensity along a row to `values`: u = U is the field, d = D the field of the pupil
-// function times a Zernike term. top: updated maximum of |D|^2 in each lane.
+// Derivatives -2 Im(conj(u) d) of the intensity along a row, written to `values`. u: complex amplitude; d: Fourier transform of
+// pupil function times Zernike term; top: running maximum of |d|^2 in each vector lane.
 template <class I, class Real>
 LOMMEL_INLINE void slopes_of_row(I, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top) {
     using V = typename Waves<I, Real>::V;

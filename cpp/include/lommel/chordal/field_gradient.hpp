@@ -1,7 +1,7 @@
-// Reverse-mode derivatives of the intensity sum |E|^2 over several fields E (docs/certificate.md, section 16, "Gradients"). With
-// weights w of pixels v, G(r) = sum over pixels of w conj(E) e^(-i v r) at the nodes r is the transpose of the transform from nodes
-// to pixels. Derivatives for Zernike terms share the sum over fields of pupil function x G; other amplitude series take one inner
-// product each.
+// Reverse-mode derivatives of the intensity sum |E|^2 over several fields E, weighted and summed over pixels v
+// (docs/certificate.md, section 16, "Gradients"). The adjoint field at a node r of the pupil is G(r) = sum over v of weight x
+// conj(E) x exp(-i v r). All Zernike terms share one sum over fields of pupil function x G; derivatives with respect to other
+// parameters are inner products with G.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,17 @@
 
 namespace lommel {
 
-// values: sum over pixels of weights x intensity; its derivatives for each field set but the first, then for each Zernike term.
+// Weights and results of node_gradient(). values, per plane: sum over pixels of weight x intensity; its derivatives for all field
+// sets but the first; its derivatives with respect to the `terms` Zernike coefficients.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;
     double* values;
-    double* largest;  // [plane]: maximum of the intensity, then of the modulus of each field
+    double* largest;  // per plane: maximum of the intensity, then maximum of |E| for each field
 };
 
-// Add the imaginary part of pupil function times adjoint field at the nodes of a pair of chords to sums[parity of the
-// product][node][lane]. Layout of `pupil` and `adjoint`: place_field().
+// Imaginary part of pupil function x adjoint field at the nodes of a pair of chords, stored in sums[parity of the
+// product][node][lane]. `pupil` and `adjoint` have the layout of place_field().
 template <class I>
 LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, const double* adjoint, double* sums) {
     using V = typename Waves<I, double>::V;
@@ -49,8 +50,8 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field(). adjoint: transposed transform G of one field, at the nodes of a pair of chords. Adds to
-// sums[part][re, im][node] the derivatives of sum (pupil function x G) with respect to each part of the field's amplitude.
+// Transpose of place_field(). adjoint: adjoint field G of one field at the nodes of a pair of chords. The derivatives of sum (pupil
+// function x G) with respect to each part of the field's amplitude are added to sums[part][re, im][node].
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -119,7 +120,8 @@ LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&ve
     }
 }
 
-// Call found(j, c, inner product of row(j) and vector(j, c)) for all j and c, in cache-sized blocks of rows; count: their length.
+// Call found(j, c, product) with the inner product of row(j) and vector(j, c) for all j and c, by blocks of rows that fit in the
+// cache. count: length of rows and vectors.
 template <class Row, class Of, class Found>
 void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_t count, int threads, const Row& row,
                   const Of& vector, const Found& found) {
@@ -162,7 +164,8 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // Contribution of a batch to each of its planes: intensity, sums shared by all Zernike terms, sums for the amplitudes' parts.
+    // shares: contributions of each batch to each of its planes: intensity; sums shared by all Zernike terms; sums for the parts of
+    // amplitudes.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);
@@ -254,7 +257,6 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     if (rates == 0) {
         return;
     }
-    // part_of[term]: part of the amplitude to which the term belongs.
     std::vector<std::size_t> part_of(given.total);
     for (std::size_t part = 0, term = 0; part < given.ends.size(); ++part) {
         for (; term < given.ends[part]; ++term) {

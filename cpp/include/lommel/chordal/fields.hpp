@@ -23,33 +23,34 @@
 
 namespace lommel {
 
-// Term of a field's pupil amplitude: part number `part` of the series times a factor of parity 2 (odd in x) + (odd in y).
+// Contribution to the pupil amplitude of field number `field`: part number `part` of an amplitude series, times a factor. parity: 2
+// (odd in x) + (odd in y) of the factor.
 struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// Set of fields. series: index of the amplitude series; term: index of a Zernike term Z, with a factor i Z in the fields (negative:
-// no factor); kind: index of the kind of wave.
+// Pupil functions of a set of fields: series: index of their amplitude series; term: index of a Zernike term Z, if they have a
+// factor i Z, else negative; kind: first index of NodeSeries::waves.
 struct FieldSet {
     std::int32_t series, term, kind;
 };
 
-// Pupil functions of fields, given at the nodes of the quadrant x, y > 0, [chord][node]. The first set are the fields E; each
-// further set are fields F for one derivative of the intensity sum |E|^2, which is sum 2 Re conj(E) F.
+// Pupil functions at the nodes [chord][node] of the quadrant x, y > 0. The first set are those of the fields E; each further set,
+// of fields F, gives one derivative of the intensity sum |E|^2: the sum of 2 Re(conj(E) F).
 struct NodeSeries {
     ChordCount count;
-    std::size_t planes, fields, total;  // total: number of terms of a series
-    std::vector<std::size_t> ends;  // [part]: end of its terms in the series
-    const double* radial;  // radial polynomials [term][node]
-    const std::complex<double>* coefficients;  // [series][plane][term]
+    std::size_t planes, fields, total;  // numbers of planes, of fields, and of terms in a series
+    std::vector<std::size_t> ends;  // [part]: index after its last term in the series
+    const double* radial;  // radial polynomials at the nodes, [term][node]
+    const std::complex<double>* coefficients;  // of the radial polynomials: [series][plane][term]
     std::vector<FieldShare> shares;
-    const std::complex<double>* factors;  // factors of the amplitude's parts, [share][node]
+    const std::complex<double>* factors;  // factors of `shares` at the nodes, [share][node]
     std::vector<FieldSet> sets;
-    const double* terms;  // Zernike polynomials [term][node]
+    const double* terms;  // Zernike polynomials at the nodes, [term][node]
     const std::int32_t* term_parity;
     std::size_t wave_count;
-    const std::complex<double>* waves;  // [kind][wave][parity][node]: from fold_waves()
-    const std::int32_t* wave;  // [plane]: index of the plane's wave
+    const std::complex<double>* waves;  // results of fold_waves(): [kind][wave][parity][node]
+    const std::int32_t* wave;  // [plane]: index of the plane's wave in `waves`
 
     std::size_t nodes() const { return count.half_chords() * count.half_nodes(); }
     std::size_t jobs() const { return planes * sets.size() * fields; }
@@ -57,7 +58,8 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity of the wave for which a share contributes to `parity` of its field: parities of products add modulo 2.
+    // Parity of the wave whose product with the share's factor and with the set's Zernike term has `parity`: parities of factors
+    // add modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -65,9 +67,9 @@ struct NodeSeries {
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
-// For the wave exp(i W) of the phase W = sum of `count` terms edge[j] terms[j][node]: combine its weighted values at the four
-// mirror images of each node, (+-x, +-y), to parities, to[parity][node]. If largest > 0, also those of i W exp(i W) / largest,
-// `stride` values further on. parities[j]: parity of a term.
+// Waves exp(i W) times node weights, split by parity in x and y into to[parity][node]. The phase W is the sum of `count` terms
+// edge[j] x terms[j][node], with parities[j] the parity of terms[j]. If largest > 0, i W exp(i W) / largest is split likewise and
+// stored from to[stride] on.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
 #if defined(LOMMEL_DEFINES)
@@ -77,7 +79,8 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
-        // Hadamard transform between four mirror images and four parities, along y, then along x; up to a factor its own inverse.
+        // Hadamard transform from the values at the mirror images (+-x, +-y) to the four parities, first along y, then along x; its
+        // inverse is the same but for a factor.
         const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
             const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
             q[0] = a + c, q[1] = b + d, q[2] = a - c, q[3] = b - d;
@@ -123,7 +126,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
 }
 #endif
 
-// Sum the amplitude series of one plane at the nodes first .. first + count - 1: to[part][re, im][node].
+// Sum the amplitude series of one plane at nodes first .. first + count - 1; result: to[part][re, im][node].
 inline void sum_series(Level level, const NodeSeries& given, const std::complex<double>* coefficients, std::size_t first,
                        std::size_t count, double* to) {
     const std::size_t nodes = given.nodes();
@@ -160,7 +163,8 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Amplitudes [series][plane][part][re, im][node] of `planes` planes from `first` on, summed in cache-sized blocks of nodes.
+// Pupil amplitudes of `planes` planes from plane `first` on: result[series][plane][part][re, im][node]. Blocks of nodes are chosen
+// to fit in the cache.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -176,7 +180,8 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// Compute one parity of a field's pupil function at all nodes. own: nonzero parities of the plane's wave; parts: sum_series().
+// Compute one parity of a field's pupil function at all nodes: re[node], im[node]. own: the parities in which the plane's wave is
+// nonzero; parts: pupil amplitudes from sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -208,8 +213,8 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
     });
 }
 
-// Write the pupil function of one field at a pair of chords to a vector lane, [parity in y][node][parity in x][re, im]. parts:
-// amplitudes from sum_series().
+// Write the pupil function of one field at a pair of chords at +-x to one vector lane of nodes[parity in y][node][parity in x][re,
+// im][lane]. parts: pupil amplitudes from sum_series(); room: working memory.
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -257,7 +262,7 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
     }
 }
 
-// [kind][wave][parity]: is this parity of the wave nonzero? If a wavefront is even in x or in y, two of the four parities vanish.
+// [kind][wave][parity]: true if this parity of the wave is nonzero. For a wavefront even in x or in y two of four parities vanish.
 using Parities = std::vector<std::array<bool, 4>>;
 
 inline Parities wave_parities(const NodeSeries& given) {
@@ -279,18 +284,19 @@ struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// All nonzero parities of fields in `planes` planes from `first` on, sorted by parity, in batches of at most one vector.
+// List of the nonzero parities of all fields in `planes` planes from plane `first` on, sorted by parity, and its division into
+// batches of at most one SIMD vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
     const Parities& waves;
     std::size_t first, planes;
     std::vector<FieldPart> list;
-    // Elements list[first] .. list[first + count - 1], one per vector lane.
+    // Elements list[first] .. list[first + count - 1], one per vector lane, all of the same parity.
     struct Batch {
         std::size_t first, count;
     };
     std::vector<Batch> batches;
-    std::vector<std::size_t> place;  // [plane][set][field][parity]: index in `list`, or none
+    std::vector<std::size_t> place;  // [plane][set][field][parity]: index in `list`, or `none`
 
     FieldParts(const NodeSeries& given, const Parities& all, std::size_t begin, std::size_t count, std::size_t lanes)
         : waves(all), first(begin), planes(count), place(count * given.sets.size() * given.fields * 4, none) {
@@ -322,11 +328,11 @@ struct FieldParts {
     }
 };
 
-// Number of distinct column distances from the axis, padded to whole vectors.
+// Number of distinct distances of pixel columns from the optical axis, rounded up to whole SIMD vectors.
 inline std::size_t padded(const WindowAxis& columns) { return (columns.at.size() + row_lanes - 1) / row_lanes * row_lanes; }
 
-// Transform each element (parity of a field) to its values at the rows' and columns' distances from the axis, to[element][row][re,
-// im][column], padded with zeros.
+// Fourier transform of each element of wanted.list (one parity of a field), at all distances of rows and columns from the optical
+// axis: to[element][row][re, im][column], rows padded with zeros.
 inline void part_fields(Level level, const NodeSeries& given, const FieldParts& wanted, const KernelTable<double>& kernel,
                         int threads, double* to) {
     using Kernels = ChordKernels<double>;
@@ -386,15 +392,16 @@ inline void part_fields(Level level, const NodeSeries& given, const FieldParts& 
     });
 }
 
-// Intensity of one plane and its derivatives, from the even and odd parts of its fields.
+// Computes the intensity of one plane and its derivatives from the parts of the fields that are even or odd in x and in y.
 struct PlaneLight {
     const NodeSeries& given;
     const WindowAxis &rows, &columns;
-    const double* parts;  // from part_fields()
-    const std::size_t* place;  // [set][field][parity]: index of the part
-    double *values, *largest;  // from this plane on: values[set][plane][row][column]; largest[set][plane][field]
+    const double* parts;  // results of part_fields()
+    const std::size_t* place;  // [set][field][parity]: index in `parts`
+    double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
 
-    // Is the intensity symmetric about an axis: no field has both even and odd parts? odd: bit of the axis in a parity.
+    // Return whether the intensity is symmetric about an axis, as no field has both an even and an odd part. odd: bit of the parity
+    // that means "odd" (1: in y; 2: in x).
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -410,7 +417,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // Part of a field on a row of one quadrant: (by_re x re, by_im x im); the factors hold -i per odd direction and the signs.
+    // One parity of a field on a row of one quadrant: the complex values (by_re x re, by_im x im). by_re, by_im: signs in the
+    // quadrant, with a factor -i for odd x and for odd y.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -429,7 +437,8 @@ struct PlaneLight {
         }
         return count;
     }
-    // Intensity and derivatives on a row of one quadrant. squares[set][field][lane]: max |field|^2 so far, where there[lane] = 1.
+    // Compute intensity and derivatives on a row of one quadrant: light[set][column]. there[column]: 1 if the pixel exists, else 0;
+    // squares[set][field][lane]: running maximum of |field|^2 over existing pixels.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {
@@ -508,7 +517,7 @@ struct PlaneLight {
     }
 };
 
-// Intensities and derivatives of fields with all four parities, which are transformed together.
+// Intensities and derivatives as from node_light(), for fields with all four parities: these are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();
@@ -521,7 +530,7 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
         series = std::max(series, static_cast<std::size_t>(set.series) + 1);
     }
     const Doubles parts = all_parts(level, given, series, 0, given.planes, threads);
-    // Fields [plane][set][field][row][column][re, im].
+    // u: complex amplitudes in the image, [plane][set][field][row][column][re, im].
     thread_local Doubles scratch;
     scratch.resize(2 * jobs * pixels);
     double* const u = scratch.data();  // scratch of this thread, filled by all threads
@@ -576,8 +585,8 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
     });
 }
 
-// values[set][plane][row][column]: intensity sum |E|^2 for the first set, its derivatives for the others;
-// largest[set][plane][field]: maximum of the field's modulus in the window.
+// Compute values[set][plane][row][column]: intensity sum |E|^2 (first set) and its derivatives (other sets), and
+// largest[set][plane][field]: maximum modulus of the field in the window.
 void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
@@ -593,7 +602,7 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
         return full_light(given, window, threads, values, largest);
     }
     thread_local Doubles scratch;
-    // Eight planes at a time: their fields stay in the cache.
+    // Eight planes at a time: the complex amplitudes of their fields stay in the cache.
     for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
         const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
         scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));

@@ -1,7 +1,7 @@
 // Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all Zernike coefficients c at once
-// (docs/certificate.md, section 8, "Derivatives"). With weights w and fields U of pixels v, G(r) = sum w conj(U) e^(-i v r) at the
-// nodes r is the transposed transform, and d/dc = -2 Im sum Z P G over the nodes, with the Zernike polynomial Z and the pupil
-// function P.
+// (docs/certificate.md, section 8, "Derivatives"). The adjoint at a pupil node r is G(r) = sum over pixels v of weight x conj(U) x
+// exp(-i v r), with U the complex amplitude; d/dc = -2 Im(sum of Z P G over the nodes), with Z the Zernike polynomial and P the
+// pupil function.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace lommel {
 
-// Policy: values[pupil][term] = gradient of the sum over pixels of weights[pupil][pixel] x |U|^2, with U the field.
+// Template argument `More` of ChordalSums: values[pupil][term] receives the derivative, with respect to a Zernike coefficient, of
+// the sum over pixels of weights[pupil][pixel] x intensity.
 struct ChordalGradient {
     static constexpr bool wanted = true, keeps_nodes = false;
     std::vector<ZernikeTerm> terms;

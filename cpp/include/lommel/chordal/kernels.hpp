@@ -1,4 +1,4 @@
-// Kernels of the chordal rule, compiled once for each real type and instruction set.
+// Inner loops of the quadrature along chords of the pupil, compiled once for each real type and instruction set.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace lommel {
 
-constexpr std::size_t most_pupils = 2 * row_lanes;  // largest number of pupils in a vector
+constexpr std::size_t most_pupils = 2 * row_lanes;  // largest number of pupils in a SIMD vector
 
-// Kernels of the chordal rule by instruction set; each is described at the template of the same name.
+// Choice of an inner loop by instruction set (level). Each function calls the template that it is named after.
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;
     static constexpr std::size_t lanes(Level level) { return widest_lanes(level) * sizeof(double) / sizeof(Real); }
-    // Return whether so few pupils are faster one at a time, with chords in the vector lanes.
+    // Return whether `pupils` is so small that pupils are computed faster one by one, with chords in the vector lanes.
     static bool lone(Level level, std::size_t pupils) { return 2 * pupils <= lanes(level); }
     static ChordLanes chord_lanes(Level level, bool lone) { return {lone ? lanes(level) : 1, sizeof(Real) == sizeof(float)}; }
 
@@ -44,10 +44,10 @@ struct ChordKernels {
     static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                              Real share, Real* room, Real* sums);
 
-    // Store a row of one pupil's image, scaled by `by`.
+    // Store a row of one pupil's image: to[column] = by x values[column].
     template <class T>
     static void store_row(Level level, const Real* values, double by, std::size_t columns, T* to);
-    // Store a row of `used` pupils' images: lane k, scaled by by[k], to to[k].
+    // Store a row of the images of `used` pupils: to[lane][column] = by[lane] x values[column][lane].
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
                             T* const* to);

@@ -1,4 +1,4 @@
-// Pixel averages, accumulated row by row from samples of the intensity at the nodes of a window.
+// Pixel averages of the intensity, accumulated row by row from samples at the nodes of a window.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@ void begin_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& we
     batch.scratch.sums.assign((1 + weights.height) * weights.vectors * batch.lanes(), 0.0);
 }
 
-// Add row y of the samples to the pixel averages. Layout of scratch.sums: sums of the current row, then the averages.
+// Add one row of samples, intensity[node][lane], to the pixel averages. y: index of the row. scratch.sums holds averages along the
+// current row, then the pixel averages.
 template <class Real>
 void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t y, const Real* intensity) {
     using Kernels = ChordKernels<Real>;
@@ -32,7 +33,7 @@ void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weig
     }
 }
 
-// Copy the pixel averages of one pupil (lane) without clamping negative values to 0.
+// Copy the pixel averages of one vector lane. Negative values are kept, unlike in store_averages(): derivatives have both signs.
 template <class Real>
 void copy_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t lane, double* to) {
     const std::size_t lanes = batch.lanes();

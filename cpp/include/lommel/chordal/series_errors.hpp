@@ -1,4 +1,5 @@
-// Error bounds of the chordal rule for series of pupil amplitudes, from bounds on complex curves (docs/certificate.md, section 16).
+// Error bounds of quadrature along chords of the pupil, for pupil amplitudes that are series of radial polynomials, from bounds on
+// complex curves (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>
@@ -14,25 +15,28 @@
 
 namespace lommel {
 
-// Bounds on the parts of amplitude series, on complex curves; `series` counts the series of all planes.
+// Bounds on the parts of amplitude series. series: number of series, those of all planes counted; parts: parts per series; curves:
+// number of complex curves.
 struct SeriesSizes {
     std::size_t series, parts, curves;
-    double *on_curves, *moduli;  // [series][part][curve]: on a curve; [series][part]: at real angles
+    double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]
 
-    // Compute the bounds from `powers`, the bound of each term on each curve. needed: half the required numbers of chords and of
-    // nodes, each the minimum over curves of log(largest part) x rate + chosen.
+    // Compute the bounds. powers[term][curve]: bound on the modulus of a radial polynomial; needed: half the number of chords, and
+    // of nodes per chord, that are required; with the largest part on a curve, log(part) x rate[curve] + chosen[curve], minimized
+    // over curves.
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // field_errors[set][plane][field]: error bounds of the sums over chords and over nodes, each on its best complex curve, +
-    // `left` + `rounding` x moduli. shares: factors of the parts in each field; error: additional error of each part.
+    // Compute error bounds field_errors[set][plane][field]: the sum over parts of shares[field][part] x the part's error. This is
+    // the error of the sums over chords and over nodes, factors `chords`, `nodes` on the best curve, + left + rounding x moduli +
+    // error.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;
 };
 
-// errors[set][plane]: error bounds of the intensity sum |E|^2 (first set) and of its derivatives (other sets). field_errors,
-// largest: error bounds and largest moduli of the fields, [set][plane][field].
+// Error bounds errors[set][plane] of the intensity sum |E|^2 (first set) and of its derivatives (other sets), from the error bounds
+// field_errors[set][plane][field] and largest moduli largest[set][plane][field] of the fields.
 void light_errors(const double* field_errors, const double* largest, std::size_t sets, std::size_t planes, std::size_t fields,
                   double* errors);
 #if defined(LOMMEL_DEFINES)
@@ -53,7 +57,7 @@ LOMMEL_ONCE void light_errors(const double* field_errors, const double* largest,
 }
 #endif
 
-// Divide `count` values by `by`, in place; return the largest modulus of the quotients.
+// Divide `count` values by `by`, in place; return the largest modulus of a quotient.
 double divide(Level level, double by, std::size_t count, double* values);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE double divide(Level level, double by, std::size_t count, double* values) {

@@ -1,4 +1,5 @@
-// Intensities in single precision by a chordal rule of given size, without error bound (docs/certificate.md, "By the core").
+// Intensities in single precision by quadrature with a given number of chords and nodes, without error bound (docs/certificate.md,
+// "By the core").
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 
 namespace lommel {
 
-// Images of pupils by a chordal rule of given size. `More`: policy for derivatives, NoDerivatives or ChordalGradient.
+// Images of pupils by quadrature with a given number of chords and nodes. `More`: NoDerivatives, or ChordalGradient for a gradient.
 template <class More = NoDerivatives>
 class ChordalSums {
    public:
@@ -29,7 +30,7 @@ class ChordalSums {
         }
     }
 
-    // Compute images[pupil][column][row]; if `images` is null, only derivatives.
+    // Compute the intensities images[pupil][column][row]; if `images` is null, compute derivatives only.
     void run(float* images, int threads) const {
         const std::size_t lanes = lone_ ? 1 : ChordKernels<float>::lanes(level_), batches = (stack_.count + lanes - 1) / lanes;
         std::vector<std::size_t> pupils(stack_.count);
@@ -71,7 +72,7 @@ class ChordalSums {
     const DiskStack& stack_;
     More more_;
     Level level_;
-    bool lone_;  // one pupil at a time, with its chords in the vector lanes
+    bool lone_;  // true if pupils are computed one by one, with chords in the vector lanes
     double area_;
     std::array<ChordalTables<float>, 2> disks_;
 };

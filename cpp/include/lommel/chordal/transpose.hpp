@@ -1,4 +1,5 @@
-// Kernels of reverse-mode derivatives: the transpose of the Fourier transform, and its product with the pupil function.
+// Inner loops of reverse-mode derivatives: the transpose of the Fourier transform from pupil to image, and its product with the
+// pupil function.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace lommel {
 
-// Transpose of multiply(): sum[k][c] += table[k][r] * data[r][c] over r, with vectors data[r][c].
+// Transpose of multiply(): sum[k][c] += table[k][r] * data[r][c], summed over r; data[r][c] and sum[k][c] are SIMD vectors.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -33,7 +34,8 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the transform along x: pixels[row][column] -> chords[row][parity in x][chord], complex; odd parts omit -i.
+// Transpose of the Fourier transform along x: pixels[row][column] -> chords[row][parity in x][chord], complex. Odd parts omit the
+// factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -62,7 +64,8 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x] of chords at +-x.
+// Transpose of the Fourier transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x] on the pair
+// of chords at +-x.
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;
@@ -76,7 +79,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
         for (std::size_t r = 0; r < R; ++r) {
             const std::size_t plus = kernel.rows.plus[first + r], minus = kernel.rows.minus[first + r];
             for (std::size_t x = 0; x < 2; ++x) {
-                V both[2][2];  // sum and difference of the rows at +v and -v, [re, im]
+                V both[2][2];  // sum and difference of two rows at opposite distances from the axis, [re, im]
                 for (std::size_t part = 0; part < 2; ++part) {
                     const std::size_t at = x * line + chord * 2 * lanes + part * lanes;
                     const V here = load<V>(chords + plus * 2 * line + at);
@@ -84,7 +87,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
                     both[0][part] = here + there;
                     both[1][part] = here - there;
                 }
-                // Factor -i if odd in x, and another -i if odd in y.
+                // A part odd in x gets the factor -i, a part odd in y another factor -i.
                 const V nothing = splat<V>(Real(0));
                 even[r][2 * x] = x == 0 ? both[0][0] : both[0][1];
                 even[r][2 * x + 1] = x == 0 ? both[0][1] : nothing - both[0][0];
@@ -98,8 +101,8 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     });
 }
 
-// Add -2 share Im(sum of Z P G over the nodes of a pair of chords) to sums[term in TermClasses order], with Zernike term Z, pupil
-// function P (pupil) and transposed transform G of the weighted field (adjoint).
+// Add -2 share Im(sum of Z P G over the nodes of a pair of chords) to sums[index in table.classes.order]. Z: Zernike term; P
+// (pupil): pupil function; G (adjoint): transposed Fourier transform of weight x conj(complex amplitude).
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {
@@ -128,7 +131,7 @@ LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, 
     }
     for (std::size_t parity = 0, term = 0; parity < 4; ++parity) {
         const Real* from = room + parity * within * lanes;
-        // Several independent chains of sums hide the latency of additions.
+        // Sums of several terms at a time are independent, which hides the latency of additions.
         for (const std::size_t end = table.classes.ends[parity]; term < end;) {
             const std::size_t here = std::min(together, end - term);
             V sum[together] = {};
@@ -151,7 +154,7 @@ LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, 
     }
 }
 
-// u[pixel][lane] = conj(u) x weight of the pixel, in place.
+// Replace the complex amplitude u[pixel][re, im][lane] by weights[pixel][lane] x conj(u).
 template <class I, class Real>
 LOMMEL_INLINE void weigh_pixels(I, const Real* weights, std::size_t pixels, Real* u) {
     using V = typename Waves<I, Real>::V;

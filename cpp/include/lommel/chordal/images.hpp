@@ -1,4 +1,5 @@
-// Small images of pupils with arbitrary Zernike terms by the chordal rule, with error bounds (docs/certificate.md, section 8).
+// Small images of pupils with arbitrary Zernike terms, with error bounds, by Gauss quadrature along chords of the pupil
+// (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -30,34 +31,36 @@
 
 namespace lommel {
 
-constexpr double max_table_bytes = 402653184.0;  // for the kernel table of one window
+constexpr double max_table_bytes = 402653184.0;  // limit for the Fourier kernel of one window
 
-// Error budget of the chordal rule; tol: tolerance of the intensity relative to its peak.
+// Error budget of the complex amplitude U in the image; tol: tolerance of the intensity |U|^2 relative to its peak.
 struct ChordalBudget {
-    // Error of the field over tol x max |field|. It counts twice in the intensity; 1 - 2 field is a margin for the estimated peak.
+    // Error of U / (tol x max |U|). It counts twice in the intensity; the margin 1 - 2 x 0.4 is for errors of the estimate of max
+    // |U|.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the field's error for the full disk, and for the obscuration of an annular aperture.
+    // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Largest share of a disk's error for the sum over chords; the sum over nodes gets the remainder.
+    // Largest share of a disk's error for the sum over chords; the sum over the nodes of chords gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of the field with rounding, over tol x estimated max |field|; rounding: its share for
+    // Single precision. single: error of U, with rounding, / (tol x estimated max |U|); rounding: largest share of that for
     // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Factors on the allowed error if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak
-    // may then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
+    // Factors on the error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak may
+    // then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
-    // Second attempt. retry_least, retry_most: limits of the field's new error over the first; retry_single: error in single
-    // precision with rounding, over tol x computed max |field|.
+    // Second attempt. retry_least, retry_most: limits of (new error of U) / (first error); retry_single: error of U in single
+    // precision, with rounding, / (tol x computed max |U|).
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Share of the field's error for samples at pixel nodes; the margin is for the larger rounding in batches with shared tables.
+    // Pixel averages: share of the tolerance of U for the quadrature. The margin is for rounding, which is larger if several
+    // batches share their tables.
     static constexpr double of_nodes = 0.9;
 };
 
-// Images of a stack of pupils by the chordal rule. `More`: policy for derivatives, NoDerivatives or ChordalDerivatives.
+// Renders images of a stack of pupils. `More`: NoDerivatives, or ChordalDerivatives for derivatives of the images.
 template <class T, class More = NoDerivatives>
 class ChordalRenderer {
    public:
@@ -67,7 +70,7 @@ class ChordalRenderer {
           threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
           area_(stack.obscuration * stack.obscuration), lines_(stack, rows_, columns_, step_, threads), states_(stack.count) {}
 
-    // For pixel averages, from samples at nodes, which are not stored. tol: absolute error bound of the field.
+    // Render pixel averages; the samples at `nodes` are not stored. tol: tolerance of the complex amplitude at the nodes, absolute.
     ChordalRenderer(const DiskStack& stack, const PixelNodes& nodes, double tol, int threads, const DiskAnswer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(nodes.rows), columns_(nodes.columns), step_(1.0), tol_(tol), threads_(threads), answer_(answer),
@@ -76,12 +79,13 @@ class ChordalRenderer {
 
     void run();
 
-    // Run if the estimated time is less than that of the Zernike series (certificate, section 7); else throw LimitExceeded.
+    // Render if the estimated time is less than that of the series of Zernike terms (docs/certificate.md, section 7); otherwise
+    // throw LimitExceeded.
     void run_if_cheaper() {
         weighed_ = true;
         run();
     }
-    // Estimated times of the chordal rule and of the Zernike series, ns, without computing images.
+    // Estimated times in ns of this method and of the series of Zernike terms; no images are computed.
     std::pair<double, double> costs() {
         only_costs_ = true;
         run();
@@ -89,22 +93,24 @@ class ChordalRenderer {
     }
 
    private:
-    // State of a pupil. error: requested error of the field; relative: error bound of the image; peak: peak intensity.
+    // State of a pupil. error: requested error of the complex amplitude; relative: error bound of the image; peak: peak intensity.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
-        bool at_rounding = false;                  // a smaller error cannot be requested
-        bool retried = false;                        // the first attempt missed the tolerance
+        bool at_rounding = false;                  // the requested error is as small as rounding permits
+        bool retried = false;                        // in a second attempt, as the first missed the tolerance
         bool single = sizeof(T) == sizeof(float);  // sums are in single precision
-        double in_single = 0.0;                    // allowed error of the field in single precision, with rounding
-        ChordDisk outer, inner;                       // full disk and obscuration
+        double in_single = 0.0;                    // allowed error of the complex amplitude in single precision, with rounding
+        ChordDisk outer, inner;                       // error bounds of the full disk, of the obscuration
     };
 
-    // Requested error of the field; peak: max |field|. For samples at pixel nodes the tolerance is absolute.
+    // Requested error of the complex amplitude U. share: share of the tolerance; peak: max |U|. For pixel averages tol_ is
+    // absolute.
     double requested_error(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
 
-    // Error bound of one disk's field; degree > 0: of the field of the pupil function times a Zernike term of this degree.
+    // Error bound of the complex amplitude of one disk with n chords and nodes; degree > 0: of the Fourier transform of the pupil
+    // function times a Zernike term of this degree.
     double error_bound(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
         return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
@@ -114,7 +120,8 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Requested error of sums in single precision. If rounding takes too large a share of it, the pupil is set to double precision.
+    // Requested error of pupil p in single precision, without rounding. If rounding alone takes too large a share of the allowed
+    // error, the pupil is set to double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -153,7 +160,8 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Group of pupils that are computed together; lone: a single pupil.
+    // Group of pupils that are computed together. lone: one pupil, with chords in the vector lanes; outer, inner: numbers of chords
+    // and nodes for the full disk and for the obscuration.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -165,7 +173,8 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups the same tables, unless a group's number of nodes grows by more than the factor `more`.
+    // Give neighbouring groups the same numbers of chords and nodes, and so the same tables, unless the nodes of a group become
+    // more than `more` times as many.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -198,7 +207,7 @@ class ChordalRenderer {
             groups.push_back(next);
         }
         share(groups, 1.12);
-        // If the tables exceed the cache, all groups share one rule.
+        // If the tables exceed the cache, all groups share one table.
         if (alike || !kept<Real>(groups)) {
             if (groups.front().lone != groups.back().lone) {
                 return grouped<Real>(pending, pupils, true);
@@ -208,7 +217,7 @@ class ChordalRenderer {
         return groups;
     }
 
-    // Total number of nodes in the distinct tables of these groups.
+    // Total number of nodes in the tables of these groups; a table that groups share counts once.
     static double nodes_of(const std::vector<Group>& groups) {
         double nodes = 0.0;
         ChordCount last[2];
@@ -227,7 +236,7 @@ class ChordalRenderer {
         return nodes;
     }
 
-    // Return whether the tables of these groups, and those of a second attempt, fit in their caches.
+    // Return whether the tables of these groups, and those of a second attempt, fit into the caches.
     template <class Real>
     bool kept(const std::vector<Group>& groups) const {
         const double nodes = 2.5 * nodes_of(groups);
@@ -235,18 +244,18 @@ class ChordalRenderer {
                KernelTable<Real>::bytes(nodes, rows_.at.size()) < static_cast<double>(KernelTable<Real>::most_bytes);
     }
 
-    // Batch of the pupils pending[first] .. pending[first + here - 1]. disks: tables of the full disk and of the obscuration.
+    // Batch of pupils pending[first] .. pending[first + here - 1]. disks: tables of the full disk, tables of the obscuration.
     template <class Real>
     struct Batch {
         std::size_t first, here;
         std::array<ChordalTables<Real>, 2> disks;
-        std::shared_ptr<const NodeWeights<Real>> weights;  // for pixel averages
+        std::shared_ptr<const NodeWeights<Real>> weights;  // for pixel averages, else null
     };
 
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
         const Level level = processor_level();
-        // Prepare all tables before starting threads, so that no thread waits for a table.
+        // Compute all tables before threads start: then no thread waits for a table.
         std::vector<Batch<Real>> batches;
         double work = 0.0;
         for (const Group& group : grouped<Real>(pending, pupils)) {
@@ -335,14 +344,16 @@ class ChordalRenderer {
         }
     }
 
-    // Estimated CPU time in ns if all tables are cached (coefficients: benchmarks/choice.py); hardly depends on the vector width.
+    // Estimated processor time in ns if all tables are cached. Its coefficients, fitted by benchmarks/choice.py, hardly depend on
+    // the length of SIMD vectors.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
         const std::vector<Group> groups = grouped<Real>(pending, pupils);
-        // Row tables are read from the shared cache of the processor or, if they exceed it, from memory.
+        // byte: time in ns to read a byte of the Fourier kernel from the processor's shared cache or, if the tables exceed it, from
+        // memory.
         const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
         const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
@@ -363,7 +374,8 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate the times of the chordal rule (costs_.first) and of the Zernike series (costs_.second).
+    // Estimate the times of this method (costs_.first) and of the series of Zernike terms (costs_.second). pending: pupils, those
+    // in single precision first; singles: their number.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -383,7 +395,7 @@ class ChordalRenderer {
             return;
         }
         DiskWindow window{rows_.count, columns_.count, rows_.center, columns_.center, step_};
-        if (nodes_ != nullptr) {  // the Zernike series needs finer samples, by about this factor
+        if (nodes_ != nullptr) {  // a Zernike series takes finer samples for pixel averages
             constexpr double more = 1.3;
             const double width = rows_.high() - rows_.low();
             window.height = static_cast<std::size_t>(more * static_cast<double>(rows_.count));
@@ -392,7 +404,7 @@ class ChordalRenderer {
             window.row = -rows_.low() / window.step;
             window.column = -columns_.low() / window.step;
         }
-        // Extrapolate the time of the series from at most eight pupils of the stack.
+        // The time of the series is extrapolated from at most eight pupils of the stack.
         const std::size_t looks = std::min<std::size_t>(stack_.count, 8);
         costs_.second = SeriesCost::declined;
         for (std::size_t i = 0; i < looks; ++i) {
@@ -404,7 +416,8 @@ class ChordalRenderer {
         }
     }
 
-    // Error bound of a pupil's field; degree > 0: of the field of the pupil function times a Zernike term of this degree.
+    // Error bound of the complex amplitude of pupil p; degree > 0: of the Fourier transform of its pupil function times a Zernike
+    // term of this degree.
     template <class Real>
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
@@ -413,7 +426,7 @@ class ChordalRenderer {
                (area_ > 0.0 ? area_ * error_bound(s.inner, batch.disks[1].terms->count, single, degree) : 0.0);
     }
 
-    // Store the error bound of a pupil's image; return whether it meets the tolerance.
+    // Store the error bound of the image of pupil p; return whether the bound meets the tolerance.
     template <class Real>
     bool finish(const ChordalBatch<Real>& batch, std::size_t p, double peak) {
         State& s = states_[p];
@@ -440,12 +453,12 @@ class ChordalRenderer {
     int threads_;
     DiskAnswer<T> answer_;
     More more_;
-    std::size_t degree_;  // highest Zernike degree of the requested derivatives
+    std::size_t degree_;  // highest degree of the Zernike terms to differentiate with respect to
     double area_;
     ChordLines lines_;
     std::vector<State> states_;
-    const PixelNodes* nodes_ = nullptr;  // for pixel averages
-    bool weighed_ = false, only_costs_ = false;  // set by run_if_cheaper(); set by costs()
+    const PixelNodes* nodes_ = nullptr;  // sampling nodes for pixel averages, null for images
+    bool weighed_ = false, only_costs_ = false;  // true in run_if_cheaper(); true in costs()
     std::pair<double, double> costs_;
 };
 
@@ -454,7 +467,8 @@ void ChordalRenderer<T, More>::run() {
     const double bright = stack_.amplitude.integral(stack_.obscuration);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
-        // Most PSFs have a larger max |field| than this estimate; for the others the error is reduced in a second attempt.
+        // Estimate of max |U|, with U the complex amplitude in the image. Few PSFs have a smaller one; for these a second attempt
+        // reduces the error.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large_variance;
@@ -521,7 +535,7 @@ void ChordalRenderer<T, More>::run() {
             more = more && !s.at_rounding;
             const double wanted =
                 (nodes_ != nullptr ? ChordalBudget::retry_most : ChordalBudget::field * std::sqrt(s.peak)) * tol_;
-            // Sums in single precision are tried once more, with the computed peak; then only double precision remains.
+            // A pupil in single precision is tried once more in single precision, with the computed peak, then in double precision.
             s.error = std::min((s.single ? 1.0 : ChordalBudget::retry_most) * s.error,
                                std::max(wanted, ChordalBudget::retry_least * s.error));
             s.in_single = requested_error(ChordalBudget::retry_single, std::sqrt(s.peak));

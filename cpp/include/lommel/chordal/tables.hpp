@@ -1,4 +1,5 @@
-// The chordal Gauss rule on the unit disk: tables of Zernike terms and of the Fourier kernel (docs/certificate.md, section 8).
+// Gauss quadrature along chords of the unit disk: tables of Zernike terms and of the Fourier kernel (docs/certificate.md, section
+// 8).
 #pragma once
 
 #include <algorithm>
@@ -29,7 +30,7 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
 
-// Size of a chordal rule: number of chords, and of nodes on each chord; both are even.
+// Size of a quadrature on the disk: number of chords, and number of nodes on each chord. Both are even.
 struct ChordCount {
     std::size_t chords = 0, nodes = 0;
     std::size_t half_chords() const { return chords / 2; }
@@ -42,8 +43,8 @@ struct ChordCount {
     }
 };
 
-// Nodes of a rule of N chords in the quadrant x, y > 0: x_i = cos(i pi / (N+1)) and y = s_i eta_k, with s_i = sqrt(1 - x_i^2) and
-// eta_k, gauss the Gauss-Legendre nodes and weights. Weights increase with both indices: sums begin with the smallest terms.
+// Nodes of a quadrature with N chords in the quadrant x, y > 0: x_i = cos(i pi / (N+1)), y = s_i eta_k, s_i = sqrt(1 - x_i^2). eta,
+// gauss: Gauss-Legendre nodes and weights. Weights increase with both indices, so that sums begin with the smallest terms.
 struct ChordRule {
     std::vector<wide> x, s, eta, gauss;
 
@@ -62,13 +63,13 @@ struct ChordRule {
             gauss[k] = weights[count.nodes - 1 - k];
         }
     }
-    // Weight of a node; the weights sum to 1 over the whole disk.
+    // Quadrature weight of node k on chord i. The weights of all nodes of the disk sum to 1.
     wide weight(std::size_t i, std::size_t k) const { return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * x.size() + 1); }
 };
 
-// Zernike terms sorted into four parity classes, 2 (odd in x) + (odd in y).
+// Zernike terms sorted into four parity classes. Number of a class: 2 (odd in x) + (odd in y).
 struct TermClasses {
-    std::vector<std::size_t> order;  // indices of terms, class by class
+    std::vector<std::size_t> order;  // indices of the Zernike terms, class by class
     std::size_t ends[4];             // end of each class in `order`
 
     explicit TermClasses(const std::vector<ZernikeTerm>& list) {
@@ -85,27 +86,28 @@ struct TermClasses {
     }
 };
 
-// Contents of vector lanes: one pupil in each (side = 1) or, for a single pupil, `side` chords.
+// Contents of the vector lanes: one pupil in each lane (side = 1) or, for a single pupil, one of `side` chords in each.
 struct ChordLanes {
     std::size_t side = 1;
-    bool single = false;  // in single precision phases are permuted: see Waves
+    bool single = false;  // single precision, in which Waves<I, float> packs the phases of two vectors into one
 
     bool operator==(const ChordLanes& other) const { return side == other.side && single == other.single; }
     std::size_t vectors(std::size_t count) const { return (count + side - 1) / side; }
-    // Position of a lane's phase in its vector.
+    // Position, in its vector, of the chord that belongs in a lane: packing of two vectors in single precision permutes the lanes.
     std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
 };
 
-// Zernike terms and quadrature weights at the nodes of the quadrant x, y > 0. Chords that pad the last vector have the weight 0.
+// Zernike terms and quadrature weights at the nodes of the quadrant x, y > 0. If chords are in the vector lanes, the last vector is
+// padded with chords of weight 0.
 struct TermTable {
     ChordCount count;
     ChordLanes lanes;
     std::vector<ZernikeTerm> terms;
     Amplitude amplitude;
     TermClasses classes;
-    Doubles values;   // [vector of chords][tile of nodes][term, in TermClasses order][node of the tile][chord]
+    Doubles values;   // Zernike terms: [vector of chords][tile of nodes][index in classes.order][node of the tile][chord]
     Doubles weights;  // [vector of chords][node][chord]: quadrature weight times pupil amplitude
-    Doubles own;  // complex weights, see weigh(): [vector of chords][node][(+,+), (+,-), (-,+), (-,-) in x, y][re, im][chord]
+    Doubles own;  // weights set by weigh(): [vector of chords][node][signs of x, y: ++, +-, -+, --][re, im][chord]
 
     TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light, const ChordLanes& in) const {
@@ -114,7 +116,7 @@ struct TermTable {
     bool is(const ChordCount& n, const ChordLanes& in) const { return count == n && lanes == in; }
     std::size_t bytes() const { return (values.size() + weights.size() + own.size()) * sizeof(double); }
 
-    // Set complex weights at the nodes of the whole disk (sampled apertures): given[chord][node][signs of x and y][re, im].
+    // Set complex weights for apertures of any shape: given[chord][node][signs of x and y][re, im], at the nodes of the whole disk.
     void weigh(const double* given) {
         const std::size_t half = count.half_nodes();
         own.assign(weights.size() * 8, 0.0);
@@ -158,14 +160,14 @@ LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeT
 }
 #endif
 
-// Rows or columns of a window. at[entry]: distance from the axis, in pixels or (nodes) in v, units of lambda / (2 pi NA); two rows
-// or columns at opposite distances share one entry.
+// Rows or columns of a window. at[entry]: signed distance from the optical axis, in pixels or, for sampling nodes, in units of
+// lambda/(2 pi NA). Two rows or columns at opposite distances share one entry.
 struct WindowAxis {
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t count;
-    double center;  // position of the axis in pixels; 0 for nodes
+    double center;  // position of the optical axis in pixels; 0 for sampling nodes
     std::vector<double> at;
-    std::vector<std::size_t> plus, minus;  // [entry]: index at distance +at and -at, or `none`
+    std::vector<std::size_t> plus, minus;  // [entry]: index of the row or column at distance +at, at -at (or `none`)
 
     WindowAxis(std::size_t pixels, double axis)
         : count(pixels), center(axis), low_(-axis), high_(static_cast<double>(pixels - 1) - axis) {
@@ -181,7 +183,8 @@ struct WindowAxis {
             minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
         }
     }
-    // For nodes at increasing distances; they are paired if they are symmetric about the axis.
+    // Sampling nodes at increasing signed distances from the optical axis. If they are symmetric about it, opposite nodes are
+    // paired.
     explicit WindowAxis(const std::vector<double>& places)
         : count(places.size()), center(0.0), low_(places.front()), high_(places.back()) {
         const bool mirrored =
@@ -200,8 +203,8 @@ struct WindowAxis {
     double low_, high_;
 };
 
-// Fourier kernel in the precision of the sums: cosines and sines of v_y y for nodes at y and rows of pixels at v_y (chords at +-x),
-// and of v_x x for chords at x and columns of pixels at v_x.
+// Fourier kernel in the precision of the sums: cosines and sines of the phases v_y y and v_x x. (x, y): node of the pupil; (v_x,
+// v_y): column and row of pixels, in units of lambda/(2 pi NA).
 template <class Real>
 struct KernelTable {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -210,8 +213,8 @@ struct KernelTable {
     ChordLanes lanes;
     WindowAxis rows, columns;
     double step;
-    Values row_cos, row_sin;  // [vector of chords][tile of rows][node][row of the tile][chord]
-    Values column_cos, column_sin;  // [tile of columns][chord][column of the tile]
+    Values row_cos, row_sin;  // of v_y y: [vector of chords][tile of rows][node][row of the tile][chord]
+    Values column_cos, column_sin;  // of v_x x: [tile of columns][chord][column of the tile]
 
     KernelTable(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step, const ChordLanes& in)
         : count(n), lanes(in), rows(down), columns(across), step(pixel_step),
@@ -222,7 +225,7 @@ struct KernelTable {
             const std::size_t from = i / in.side * in.side * n.half_nodes() * rows.at.size() + i % in.side;
             fill(rows.at, row_tile, false, rule.eta, rule.s[i], in.side, row_cos.data() + from, row_sin.data() + from);
         }
-        // If the lanes of sums along y are chords, the lanes of sums along x are columns.
+        // If vector lanes are chords in the sums along y, they are columns of pixels in the sums along x.
         fill(columns.at, in.side > 1 ? in.side : column_tile, in.side > 1, rule.x, 1, 1, column_cos.data(), column_sin.data());
     }
     bool is(const ChordCount& n, const WindowAxis& down, const WindowAxis& across, double pixel_step,
@@ -235,8 +238,8 @@ struct KernelTable {
     static double bytes(double nodes, std::size_t rows) { return 0.5 * sizeof(Real) * nodes * static_cast<double>(rows); }
 
    private:
-    // Write cosines and sines of at[i] x factor x nodes[k]. The distances `at` are in tiles of at most `tile`, padded to equal
-    // length if `padded`; stride: step between values in memory.
+    // Write cosines and sines of the phases at[i] x factor x nodes[k]. Distances `at` are stored in tiles of at most `tile`
+    // (`padded`: all of equal length); stride: step between stored values.
     void fill(const std::vector<double>& at, std::size_t tile, bool padded, const std::vector<wide>& nodes, wide factor,
               std::size_t stride, Real* cosines, Real* sines) const {
         look();
@@ -259,8 +262,8 @@ struct KernelTable {
         }
     }
 
-    // Cosine and sine of an angle. Its remainder modulo a quarter turn is rounded to double, whose functions are much faster; the
-    // loss is one unit roundoff (docs/certificate.md, section 8, "Rounding").
+    // Cosine and sine of an angle in extended precision. Its remainder modulo a quarter turn is rounded to double, for which cosine
+    // and sine are much faster; this loses one unit roundoff (docs/certificate.md, section 8, "Rounding").
     static void turn_once(wide angle, wide& cosine, wide& sine) {
         constexpr wide quarter = static_cast<wide>(1.57079632679489661923132169163975144L);
         const wide turns = std::nearbyint(angle / quarter);
@@ -271,8 +274,8 @@ struct KernelTable {
         sine = static_cast<wide>(-around[place + 1]);
     }
 
-    // Cosines and sines of at[i] x angle, by rotation from one pixel to the next. Every `most` pixels they are computed anew, which
-    // keeps the error below the rounding of stored values.
+    // Cosines and sines of at[i] x angle, by rotation from one pixel to the next. To keep the error below the rounding of stored
+    // values, they are computed anew every `most` pixels.
     template <class Put>
     static void turn(const std::vector<double>& at, wide angle, const Put& put) {
         constexpr std::size_t most = wider || sizeof(Real) == sizeof(float) ? 32 : 1;

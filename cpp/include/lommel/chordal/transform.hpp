@@ -1,4 +1,5 @@
-// Fourier transform of the pupil function on a disk by two matrix products. Lanes are pupils, or chords of one pupil.
+// Fourier transform of the pupil function on a disk, by two matrix products, along y and along x. Vector lanes are pupils, or
+// chords of one pupil.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 
 namespace lommel {
 
-// sum[r][c] += table[k][r] * data[k][c] over k, with vectors data[k][c]; R * C independent chains of sums hide the latency.
+// Matrix product sum[r][c] += table[k][r] * data[k][c], summed over k. sum and data are SIMD vectors, table has numbers; R * C
+// independent sums hide the latency of multiply-adds.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -29,7 +31,7 @@ LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t cou
     }
 }
 
-// Two multiply() at once, with two tables and the same data.
+// Two products as in multiply(), with two tables and the same data.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_both(const Real* table, const Real* other, const Real* data, std::size_t count, V (&sum)[R][C],
                                  V (&more)[R][C]) {
@@ -54,7 +56,7 @@ struct Size {
     static constexpr std::size_t value = N;
 };
 
-// for_tiles() with the size of a tile as a compile-time constant.
+// As for_tiles(), but the size of a tile is a compile-time constant for f.
 template <std::size_t Most, class F>
 LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     static_assert(Most <= 6, "sizes up to five are below");
@@ -85,7 +87,7 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     });
 }
 
-// Waves exp(i phase) of one vector of pupils, in double precision.
+// Waves exp(i phase) for a vector of phases, in double precision.
 template <class I, class Real>
 struct Waves {
     using V = typename I::pack;
@@ -97,8 +99,8 @@ struct Waves {
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
 };
 
-// Waves in single precision. A phase is summed in double precision, as an integer multiple of 2^-32 turns in the low bits of the
-// mantissa; the lowest 32 bits are the phase modulo a turn. The phases of two vectors are packed into one.
+// Waves exp(i phase) in single precision. A phase is summed in double precision as an integer multiple of 2^-32 turns, held in the
+// low bits of the mantissa: its lowest 32 bits are the phase modulo a turn. The phases of two vectors are packed into one.
 template <class I>
 struct Waves<I, float> {
     using V = typename I::floats;
@@ -106,13 +108,13 @@ struct Waves<I, float> {
     static constexpr std::size_t vectors = 2, lanes = 2 * I::lanes;
     static constexpr double unit = 683565275.57643158978;  // phases are in 2^-32 turns: 2^32 / (2 pi)
 
-    // Sums start at 1.5 * 2^52, where the spacing of doubles is 1: every sum is rounded to an integer.
+    // Sums of phases start at 1.5 * 2^52, where the spacing of doubles is 1: every sum is rounded to an integer.
     static LOMMEL_INLINE typename I::pack zero() { return splat<typename I::pack>(6755399441055744.0); }
     static LOMMEL_INLINE Phase phase(const typename I::pack (&sum)[vectors]) { return low_halves<Phase>(sum[0], sum[1]); }
     static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos_turns(x, sine, cosine); }
 };
 
-// multiply() with chords in the lanes: entries of `table` are vectors.
+// As multiply(), with chords in the vector lanes: table[k][r] is a SIMD vector too.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -130,7 +132,7 @@ LOMMEL_INLINE void multiply_lanes(const Real* table, const Real* data, std::size
     }
 }
 
-// sum[r][c] += table[k][r][c] * coefficients[k] over k, with vectors of chords table[k][r][c].
+// Phases of chords: sum[r][c] += table[k][r][c] * coefficients[k], summed over the Zernike terms k. sum and table are SIMD vectors.
 template <std::size_t R, std::size_t C, class V>
 LOMMEL_INLINE void add_phases(const double* table, const double* coefficients, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(double);
@@ -157,8 +159,8 @@ LOMMEL_INLINE typename I::floats weights_of(I, const double* from, float) {
     return load<typename I::floats>(narrow);
 }
 
-// Weighted pupil function of a pair of chords at +-x: nodes[parity in y][node][parity in x][re, im], parity 0 even, 1 odd. `Lone`:
-// lanes are pairs of chords of one pupil, else pupils. `Own`: with the complex weights TermTable::own.
+// Weighted pupil function on a pair of chords at +-x: nodes[parity in y][node][parity in x][re, im], with parity 0 even, 1 odd.
+// Vector lanes are pupils or, with `Lone`, pairs of chords of one pupil. `Own`: the weights are complex, TermTable::own.
 template <bool Lone, bool Own, class I, class Real>
 LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
     using Wave = Waves<I, Real>;
@@ -191,7 +193,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
         }
         for (std::size_t r = 0; r < R; ++r) {
             const Phase ee = parts[0][r], eo = parts[1][r], oe = parts[2][r], oo = parts[3][r];
-            // Phases at (x, y), (x, -y), (-x, y), (-x, -y) are a + b, a - b, c + d, c - d; a, c: even in y; b, d: odd in y.
+            // The phases at (x, y), (x, -y), (-x, y), (-x, -y) are a + b, a - b, c + d, c - d: a and c are even in y, b and d odd.
             const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;
             V re[4], im[4];
             Wave::wave(a + b, im[0], re[0]);
@@ -217,7 +219,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
             } else {
                 w = weight(table.weights.data() + node);
             }
-            // Parts at +x: e even in y, o odd in y; parts at -x: f even in y, q odd in y.
+            // e, o: parts even and odd in y at +x; f, q: parts even and odd in y at -x.
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
                 Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
@@ -232,8 +234,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
-// Transform along y, from the nodes of a pair of chords (with `Lone`: a vector of pairs) to each row of pixels: chords[row][parity
-// in x][chord][re, im].
+// Fourier transform along y, from the nodes of a pair of chords (with `Lone`: a vector of pairs) to rows of pixels:
+// chords[row][parity in x][chord][re, im].
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -268,7 +270,7 @@ LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Transform along x, from the chords of a row to the field along the row: row[column][re, im].
+// Fourier transform along x, from chords to the complex amplitude along a row of pixels: row[column][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -292,7 +294,8 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     });
 }
 
-// Transform along x for one pupil: chords in the lanes -> row[vector of columns][re, im], columns in the lanes, padded with zeros.
+// Fourier transform along x for one pupil: vector lanes are chords in `chords`, but columns in row[vector of columns][re, im],
+// which is padded with zeros.
 template <class I, class Real>
 LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -339,8 +342,8 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     });
 }
 
-// Transform along y for one parity in y: nodes[node][re, im] of a pair of chords -> chords[distance of a row from the
-// axis][chord][re, im]. Odd parts use sines and omit the factor -i.
+// Fourier transform along y of a part that is even or odd in y: nodes[node][re, im] of a pair of chords -> chords[distance of a row
+// from the axis][chord][re, im]. Odd parts use sines and omit the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
                                   Real* chords) {
@@ -353,7 +356,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
         store(to, sum[0]);
         store(to + lanes, sum[1]);
     };
-    // Two full tiles at a time give more independent chains of sums.
+    // Two full tiles of rows at a time give more independent sums, which hide the latency of multiply-adds.
     std::size_t held = WindowAxis::none;
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
@@ -379,7 +382,8 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Transform along x for one parity in x: chords[chord][re, im] -> row[distance of a column from the axis][re, im].
+// Fourier transform along x of a part that is even or odd in x: chords[chord][re, im] -> row[distance of a column from the
+// axis][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -397,7 +401,7 @@ LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool od
     });
 }
 
-// Intensity |u|^2 of the field u along a row. top: updated maximum of the intensity in each lane.
+// Intensity |u|^2 along a row, with u the complex amplitude. top: running maximum of the intensity in each vector lane.
 template <class I, class Real>
 LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Real* intensity, Real* top) {
     using V = typename Waves<I, Real>::V;
@@ -412,7 +416,7 @@ LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Rea
     store(top, most);
 }
 
-// subtract(): u -= inner; scale(): inner = area * u. count: number of vectors.
+// subtract(): u -= inner; scale(): inner = area * u. count: number of SIMD vectors.
 template <class I, class Real>
 LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
     using V = typename Waves<I, Real>::V;

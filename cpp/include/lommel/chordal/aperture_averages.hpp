@@ -20,15 +20,13 @@
 
 namespace lommel {
 
-// Quadrature on the unit disk: `size` chords of `size` nodes each. weights[chord][node][signs of x and y][re, im]: one complex
-// weight for each of the four nodes (+-x, +-y).
+// Quadrature nodes on `size` chords of the unit disk, `size` on each. weights[chord][node][signs of x and y][re, im].
 struct ApertureRule {
     std::size_t size;
     const double* weights;
 };
 
-// Zernike terms at the nodes of an ApertureRule, cached for further images with the same aperture. given: copy of the weights of
-// the rule, by which the cache finds the table.
+// Zernike terms at the nodes of an ApertureRule. given: copy of the rule's weights, by which the cache finds the table.
 struct ApertureTable : TermTable {
     std::vector<double> given;
 

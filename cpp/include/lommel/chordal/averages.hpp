@@ -1,5 +1,4 @@
-// Pixel averages of the intensity: weighted sums of samples at nodes in the window. Each vector lane holds one pupil
-// (docs/certificate.md, section 10).
+// Pixel averages of the intensity from samples at nodes; vector lanes are pupils (docs/certificate.md, section 10).
 #pragma once
 
 #include <algorithm>
@@ -15,8 +14,7 @@
 
 namespace lommel {
 
-// Sampling nodes of a window and their weights in the average over each pixel. rows, columns: positions of the nodes in y and x;
-// down, across: weights along y and along x, [pixel][node].
+// Rows and columns of sampling nodes. down, across: weights of the nodes in a pixel's average along y, along x, [pixel][node].
 struct PixelNodes {
     WindowAxis rows, columns;
     std::size_t height, width;  // size of the window in pixels
@@ -25,9 +23,8 @@ struct PixelNodes {
     double *largest, *together;  // results, [pupil]: largest pixel average; sum of all pixel averages
 };
 
-// Shift the positions `places` of sampling nodes, given relative to the middle of the window, to positions relative to the optical
-// axis. If the axis is within `near` pixels of the middle, the image is shifted instead, by a tilt of the pupils: nodes at opposite
-// positions then share their sums.
+// Make the positions `places` of sampling nodes relative to the optical axis, not to the middle of the window. If the axis is
+// within `near` pixels of the middle, a tilt of the pupils moves it there: opposite nodes then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {
@@ -67,8 +64,7 @@ inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, c
 // Samples are summed in their own precision in blocks of this many nodes; the sums of blocks are added in double precision.
 constexpr std::size_t node_block = 8;
 
-// Weights of the sampling nodes in the pixel averages, converted to the precision of the samples (Real) and to the memory layout of
-// average_along() and average_down().
+// Weights of the sampling nodes in the pixel averages, in the precision and memory layout of average_along() and average_down().
 template <class Real>
 struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
@@ -120,8 +116,7 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// Average along x: add weighted sums over one row of samples[node][pupil] to sums[vector of pixels][lane]. With `Lone`, the
-// samples[node] are those of one pupil, and vector lanes are pixels.
+// Average a row of samples[node][pupil] along x, added to sums[vector of pixels][lane]. `Lone`: samples[node], lanes are pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;
@@ -149,8 +144,7 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Average along y: add weighted sums over a block of node rows, lines[vector][node of the block], to sums[row of
-// pixels][vector][lane]. from: index of the first node row of the block.
+// Average a block of node rows along y: lines[vector][node of the block], added to sums[row of pixels][vector][lane].
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -1,5 +1,4 @@
-// Complex amplitudes U in the image for a batch of pupils, one pupil per vector lane, or for a single pupil with the chords of the
-// quadrature in the vector lanes.
+// Complex amplitudes in the image for a batch of pupils, one per vector lane, or for one pupil with its chords in the lanes.
 #pragma once
 
 #include <algorithm>
@@ -16,16 +15,14 @@
 
 namespace lommel {
 
-// Tables for quadrature along chords of one disk, the full aperture or its obscuration: Zernike terms at the nodes, Fourier kernel,
-// and Zernike terms to differentiate with respect to.
+// Tables of one disk (full aperture or obscuration): Zernike terms at the nodes, Fourier kernel, Zernike terms of derivatives.
 template <class Real>
 struct ChordalTables {
     std::shared_ptr<const TermTable> terms;
     std::shared_ptr<const KernelTable<Real>> kernel;
     std::shared_ptr<const FactorTable> factors;  // Zernike terms of the derivatives; null without derivatives
 
-    // Get the tables from the cache. radius: radius of the disk / radius of the aperture; step: pixel pitch in units of lambda/(2
-    // pi NA).
+    // Get the tables from the cache. radius: disk's radius / aperture's radius; step: pixel pitch in units of lambda/(2 pi NA).
     template <class More>
     static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
                             double step, double radius, const More& more, const ChordLanes& lanes) {
@@ -46,8 +43,7 @@ struct ChordalScratch {
     Doubles sums;
 };
 
-// Batch of pupils. area: relative area of the obscuration, 0 for none; the complex amplitude U in the image is that of the full
-// disk minus `area` times that of the obscuration.
+// Batch of pupils. area: relative area of the obscuration, whose amplitude times `area` is subtracted from that of the full disk.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;
@@ -68,8 +64,7 @@ struct ChordalBatch {
     bool lone() const { return disks[0].kernel->lanes.side > 1; }
     // Number of SIMD vectors in a row of the image: one per column or, for a single pupil, one per lanes() columns.
     std::size_t vectors() const { return disks[0].kernel->lanes.vectors(columns()); }
-    // Number of reals that store the pupil function on a pair of chords at +-x (for a single pupil, on a vector of pairs): per
-    // node, re and im of its four parts that are even or odd in x and in y.
+    // Number of reals at the nodes of a pair of chords (or of a vector of pairs): four parities in x and y, each with re and im.
     std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
     void gather(std::size_t disk) const {
@@ -86,8 +81,7 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the complex amplitude U of one disk and pass it to `sink` row by row, as [column][re, im]. nodes_of(disk, chord):
-    // returns the pupil function on a pair of chords.
+    // Compute the complex amplitude U of one disk; rows U[column][re, im] go to `sink`. nodes_of: returns the pupil function.
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();
@@ -124,8 +118,7 @@ struct ChordalBatch {
         });
     }
 
-    // Compute the complex amplitude U from the Zernike coefficients. keep: store the pupil function at all nodes in scratch.kept,
-    // for derivatives.
+    // Compute the complex amplitude U from Zernike coefficients. keep: store the pupil function in scratch.kept, for derivatives.
     void pupil_fields(bool keep, const Sink& sink) const {
         const auto prepare = [&](std::size_t disk) {
             gather(disk);

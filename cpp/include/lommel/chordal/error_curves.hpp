@@ -56,8 +56,7 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, choose the complex curves that need the fewest chords and nodes to reach the error error(p, bound); the
-    // result is stored in disk(p).
+    // For each pupil p, choose the complex curves with the fewest chords and nodes for the error error(p, bound). Result: disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the complex curves again for a smaller error; a former curve is replaced only by one that needs fewer chords or nodes.
@@ -77,8 +76,7 @@ class ChordLines {
     }
 
    private:
-    // Typical ratio of log(mean of |integrand| from samples) to log(bound on max |integrand|), for the sum over chords and over
-    // nodes.
+    // Typical log(mean of |integrand| from samples) / log(bound on max |integrand|) for the sums over chords, over nodes.
     static constexpr double usual_share[2] = {0.4, 0.25};
 
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
@@ -132,9 +130,8 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // All pupils of the batch use the table for the first pupil's curve, which is nearest to the real axis. The
-                // integrand has its smallest second derivatives there, so that each pupil's `bend`, from its own curve, is a bound
-                // on them.
+                // The table has the curve of the batch's first pupil, nearest to the real axis. Second derivatives of the integrand
+                // are smallest there: each pupil's `bend`, from its own curve, is a bound on them.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

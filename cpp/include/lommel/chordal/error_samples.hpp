@@ -56,8 +56,7 @@ struct SharpTable {
     double logarithm(float top, float mean) const {
         return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
     }
-    // Error bound of logarithm(): rounding, and the change between samples. bend: bound on the second derivatives of the
-    // integrand's exponent; coefficients: Zernike coefficients of the pupil.
+    // Error bound of logarithm(), from rounding and the distance of samples. bend: bound on second derivatives of log(integrand).
     double margin(double bend, const double* coefficients) const {
         double size = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -82,9 +81,8 @@ struct SharpTable {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of the samples along the first angle, a in x = cos(a). They are halved at angles where a sample coincides with a
-    // mirror image. Sum over chords: proportional to |sin(a + ib)|^2 on the curve of imaginary part b; sum over nodes: the largest
-    // weight for any number of chords.
+    // Weights of samples along the first angle a, in x = cos(a), halved where a sample is its own mirror image. Sum over chords: as
+    // |sin(a + ib)|^2, with b the imaginary part on the curve; sum over nodes: the largest weight for any number of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -111,8 +109,7 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of the samples along the second angle tau in y = sqrt(1 - x^2) cos(tau). Sum over chords: weights of a mean over y;
-    // sum over nodes: weights of a mean over a full turn of tau.
+    // Weights of samples along the second angle tau (y ~ cos tau): for a mean over y (sum over chords), over tau (sum over nodes).
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -173,10 +170,9 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For the phase Phi of each pupil: top = max |Im Phi| over all samples; mean = mean of |exp(i (Phi - v r))| / exp(top +
-// table.scale) over samples r, for the corner v of the window where it is largest. coefficients[term][pupil]: Zernike coefficients,
-// terms in the order table.classes.order. Vector lanes are pupils or, with `Lone`, samples of one pupil. room: table.room()
-// vectors.
+// For the phase Phi of each pupil: top = max |Im Phi| over the samples r; mean = mean of |exp(i (Phi - v r))| / exp(top +
+// table.scale) for the worst corner v of the window. coefficients[term][pupil]: Zernike coefficients, in the order
+// table.classes.order. Vector lanes are pupils or, with `Lone`, samples of one pupil. room: table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;
@@ -230,8 +226,7 @@ LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coeffici
         top = splat<V>(*std::max_element(tops, tops + lanes));
         store(tops, top);
     }
-    // Sums have the same order for one pupil as for a vector of pupils: an error bound must not depend on the other pupils of a
-    // batch.
+    // The order of summation is the same for one pupil as for many: an error bound must not depend on the other pupils of a batch.
     V all[SharpTable::corners] = {};
     const std::size_t stride = Lone ? 1 : lanes;
     for (std::size_t lane = 0; lane < stride; ++lane) {

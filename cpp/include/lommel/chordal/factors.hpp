@@ -1,5 +1,4 @@
-// Zernike polynomials Z at the nodes of the pupil, for derivatives dP/dc = i Z P of the pupil function P with respect to the
-// Zernike coefficient c.
+// Zernike polynomials Z at pupil nodes, for derivatives dP/dc = i Z P of the pupil function P by the Zernike coefficient c.
 #pragma once
 
 #include <algorithm>
@@ -46,8 +45,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Contents of the vector lanes: each holds the product of a pupil function and a Zernike term. here: number of pupils; first,
-// count: the terms, as indices in table.classes.order.
+// Vector lanes, each a pupil function times a Zernike term. here: number of pupils; first, count: terms, in table.classes.order.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -66,8 +64,7 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function at the nodes of a pair of chords at +-x by the Zernike term of each lane. The parities in x and in y
-// of the two factors (0 even, 1 odd) add modulo 2. nodes: pupil function; to: product; room: working memory.
+// Multiply the pupil function `nodes` at a pair of chords by the Zernike term of each lane. Parities of factors add modulo 2.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;

@@ -19,8 +19,7 @@
 
 namespace lommel {
 
-// Weights and results of node_gradient(). values, per plane: sum over pixels of weight x intensity; its derivatives for all field
-// sets but the first; its derivatives with respect to the `terms` Zernike coefficients.
+// values, per plane: sum over pixels of weight x intensity; its derivatives for field sets 1, 2, ..., then for Zernike terms.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;
@@ -120,8 +119,7 @@ LOMMEL_INLINE void inner_products(I, const double* row, const double* const (&ve
     }
 }
 
-// Call found(j, c, product) with the inner product of row(j) and vector(j, c) for all j and c, by blocks of rows that fit in the
-// cache. count: length of rows and vectors.
+// Call found(j, c, product) with the inner product of row(j) and vector(j, c), both of length `count`, for all j and c.
 template <class Row, class Of, class Found>
 void all_products(Level level, std::size_t rows, std::size_t vectors, std::size_t count, int threads, const Row& row,
                   const Of& vector, const Found& found) {
@@ -164,8 +162,7 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // shares: contributions of each batch to each of its planes: intensity; sums shared by all Zernike terms; sums for the parts of
-    // amplitudes.
+    // shares: contributions of each batch to its planes: intensity, sums for Zernike terms, sums for parts of the amplitudes.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);

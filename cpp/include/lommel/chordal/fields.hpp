@@ -1,5 +1,5 @@
-// Intensities sum |E|^2 of several fields E whose pupil amplitudes are series of radial polynomials, and their derivatives, by the
-// chordal rule with fields in vector lanes (docs/certificate.md, section 16, "Small windows").
+// Intensities sum |E|^2 of fields E whose pupil amplitudes are series of radial polynomials, and their derivatives, by quadrature
+// along chords of the pupil with one field per vector lane (docs/certificate.md, section 16, "Small windows").
 #pragma once
 
 #include <algorithm>
@@ -23,14 +23,13 @@
 
 namespace lommel {
 
-// Contribution to the pupil amplitude of field number `field`: part number `part` of an amplitude series, times a factor. parity: 2
-// (odd in x) + (odd in y) of the factor.
+// Contribution to a field's pupil amplitude: part `part` of a series times a factor of parity 2 (odd in x) + (odd in y).
 struct FieldShare {
     std::int32_t field, parity, part;
 };
 
-// Pupil functions of a set of fields: series: index of their amplitude series; term: index of a Zernike term Z, if they have a
-// factor i Z, else negative; kind: first index of NodeSeries::waves.
+// Pupil functions of a set of fields. series: index of their amplitude series; term: index of a Zernike term Z for a factor i Z,
+// negative for none; kind: first index of NodeSeries::waves.
 struct FieldSet {
     std::int32_t series, term, kind;
 };
@@ -58,8 +57,7 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity of the wave whose product with the share's factor and with the set's Zernike term has `parity`: parities of factors
-    // add modulo 2.
+    // Parity that the wave must have so that wave x share's factor x Zernike term has `parity`: parities add modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -68,8 +66,7 @@ struct NodeSeries {
 };
 
 // Waves exp(i W) times node weights, split by parity in x and y into to[parity][node]. The phase W is the sum of `count` terms
-// edge[j] x terms[j][node], with parities[j] the parity of terms[j]. If largest > 0, i W exp(i W) / largest is split likewise and
-// stored from to[stride] on.
+// edge[j] x terms[j][node], of parities[j]. If largest > 0, i W exp(i W) / largest is split likewise, to[stride] on.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
 #if defined(LOMMEL_DEFINES)
@@ -79,8 +76,7 @@ LOMMEL_ONCE void fold_waves(Level level, std::size_t nodes, const double* terms,
     dispatch_widest(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
         using V = typename decltype(isa)::pack;
         constexpr std::size_t lanes = decltype(isa)::lanes;
-        // Hadamard transform from the values at the mirror images (+-x, +-y) to the four parities, first along y, then along x; its
-        // inverse is the same but for a factor.
+        // Hadamard transform between values at (+-x, +-y) and four parities, along y, then along x: its own inverse up to a factor.
         const auto folded = [](const V(&p)[4], V(&q)[4]) LOMMEL_INLINE_LAMBDA {
             const V a = p[0] + p[1], b = p[0] - p[1], c = p[2] + p[3], d = p[2] - p[3];
             q[0] = a + c, q[1] = b + d, q[2] = a - c, q[3] = b - d;
@@ -163,8 +159,7 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Pupil amplitudes of `planes` planes from plane `first` on: result[series][plane][part][re, im][node]. Blocks of nodes are chosen
-// to fit in the cache.
+// Pupil amplitudes [series][plane][part][re, im][node] of `planes` planes from plane `first` on, by cache-sized blocks of nodes.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -180,8 +175,7 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// Compute one parity of a field's pupil function at all nodes: re[node], im[node]. own: the parities in which the plane's wave is
-// nonzero; parts: pupil amplitudes from sum_series().
+// One parity of a field's pupil function: re[node], im[node]. own: nonzero parities of the plane's wave; parts: from sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -284,8 +278,7 @@ struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// List of the nonzero parities of all fields in `planes` planes from plane `first` on, sorted by parity, and its division into
-// batches of at most one SIMD vector.
+// Nonzero parities of all fields in `planes` planes from plane `first` on, sorted by parity, in batches of at most one SIMD vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
     const Parities& waves;
@@ -400,8 +393,7 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]: index in `parts`
     double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
 
-    // Return whether the intensity is symmetric about an axis, as no field has both an even and an odd part. odd: bit of the parity
-    // that means "odd" (1: in y; 2: in x).
+    // Return whether no field has both even and odd parts: the intensity is symmetric. odd: bit of a parity (1: in y; 2: in x).
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -417,8 +409,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // One parity of a field on a row of one quadrant: the complex values (by_re x re, by_im x im). by_re, by_im: signs in the
-    // quadrant, with a factor -i for odd x and for odd y.
+    // (by_re x re, by_im x im): one parity of a field on a row of one quadrant, with sign, and -i for each direction where it is
+    // odd.
     struct Share {
         const double *re, *im;
         double by_re, by_im;

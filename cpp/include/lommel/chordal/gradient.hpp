@@ -1,7 +1,6 @@
-// Reverse-mode derivatives: gradient of a weighted sum of pixels with respect to all Zernike coefficients c at once
-// (docs/certificate.md, section 8, "Derivatives"). The adjoint at a pupil node r is G(r) = sum over pixels v of weight x conj(U) x
-// exp(-i v r), with U the complex amplitude; d/dc = -2 Im(sum of Z P G over the nodes), with Z the Zernike polynomial and P the
-// pupil function.
+// Reverse-mode derivatives: gradient of a weighted sum of pixels by all Zernike coefficients c (docs/certificate.md, section 8,
+// "Derivatives"). The adjoint at a pupil node r is G(r) = sum over pixels v of weight x conj(U) x exp(-i v r), with U the complex
+// amplitude; d/dc = -2 Im(sum of Z P G over the nodes), with Z the Zernike polynomial and P the pupil function.
 #pragma once
 
 #include <algorithm>

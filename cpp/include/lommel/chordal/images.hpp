@@ -1,5 +1,4 @@
-// Small images of pupils with arbitrary Zernike terms, with error bounds, by Gauss quadrature along chords of the pupil
-// (docs/certificate.md, section 8).
+// Small images for any Zernike terms, with error bounds, by Gauss quadrature along chords (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -35,8 +34,7 @@ constexpr double max_table_bytes = 402653184.0;  // limit for the Fourier kernel
 
 // Error budget of the complex amplitude U in the image; tol: tolerance of the intensity |U|^2 relative to its peak.
 struct ChordalBudget {
-    // Error of U / (tol x max |U|). It counts twice in the intensity; the margin 1 - 2 x 0.4 is for errors of the estimate of max
-    // |U|.
+    // Error of U / (tol x max |U|), counted twice in the intensity; 1 - 2 field is a margin for the estimate of max |U|.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
@@ -45,8 +43,7 @@ struct ChordalBudget {
     // Largest share of a disk's error for the sum over chords; the sum over the nodes of chords gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of U, with rounding, / (tol x estimated max |U|); rounding: largest share of that for
-    // rounding.
+    // Single precision. single: error of U / (tol x estimated max |U|), with rounding; rounding: largest part of it for rounding.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak may
     // then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
@@ -55,8 +52,7 @@ struct ChordalBudget {
     // Second attempt. retry_least, retry_most: limits of (new error of U) / (first error); retry_single: error of U in single
     // precision, with rounding, / (tol x computed max |U|).
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Pixel averages: share of the tolerance of U for the quadrature. The margin is for rounding, which is larger if several
-    // batches share their tables.
+    // Pixel averages: share of the tolerance for quadrature; the remainder is for rounding, larger if batches share tables.
     static constexpr double of_nodes = 0.9;
 };
 
@@ -79,13 +75,12 @@ class ChordalRenderer {
 
     void run();
 
-    // Render if the estimated time is less than that of the series of Zernike terms (docs/certificate.md, section 7); otherwise
-    // throw LimitExceeded.
+    // Render if the estimated time is less than a Zernike series takes (docs/certificate.md, section 7); else throw LimitExceeded.
     void run_if_cheaper() {
         weighed_ = true;
         run();
     }
-    // Estimated times in ns of this method and of the series of Zernike terms; no images are computed.
+    // Estimated times in ns of this method and of a Zernike series; no images are computed.
     std::pair<double, double> costs() {
         only_costs_ = true;
         run();
@@ -103,14 +98,12 @@ class ChordalRenderer {
         ChordDisk outer, inner;                       // error bounds of the full disk, of the obscuration
     };
 
-    // Requested error of the complex amplitude U. share: share of the tolerance; peak: max |U|. For pixel averages tol_ is
-    // absolute.
+    // Requested error of the complex amplitude U, `share` of the tolerance. peak: max |U|; for pixel averages tol_ is absolute.
     double requested_error(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
 
-    // Error bound of the complex amplitude of one disk with n chords and nodes; degree > 0: of the Fourier transform of the pupil
-    // function times a Zernike term of this degree.
+    // Error bound of one disk's complex amplitude; degree > 0: of the transform of pupil function x Zernike term of this degree.
     double error_bound(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
         return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
@@ -120,8 +113,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Requested error of pupil p in single precision, without rounding. If rounding alone takes too large a share of the allowed
-    // error, the pupil is set to double precision.
+    // Requested error in single precision, less rounding. If rounding is too large, pupil p is set to double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -160,8 +152,7 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Group of pupils that are computed together. lone: one pupil, with chords in the vector lanes; outer, inner: numbers of chords
-    // and nodes for the full disk and for the obscuration.
+    // Group of pupils computed together. lone: one pupil, chords in the vector lanes; outer, inner: for full disk, for obscuration.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -173,8 +164,7 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups the same numbers of chords and nodes, and so the same tables, unless the nodes of a group become
-    // more than `more` times as many.
+    // Give neighbouring groups the same quadrature, and so the same tables, unless a group's nodes grow by more than factor `more`.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -344,16 +334,14 @@ class ChordalRenderer {
         }
     }
 
-    // Estimated processor time in ns if all tables are cached. Its coefficients, fitted by benchmarks/choice.py, hardly depend on
-    // the length of SIMD vectors.
+    // Estimated CPU time in ns if all tables are cached. Coefficients: benchmarks/choice.py, for vectors of any width.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
         const double terms = static_cast<double>(stack_.terms.size()), rows = static_cast<double>(rows_.at.size());
         const double height = static_cast<double>(rows_.count), columns = static_cast<double>(columns_.at.size());
         const std::vector<Group> groups = grouped<Real>(pending, pupils);
-        // byte: time in ns to read a byte of the Fourier kernel from the processor's shared cache or, if the tables exceed it, from
-        // memory.
+        // byte: time in ns to read a byte of the kernel table, from shared cache or, if the table exceeds it, from memory.
         const double tables = KernelTable<Real>::bytes(nodes_of(groups), rows_.at.size());
         const double byte = 0.0061 + 0.028 * std::clamp((tables - 8e6) / 4e6, 0.0, 1.0);
         double sum = 0.0;
@@ -374,8 +362,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate the times of this method (costs_.first) and of the series of Zernike terms (costs_.second). pending: pupils, those
-    // in single precision first; singles: their number.
+    // Estimate the times of this method (costs_.first) and of a Zernike series (costs_.second). singles: pupils that use float.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -416,8 +403,7 @@ class ChordalRenderer {
         }
     }
 
-    // Error bound of the complex amplitude of pupil p; degree > 0: of the Fourier transform of its pupil function times a Zernike
-    // term of this degree.
+    // Error bound of a pupil's complex amplitude; degree > 0: of the transform of pupil function x Zernike term of this degree.
     template <class Real>
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];
@@ -467,8 +453,7 @@ void ChordalRenderer<T, More>::run() {
     const double bright = stack_.amplitude.integral(stack_.obscuration);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
-        // Estimate of max |U|, with U the complex amplitude in the image. Few PSFs have a smaller one; for these a second attempt
-        // reduces the error.
+        // Estimate of max |U|, U the complex amplitude. Few PSFs have a smaller one; a second attempt then reduces the error.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large_variance;

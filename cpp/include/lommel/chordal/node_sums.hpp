@@ -15,8 +15,7 @@ void begin_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& we
     batch.scratch.sums.assign((1 + weights.height) * weights.vectors * batch.lanes(), 0.0);
 }
 
-// Add one row of samples, intensity[node][lane], to the pixel averages. y: index of the row. scratch.sums holds averages along the
-// current row, then the pixel averages.
+// Add row y of samples, intensity[node][lane], to pixel averages. scratch.sums: averages along the row, then pixel averages.
 template <class Real>
 void add_averages(const ChordalBatch<Real>& batch, const NodeWeights<Real>& weights, std::size_t y, const Real* intensity) {
     using Kernels = ChordKernels<Real>;

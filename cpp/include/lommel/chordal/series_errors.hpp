@@ -1,5 +1,4 @@
-// Error bounds of quadrature along chords of the pupil, for pupil amplitudes that are series of radial polynomials, from bounds on
-// complex curves (docs/certificate.md, section 16).
+// Error bounds of quadrature along chords for series of pupil amplitudes, by complex curves (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>
@@ -15,21 +14,18 @@
 
 namespace lommel {
 
-// Bounds on the parts of amplitude series. series: number of series, those of all planes counted; parts: parts per series; curves:
-// number of complex curves.
+// Bounds on the parts of amplitude series. series: number of series in all planes; parts: number of parts of a series.
 struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]
 
-    // Compute the bounds. powers[term][curve]: bound on the modulus of a radial polynomial; needed: half the number of chords, and
-    // of nodes per chord, that are required; with the largest part on a curve, log(part) x rate[curve] + chosen[curve], minimized
-    // over curves.
+    // Compute the bounds. powers[term][curve]: bounds on the terms; needed: half the required numbers of chords and of nodes, each
+    // the minimum over curves of log(largest part) x rate[curve] + chosen[curve].
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // Compute error bounds field_errors[set][plane][field]: the sum over parts of shares[field][part] x the part's error. This is
-    // the error of the sums over chords and over nodes, factors `chords`, `nodes` on the best curve, + left + rounding x moduli +
-    // error.
+    // Error bounds field_errors[set][plane][field]: sum over parts of shares[field][part] x (errors of the sums over chords and
+    // over nodes, each the least over curves, + left + rounding x modulus of the part + error).
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

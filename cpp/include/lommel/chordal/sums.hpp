@@ -1,5 +1,4 @@
-// Intensities in single precision by quadrature with a given number of chords and nodes, without error bound (docs/certificate.md,
-// "By the core").
+// Intensities in single precision by given numbers of chords and nodes, without error bound (docs/certificate.md, "By the core").
 #pragma once
 
 #include <algorithm>

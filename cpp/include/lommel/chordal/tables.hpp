@@ -1,5 +1,4 @@
-// Gauss quadrature along chords of the unit disk: tables of Zernike terms and of the Fourier kernel (docs/certificate.md, section
-// 8).
+// Gauss quadrature along chords of a disk: tables of Zernike terms and of the Fourier kernel (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -97,8 +96,7 @@ struct ChordLanes {
     std::size_t place(std::size_t lane) const { return single && side > 1 ? lane % 2 * (side / 2) + lane / 2 : lane; }
 };
 
-// Zernike terms and quadrature weights at the nodes of the quadrant x, y > 0. If chords are in the vector lanes, the last vector is
-// padded with chords of weight 0.
+// Zernike terms and quadrature weights at the nodes of the quadrant x, y > 0. Chords that pad a vector have the weight 0.
 struct TermTable {
     ChordCount count;
     ChordLanes lanes;
@@ -183,8 +181,7 @@ struct WindowAxis {
             minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
         }
     }
-    // Sampling nodes at increasing signed distances from the optical axis. If they are symmetric about it, opposite nodes are
-    // paired.
+    // For sampling nodes at increasing signed distances from the axis; opposite nodes are paired if all are symmetric about it.
     explicit WindowAxis(const std::vector<double>& places)
         : count(places.size()), center(0.0), low_(places.front()), high_(places.back()) {
         const bool mirrored =

@@ -1,5 +1,4 @@
-// Fourier transform of the pupil function on a disk, by two matrix products, along y and along x. Vector lanes are pupils, or
-// chords of one pupil.
+// Fourier transform of the pupil function on a disk, along y, then along x. Vector lanes are pupils, or chords of one pupil.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +11,7 @@
 
 namespace lommel {
 
-// Matrix product sum[r][c] += table[k][r] * data[k][c], summed over k. sum and data are SIMD vectors, table has numbers; R * C
-// independent sums hide the latency of multiply-adds.
+// sum[r][c] += table[k][r] * data[k][c] over k; data[k][c]: SIMD vectors. R * C independent sums hide the latency of additions.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -234,8 +232,8 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     });
 }
 
-// Fourier transform along y, from the nodes of a pair of chords (with `Lone`: a vector of pairs) to rows of pixels:
-// chords[row][parity in x][chord][re, im].
+// Fourier transform along y, from the nodes of a pair of chords (`Lone`: a vector of pairs) to chords[row][parity in x][chord][re,
+// im], for each row of pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -294,8 +292,7 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     });
 }
 
-// Fourier transform along x for one pupil: vector lanes are chords in `chords`, but columns in row[vector of columns][re, im],
-// which is padded with zeros.
+// Fourier transform along x for one pupil: chords, in the vector lanes -> row[vector of columns][re, im], padded with zeros.
 template <class I, class Real>
 LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -382,8 +379,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Fourier transform along x of a part that is even or odd in x: chords[chord][re, im] -> row[distance of a column from the
-// axis][re, im].
+// Fourier transform along x of a part even or odd in x: chords[chord][re, im] -> row[distance of a column from the axis][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;

@@ -1,5 +1,4 @@
-// Inner loops of reverse-mode derivatives: the transpose of the Fourier transform from pupil to image, and its product with the
-// pupil function.
+// Reverse-mode derivatives: transpose of the Fourier transform from pupil to image, and its product with the pupil function.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +33,7 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the Fourier transform along x: pixels[row][column] -> chords[row][parity in x][chord], complex. Odd parts omit the
-// factor -i.
+// Transpose of the transform along x: pixels[row][column] -> chords[row][parity in x][chord], complex; odd parts omit -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -64,8 +62,7 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the Fourier transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x] on the pair
-// of chords at +-x.
+// Transpose of the transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x] at chords +-x.
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;

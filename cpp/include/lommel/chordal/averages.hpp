@@ -144,7 +144,7 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Average a block of node rows along y: lines[vector][node of the block], added to sums[row of pixels][vector][lane].
+// Average the block of node rows from row `from` on along y: lines[vector][node], added to sums[row of pixels][vector][lane].
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -32,7 +32,7 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
 // Fourier transform of the pupil function times a Zernike term of degree `degree`.
 using PupilErrors = Reference<std::array<double, 3>(std::size_t pupil, std::size_t degree)>;
 
-// Derivatives of images, [term][pupil]. images: scaled like the images themselves; bounds: error bounds relative to the peak.
+// Derivatives of images, [term][pupil]. images: derivatives, in the scale of the images; bounds: their error bounds / peak.
 template <class T>
 struct ChordalDerivatives {
     static constexpr bool wanted = true, keeps_nodes = true;

@@ -45,7 +45,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Vector lanes, each a pupil function times a Zernike term. here: number of pupils; first, count: terms, in table.classes.order.
+// Vector lanes, each a pupil function times a Zernike term. here: number of pupils; first, count: range in table.classes.order.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;

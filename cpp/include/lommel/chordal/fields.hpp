@@ -65,8 +65,8 @@ struct NodeSeries {
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
-// Waves exp(i W) times node weights, split by parity in x and y into to[parity][node]. The phase W is the sum of `count` terms
-// edge[j] x terms[j][node], of parities[j]. If largest > 0, i W exp(i W) / largest is split likewise, to[stride] on.
+// Waves exp(i W) x node weights, split by parity in x and y: to[parity][node]. Phase W: sum over j < count of edge[j] x
+// terms[j][node], where terms[j] has the parity parities[j]. If largest > 0, also i W exp(i W) / largest, from to[stride] on.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
 #if defined(LOMMEL_DEFINES)
@@ -409,8 +409,7 @@ struct PlaneLight {
         }
         return true;
     }
-    // (by_re x re, by_im x im): one parity of a field on a row of one quadrant, with sign, and -i for each direction where it is
-    // odd.
+    // (by_re x re, by_im x im): one parity of a field on a row of one quadrant, with its sign and -i for each odd direction.
     struct Share {
         const double *re, *im;
         double by_re, by_im;
@@ -525,7 +524,7 @@ inline void full_light(const NodeSeries& given, const DiskWindow& window, int th
     // u: complex amplitudes in the image, [plane][set][field][row][column][re, im].
     thread_local Doubles scratch;
     scratch.resize(2 * jobs * pixels);
-    double* const u = scratch.data();  // scratch of this thread, filled by all threads
+    double* const u = scratch.data();  // memory of the calling thread, filled by all threads
     parallel_for((jobs + lanes - 1) / lanes, threads, [&](std::size_t, std::size_t b) {
         thread_local Doubles at, room, chords, row;
         const std::size_t first = b * lanes, here = std::min(lanes, jobs - first), line = given.count.half_chords() * 4 * lanes;
@@ -598,7 +597,7 @@ LOMMEL_ONCE void node_light(const NodeSeries& given, const DiskWindow& window, i
     for_tiles(given.planes, 8, [&](std::size_t first, std::size_t planes) {
         const FieldParts wanted(given, waves, first, planes, ChordKernels<double>::lanes(level));
         scratch.resize(wanted.list.size() * 2 * rows.at.size() * padded(columns));
-        const double* const parts = scratch.data();  // scratch of this thread, filled by all threads
+        const double* const parts = scratch.data();  // memory of the calling thread, filled by all threads
         part_fields(level, given, wanted, *kernel, threads, scratch.data());
         parallel_for(planes, threads, [&](std::size_t, std::size_t p) {
             const std::size_t* place = wanted.place.data() + p * given.sets.size() * given.fields * 4;

@@ -103,7 +103,7 @@ class ChordalRenderer {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
 
-    // Error bound of one disk's complex amplitude; degree > 0: of the transform of pupil function x Zernike term of this degree.
+    // Error bound of one disk's complex amplitude; degree > 0: of the amplitude for pupil function x Zernike term of this degree.
     double error_bound(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
         const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
         return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
@@ -152,7 +152,7 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Group of pupils computed together. lone: one pupil, chords in the vector lanes; outer, inner: for full disk, for obscuration.
+    // Pupils computed together. lone: one pupil, chords in the vector lanes; outer, inner: quadrature on full disk, on obscuration.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -334,7 +334,7 @@ class ChordalRenderer {
         }
     }
 
-    // Estimated CPU time in ns if all tables are cached. Coefficients: benchmarks/choice.py, for vectors of any width.
+    // Estimated CPU time in ns if all tables are cached. Coefficients: from benchmarks/choice.py, for vectors of any width.
     template <class Real>
     double nanoseconds(const std::size_t* pending, std::size_t pupils) const {
         const double lanes = static_cast<double>(ChordKernels<Real>::lanes(processor_level()));
@@ -362,7 +362,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate the times of this method (costs_.first) and of a Zernike series (costs_.second). singles: pupils that use float.
+    // Estimate the times of this method (costs_.first) and of a Zernike series (costs_.second). singles: number of pupils in float.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -403,7 +403,7 @@ class ChordalRenderer {
         }
     }
 
-    // Error bound of a pupil's complex amplitude; degree > 0: of the transform of pupil function x Zernike term of this degree.
+    // Error bound of a pupil's complex amplitude; degree > 0: of the amplitude for pupil function x Zernike term of this degree.
     template <class Real>
     double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
         const State& s = states_[p];

@@ -14,7 +14,7 @@ namespace lommel {
 
 constexpr std::size_t most_pupils = 2 * row_lanes;  // largest number of pupils in a SIMD vector
 
-// Choice of an inner loop by instruction set (level). Each function calls the template that it is named after.
+// Dispatch of the inner loops by instruction set (level). The templates that these functions call describe the arguments.
 template <class Real>
 struct ChordKernels {
     static constexpr double unit = Waves<Portable, Real>::unit;

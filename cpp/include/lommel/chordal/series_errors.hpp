@@ -1,4 +1,4 @@
-// Error bounds of quadrature along chords for series of pupil amplitudes, by complex curves (docs/certificate.md, section 16).
+// Error bounds of quadrature along chords for amplitude series, from bounds on complex curves (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>

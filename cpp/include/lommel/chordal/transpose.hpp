@@ -33,7 +33,7 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the transform along x: pixels[row][column] -> chords[row][parity in x][chord], complex; odd parts omit -i.
+// Transpose of the Fourier transform along x: pixels[row][column] -> chords[row][parity in x][chord]; odd parts omit -i.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -62,7 +62,7 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
     }
 }
 
-// Transpose of the transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x] at chords +-x.
+// Transpose of the Fourier transform along y: chords[row][parity in x][chord] -> nodes[parity in y][node][parity in x].
 template <class I, class Real>
 LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
     using V = typename Waves<I, Real>::V;

@@ -94,8 +94,8 @@ class ChordalRenderer {
         bool at_rounding = false;                  // the requested error is as small as rounding permits
         bool retried = false;                        // in a second attempt, as the first missed the tolerance
         bool single = sizeof(T) == sizeof(float);  // sums are in single precision
-        double in_single = 0.0;                    // allowed error of the complex amplitude in single precision, with rounding
-        ChordDisk outer, inner;                       // error bounds of the full disk, of the obscuration
+        double in_single = 0.0;  // allowed error of the complex amplitude in single precision, with rounding
+        ChordDisk outer, inner;  // error bounds of the full disk, of the obscuration
     };
 
     // Requested error of the complex amplitude U, `share` of the tolerance. peak: max |U|; for pixel averages tol_ is absolute.

@@ -767,13 +767,16 @@ def _text(setting: Setting) -> str:
 def markdown(table: list[Facts]) -> str:
     """Return the table as Markdown."""
     lines = [
-        "| quantity | paper | as printed | corrected | printed, against the FFT | closest found, as printed "
-        "| closest found, corrected |",
-        "|---|---|---|---|---|---|---|",
+        "| quantity | paper | as printed | corrected | printed, against the FFT |",
+        "|---|---:|---:|---:|---:|",
     ]
     for row in table:
-        cells = [row["quantity"], number(row["paper"]), *(number(row[key]) for key in (*VARIANTS, "against_fft"))]
-        cells += [closest_text(row["closest"][variant]) for variant in VARIANTS]
+        cells = [row["quantity"], *(number(row[key]) for key in ("paper", *VARIANTS, "against_fft"))]
+        lines.append("| " + " | ".join(cells) + " |")
+    lines += ["", "Closest to the paper over the parameters that it does not state:", ""]
+    lines += ["| quantity | as printed | corrected |", "|---|---|---|"]
+    for row in table:
+        cells = [row["quantity"], *(closest_text(row["closest"][variant]) for variant in VARIANTS)]
         lines.append("| " + " | ".join(cells) + " |")
     lines.append("")
     # Numbers that were searched together share a remark.

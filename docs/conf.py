@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import sys
 import warnings
@@ -112,6 +113,16 @@ if any(not (HERE / name).exists() or (HERE / name).read_text("utf-8") != text fo
     raise ValueError("docs/api.md is not that of the public names: run .venv/bin/python docs/api.py")
 
 
+def read_comments(_app: Any, _docname: str, source: list[str]) -> None:
+    """Make directives of comments, which code hosts hide: index entries, and code beside its picture."""
+    for comment, directive in (
+        (r"index: (.*)", r"```{index} \1\n```"),
+        ("beside", ":::{container} beside"),
+        ("end of beside", ":::"),
+    ):
+        source[0] = re.sub(f"^<!-- {comment} -->$", directive, source[0], flags=re.MULTILINE)
+
+
 def leave_out(_app: Any, docname: str, source: list[str]) -> None:
     """Remove pages that other targets write from the table of contents if they do not exist."""
     if docname == "inside":
@@ -144,3 +155,4 @@ def setup(app: Any) -> None:
     app.connect("html-page-context", name_summaries, priority=900)  # after the theme
     app.connect("env-get-outdated", index_again)
     app.connect("source-read", leave_out)
+    app.connect("source-read", read_comments)

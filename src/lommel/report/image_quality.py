@@ -305,7 +305,7 @@ class ImageQuality(PointQuality):
         found, blur = dict(self.instrument.radii), float(self.pupil.geometric_radius())
         found.setdefault("Airy radius", self.pupil.airy_radius)
         if blur > 0:
-            found.setdefault("radius of all rays", blur)
+            found.setdefault("edge of the geometric blur", blur)
         return found
 
     def encircled_energy(self, *, unaberrated: bool = False) -> tuple[list[float | None], float | None]:

@@ -67,7 +67,7 @@ def _setup(facts: Facts) -> Table:
         pixel += f", {format_length(facts['pixel_in_object'])} in the sample"
     if depth_of_field is not None:
         ends = " to ".join(distinct(depth_of_field["near"], depth_of_field["far"]))
-        depth_of_field = f"{ends} (circle of confusion up to {IN_FOCUS:g} pixels)"
+        depth_of_field = f"{ends} ({_largest_blur(facts)})"
     lens = f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
     rows = [
         ("lens", f"{lens} (working f/{facts['working_f_number']:.4g}){obscuration}"),
@@ -76,11 +76,16 @@ def _setup(facts: Facts) -> Table:
         ("focus distance", focus_distance),
         ("object distance", object_distance),
         ("depth of field", depth_of_field),
-        ("hyperfocal distance", hyperfocal and f"{format_length(hyperfocal)} (same circle)"),
+        ("hyperfocal distance", hyperfocal and f"{format_length(hyperfocal)} ({_largest_blur(facts)})"),
         ("pixel", pixel),
         ("camera", camera_in_words(facts)),
     ]
     return list_of(rows)
+
+
+def _largest_blur(facts: Facts) -> str:
+    """Return in words the largest circle of confusion of what counts as in focus."""
+    return f"blur of {IN_FOCUS:g} pixels, {format_length(IN_FOCUS * float(np.max(facts['pixel'])))}"
 
 
 def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
@@ -153,10 +158,10 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
         ("FWHM with the pixel", facts["fwhm_with_pixel"]),
         (label_80, diameter_80),
         (f"{label_80}{',' if 'about' in label_80 else ''} with the pixel", facts["diameter_80_with_pixel"]),
-        ("Airy disc" + (" of a clear aperture" if unlike_airy else " (first dark ring)"), 2.0 * facts["airy_radius"]),
-        ("first dark ring without aberrations", 2.0 * ring if unlike_airy and ring else None),
         ("circle of confusion (defocus alone)", facts["circle_of_confusion"] or None),
-        ("all rays, with the aberrations", None if math.isclose(rays, facts["circle_of_confusion"]) else rays),
+        ("geometric blur (all rays)", None if math.isclose(rays, facts["circle_of_confusion"]) else rays),
+        (f"ideal {'clear aperture' if unlike_airy else 'lens'}: Airy disc", 2.0 * facts["airy_radius"]),
+        ("ideal obscured aperture: first dark ring", 2.0 * ring if unlike_airy and ring else None),
     ]
     units = {"um": 1e-6, "pixels": pixel}
     if facts["arcsec_per_pixel"]:
@@ -318,8 +323,9 @@ def _microscope_parts(facts: Facts) -> Parts:
         ("planes", f"{several} {_ORIGINS[facts['origin']]}"),
         ("pixel", f"{format_length(facts['pixel'])}, {format_length(facts['pixel_in_sample'])} in the sample"),
         ("camera", camera_in_words(facts)),
-        ("Nyquist sampling", f"pixel {format_length(nyquist['pixel'])}, "
-         f"{format_length(nyquist['lateral'])} in the sample; stage step {format_length(nyquist['axial'])}"),
+        ("Nyquist sampling", f"pixel of at most {format_length(nyquist['pixel'])}, "
+         f"{format_length(nyquist['lateral'])} in the sample"),
+        ("", f"planes at most {format_length(nyquist['axial'])} apart"),
     ]  # fmt: skip
     coarse = [
         Text(
@@ -346,7 +352,7 @@ def _layer_in_words(layer: dict[str, float] | None) -> str:
 
 def _focus_parts(facts: Facts) -> Parts:
     """Return the table of the focus of emitters at several depths."""
-    names = ("depth um", "paraxial um", "best um", "depth / best", "axial nm", "lateral nm")
+    names = ("depth\num", "paraxial\num", "best\num", "depth /\nbest", "axial\nFWHM nm", "lateral\nFWHM nm")
     rows = [
         (
             f"{1e6 * row['depth']:.4g}",
@@ -357,13 +363,14 @@ def _focus_parts(facts: Facts) -> Parts:
         )
         for row in facts["focus"]
     ]
-    table = table_of((*names, "peak", "/ at 0", "light"), rows, left=-1, title="Focus of a freely rotating dipole")
+    table = table_of((*names, "peak", "peak /\nat 0 um", "collected\nlight"), rows, left=-1, title="Focus of a freely rotating dipole")
     for column in table.columns:
         column.overflow = "fold"  # other settings cut off digits
     note = (
-        "paraxial, best (brightest): stage travel from the focus on the surface of the cover glass; axial, lateral: "
-        "full width at half maximum of the optics alone, without the pixel; light: "
-        "collected light relative to an emitter far from the glass"
+        "paraxial, best: stage travel to the paraxial and the brightest focus, from the paraxial one on the cover glass; "
+        "FWHM: of the optics without the pixel, along the stage and in the sample; peak: intensity at the best focus "
+        "relative to an ideal lens of scalar theory; collected light: relative to an emitter far from the glass, above "
+        "1 where supercritical light is collected"
     )
     return ["", table, Wrapped(note, "dim"), *refused(facts)]
 

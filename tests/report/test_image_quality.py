@@ -165,7 +165,7 @@ def test_a_microscope_is_shown_with_lengths_in_the_sample_and_degrees():
     assert told["emitter"] == "dipole, 60° from the axis, azimuth 0°, 2 µm deep"
     assert told["planes"] == "64, 100 nm apart"
     assert "<img" in tilted._repr_html_()
-    assert repr(microscope).startswith("<Microscope 'Zeiss Plan-Apochromat 63x/1.4 Oil DIC, sample in water': NA 1.4, 63x, ")
+    assert repr(microscope).startswith("<Microscope 'Zeiss Plan-Apochromat 63x/1.4 Oil DIC, sample in water': NA 1.4")
 
 
 def test_what_cannot_be_computed_does_not_raise(lenses):

@@ -352,7 +352,7 @@ def _layer_in_words(layer: dict[str, float] | None) -> str:
 
 def _focus_parts(facts: Facts) -> Parts:
     """Return the table of the focus of emitters at several depths."""
-    names = ("depth\num", "paraxial\num", "best\num", "depth /\nbest", "axial\nFWHM nm", "lateral\nFWHM nm")
+    names = ["depth\num", "paraxial\num", "best\num", "depth /\nbest", "axial\nFWHM nm", "lateral\nFWHM nm"]
     rows = [
         (
             f"{1e6 * row['depth']:.4g}",
@@ -363,14 +363,15 @@ def _focus_parts(facts: Facts) -> Parts:
         )
         for row in facts["focus"]
     ]
-    table = table_of((*names, "peak", "peak /\nat 0 um", "collected\nlight"), rows, left=-1, title="Focus of a freely rotating dipole")
+    names += ["peak", "peak /\nat 0 um", "collected\nlight"]
+    table = table_of(names, rows, left=-1, title="Focus of a freely rotating dipole")
     for column in table.columns:
         column.overflow = "fold"  # other settings cut off digits
     note = (
-        "paraxial, best: stage travel to the paraxial and the brightest focus, from the paraxial one on the cover glass; "
-        "FWHM: of the optics without the pixel, along the stage and in the sample; peak: intensity at the best focus "
-        "relative to an ideal lens of scalar theory; collected light: relative to an emitter far from the glass, above "
-        "1 where supercritical light is collected"
+        "paraxial, best: stage travel to the paraxial and the brightest focus, from the paraxial one on the cover "
+        "glass; FWHM: of the optics without the pixel, along the stage and in the sample; peak: intensity at the "
+        "best focus relative to an ideal lens of scalar theory; collected light: relative to an emitter far from the "
+        "glass, above 1 where supercritical light is collected"
     )
     return ["", table, Wrapped(note, "dim"), *refused(facts)]
 

@@ -166,7 +166,7 @@ class PanelMap {
     bool arc(const Side& side, double eta, ComplexDisc s, ComplexDisc& value) const {
         const double near = sign_ > 0.0 ? anchor_ - side.low : side.high - anchor_;
         const double far = sign_ > 0.0 ? side.high - anchor_ : anchor_ - side.low;
-        // The radicand is (near + t) (far - t), with t the distance from the anchor.
+        // Argument of the square root: (near + t) (far - t), t the distance from the end of the panel where the map is anchored.
         if (root_ == 0) {
             const double half = 0.5 * length_;
             return linear(-near / half, eta, s, std::sqrt(std::max(near, 0.0)), value = {1.0, 0.0}) &&

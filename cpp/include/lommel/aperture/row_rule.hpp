@@ -166,7 +166,7 @@ LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double er
         bool roots[2] = {false, false};
         for (auto& span : panel.spans) {
             for (Side& side : span) {
-                // An arc that begins at the end of the panel up to rounding is moved to begin exactly at this end.
+                // A limit of an arc that equals a limit of the panel up to rounding is set to exactly that limit.
                 const double below = side.low - low, above = side.high - high;
                 if (side.k != 0.0 && std::abs(below) < 2.0 * same) {
                     side.low = low;

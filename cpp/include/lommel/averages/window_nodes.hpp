@@ -56,8 +56,8 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
-    // Cosine (0) and sine (1) waves at several frequencies. nodes[frequency][node]: at the nodes x > 0;
-    // pixels[frequency][pixel]: averaged over a pixel, the target of the weights.
+    // Waves at several frequencies, cosines in [0] and sines in [1]. nodes: values at the nodes x > 0, [frequency][node]; pixels:
+    // averages over each pixel, [frequency][pixel], which weighted sums over the nodes shall equal.
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -68,8 +68,8 @@ class WindowNodes {
     std::size_t pixels_;
 };
 
-// Nodes for pixels of pitch `step`, whose mean error of the response is at most `error`; null if the window is too large, or if
-// pixels are so small that weights of both signs would amplify errors.
+// Nodes for averages over pixels of pitch `step`, with a mean error of their frequency response of at most `error`; null if the
+// window is too large, or if pixels are so small that weights of both signs would amplify errors.
 class ChosenNodes {
    public:
     std::shared_ptr<const WindowNodes> nodes;

@@ -144,7 +144,8 @@ LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const 
     }
 }
 
-// Average the block of node rows from row `from` on along y: lines[vector][node], added to sums[row of pixels][vector][lane].
+// Add one block of rows of nodes, times `weights`, to sums[row of pixels][vector][lane]. lines[vector][row of the block]: averages
+// along x; from: first row of the block.
 template <class I, class Real>
 LOMMEL_INLINE void average_down(I isa, const NodeWeights<Real>& weights, std::size_t from, const Real* lines, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -59,7 +59,8 @@ class ChordLines {
     // For each pupil p, choose the complex curves with the fewest chords and nodes for the error error(p, bound). Result: disk(p).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
-    // Choose the complex curves again for a smaller error; a former curve is replaced only by one that needs fewer chords or nodes.
+    // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer
+    // chords or nodes suffice.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
         bound.prepare(coefficients);
         for (const Sum sum : {Sum::chords, Sum::nodes}) {

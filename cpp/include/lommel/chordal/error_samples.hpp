@@ -170,9 +170,10 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For the phase Phi of each pupil: top = max |Im Phi| over the samples r; mean = mean of |exp(i (Phi - v r))| / exp(top +
-// table.scale) for the worst corner v of the window. coefficients[term][pupil]: Zernike coefficients, in the order
-// table.classes.order. Vector lanes are pupils or, with `Lone`, samples of one pupil. room: table.room() vectors.
+// For each pupil, Phi its phase. tops: max |Im Phi| over the samples r; means: mean of |exp(i (Phi - v . r))| over the samples, for
+// the corner v of the window where it is largest, divided by exp(top + table.scale), which keeps it within single precision.
+// coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector lanes are pupils or, with `Lone`,
+// samples of one pupil. room: table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;

@@ -162,7 +162,8 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // shares: contributions of each batch to its planes: intensity, sums for Zernike terms, sums for parts of the amplitudes.
+    // shares: for each batch and each of its planes, one after the other: intensities of the pixels, sums at the nodes for all
+    // Zernike terms and, with `rates`, sums for the series of the amplitudes.
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);

@@ -24,8 +24,9 @@ struct SeriesSizes {
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // Error bounds field_errors[set][plane][field]: sum over parts of shares[field][part] x (errors of the sums over chords and
-    // over nodes, each the least over curves, + left + rounding x modulus of the part + error).
+    // Error bounds field_errors[set][plane][field]: sums over the parts of the amplitude of shares[field][part] times a part's
+    // error. That is the error of the sum over chords and of that over nodes, each by its best complex curve; `left`; `rounding`
+    // times the largest modulus of the part; and `error`.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

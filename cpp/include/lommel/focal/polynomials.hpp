@@ -30,7 +30,7 @@ class FocalRows {
     static constexpr std::size_t margin = 32;
     static std::size_t padded(std::size_t width) { return (width + 31) / 32 * 32 + 2 * margin; }
 
-    // Row y remains available in all orders until row y + `ahead` has been read.
+    // Row y of the filtered images of every order m remains available until row y + `ahead` has been read.
     FocalRows(const FocalTaps& taps, std::size_t images, std::size_t height, std::size_t width, std::size_t ahead)
         : taps_(taps), height_(height), width_(width), pitch_(padded(width)), images_(images), column_(pitch_) {
         for (std::size_t m = 0; m <= taps.degree; ++m) {

@@ -447,8 +447,9 @@ class Compositor {
         }
     }
 
-    // Update `total` and `seen` of a vector of pixels by a layer whose blurred white image is `cover`; reset `cover` to zero.
-    // Returns 1 for pixels that this layer covers completely, 0 for others.
+    // Add a layer to a vector of pixels. cover: share of each pixel that the layer covers, its blurred image if it were white,
+    // reset to zero here; total: share covered by all layers so far; seen: visibility, the number of layers seen. Returns 1 for
+    // pixels that this layer covers completely, 0 for others.
     Short cover_pixels(T* total, T* seen, T* cover, T layer) const {
         constexpr T tiny = std::numeric_limits<T>::min(), never = std::numeric_limits<T>::infinity();
         const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());

@@ -161,7 +161,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return largest;
     }
 
-    // Compute to[piece][part][power], `by` times the coefficients of some pieces; raise largest[power] to their largest modulus.
+    // Of pieces begin to end - 1 compute to[piece][part][power], `by` times the coefficients of the polynomial of each part.
+    // largest[power]: largest modulus of these so far.
     template <class I, std::size_t Terms, class To>
     static LOMMEL_INLINE void cut(I isa, const Parts<Terms>& parts, const double* intensity, double by, std::size_t begin,
                                   std::size_t end, To* to, double* largest) {

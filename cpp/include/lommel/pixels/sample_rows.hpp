@@ -53,9 +53,9 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// Positions of a window's pixels, counted in parts of pieces (intervals of the distance from the axis) from the middle of the
-// first part on. A position is linear in the distance in zone 0, and linear in the squared distance in each zone farther out,
-// which ends at twice the distance where it begins.
+// Position of each pixel of a window along the distance from the axis, which pieces divide, and parts divide pieces: in units of a
+// part, 0 being the middle of the first. In zone 0 it is linear in the distance; in each zone farther out, where the square root is
+// not worth its time, linear in the squared distance. Such a zone ends at twice the distance at which it begins.
 class SampleRows {
    public:
     struct Zone {  // squared distance where it begins, in (piece width)^2; position = slope * squared distance + shift
@@ -223,7 +223,7 @@ class SampleRows {
         }
         static LOMMEL_INLINE std::uint32_t whole(double x) { return static_cast<std::uint32_t>(x + 0.5); }
     };
-    // Number of fraction bits for which positions up to 1.5 span + 3 fit into 32 bits, and fractions into single precision.
+    // Number of fraction bits for which positions up to 1.5 span + 4 fit into 32 bits, and fractions into single precision.
     static int fraction_bits(double span) { return 31 - std::max(7, std::ilogb(1.5 * span + 4.0)); }
 
     LOMMEL_INLINE double squared(double pixels) const { return pieces_ * pixels * (pieces_ * pixels); }

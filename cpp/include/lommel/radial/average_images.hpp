@@ -58,7 +58,8 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // Error bounds are relative to a lower bound on the largest pixel: over the plane or, if values are divided by it, the window.
+    // Error bounds are relative to the largest pixel anywhere in the plane or, if an image is divided by its largest pixel, in the
+    // window; to a lower bound on it, to be exact.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
@@ -251,7 +252,7 @@ class PixelRenderer {
 
     // Return whether few pupils, and no two pixels of a window, would share the weights of a table.
     bool few_share() const { return !window_.folds() && stack_.count <= CoarseAverages::few; }
-    // Return whether filters of finer samples can average these pixels.
+    // Return whether these pixels can be averaged by filters that are applied to finer samples.
     bool filters_serve() const {
         return window_.integrate && few_share() && windows_.centers == nullptr && window_.step <= widest_filtered;
     }

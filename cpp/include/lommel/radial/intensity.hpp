@@ -60,7 +60,8 @@ struct Slopes {
     Doubles values;
     double error = 0.0, size = 0.0, steepest = 0.0;  // error bound and largest |T|^2 of the field T; largest |values|
 
-    // Compute `values`, dI/dc_k at `places`, for which `field` must be prepared. power: the exponent k; requested: error of T.
+    // Compute `values` = dI/dc_k at `places`; `field` must be prepared for the same places. power: the exponent k; requested: error
+    // of the field of t^k times the pupil function, t the squared pupil radius.
     Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double requested);
 };
 

@@ -20,7 +20,7 @@ struct Phase {
     double size() const { return weighted(0.0, 0.0, 1.0); }
     // Rounding error of the phase in units of roundoff, averaged over the pupil (docs/certificate.md, section 4): for each
     // coefficient two roundings of its own, one of the Legendre polynomial P_j, K + 1 of products and sum, with K nonzero
-    // coefficients, and half a rounding of the node times the mean of |P_j'|, at most sqrt(j (j + 1) / 2) by Cauchy.
+    // coefficients, half a rounding of the node times the mean of |P_j'|, at most sqrt(j (j + 1) / 2) by Cauchy, and one to spare.
     double sensitivity() const {
         const double used =
             static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
@@ -93,7 +93,7 @@ struct Answer {
 
 // Error budget of an image (docs/certificate.md, section 6).
 struct RadialBudget {
-    // Error of the field U over tolerance times peak of |U|; it counts twice in the intensity. The rest is a margin.
+    // Error of the field U as a share of tolerance * peak of |U|; it counts twice in the intensity. The rest is a margin.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the field's error: full disk (outer), obscuration (inner), and interpolation in the radius (pieces).

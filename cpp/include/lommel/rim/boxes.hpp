@@ -51,7 +51,8 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Times per pupil in pairs of nodes. whole(): nodes everywhere; with_box(): nodes for a box, and far pixels from the rim.
+    // Estimated time per pupil; the unit is that of one node along x and y. whole(): nodes for all pixels; with_box(): nodes for a
+    // box, and the rim for the pixels outside.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();

@@ -174,7 +174,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
                 store(to, re);
                 store(to + lanes, im);
                 const std::size_t at = k * (2 * rim.orders + 1) + (side == 0 ? rim.orders + mu : rim.orders - mu);
-                // max + 3/7 min of |re| and |im| is an upper bound of the modulus, at most a twelfth too large.
+                // max + 3/7 min of |re| and |im| is an upper bound of the modulus, at most 9 % too large.
                 const V zero = splat<V>(0.0f), a = larger(re, zero - re), b = larger(im, zero - im);
                 const V modulus = larger(a, b) + splat<V>(0.4286f) * (a + b - larger(a, b));
                 whole[0] = whole[0] + splat<V>(rim.size[0][at]) * modulus;
@@ -226,7 +226,7 @@ LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scra
     }
 }
 
-// Like rim_coefficients(), for one pupil: lanes are first angles, then the real and imaginary parts for all orders k.
+// Like rim_coefficients(), for one pupil: vector lanes hold angles, and after the FFT the real and imaginary parts of all orders k.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients_of_pupil(I isa, const RimWaves& rim, const RimLine& line, double amplitude,
                                              RimScratch& scratch, Floats& values, RimSums& of) {

@@ -202,7 +202,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
 }
 
-// Compute the first `terms` rows of piece s, which covers v from width s to width (s + 1).
+// Compute the first `terms` rows of piece s, which covers width * s <= v <= width * (s + 1).
 Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {

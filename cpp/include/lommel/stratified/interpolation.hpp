@@ -60,8 +60,8 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in lambda / 
     }
 
     double magnification() const { return lebesgue(nodes); }
-    // Rounding of interpolated values, in roundoffs of the largest value: 4 nodes + 8 by the second barycentric formula (N. J.
-    // Higham, IMA J. Numer. Anal. 24, 547, 2004), including the sum over the nodes.
+    // Rounding of interpolated values, in roundoffs of the largest value: the second barycentric formula with its sum over the
+    // nodes has 4 * nodes + 8 (N. J. Higham, IMA J. Numer. Anal. 24, 547, 2004), magnified by the interpolation.
     double rounding() const { return (4.0 * static_cast<double>(nodes) + 8.0) * (magnification() + 1.0); }
 
     // Interpolate `Together` rows, from values[row * stride + node] to out[row * out_stride + radius]. Whole tiles are written

@@ -30,8 +30,8 @@ struct ZernikeBudget {
     // dropped: omitted orders; pieces: interpolation across a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of the error of U that is left for one radial piece. own_orders: orders omitted in this piece; sines: part of
-    // own_orders below which all sines are omitted; rings: interpolation across rings. The remainder is for single precision.
+    // Shares of the error of U that is left for one radial piece. own_orders: orders omitted in this piece; sines: all
+    // sines are omitted if they are below this share of own_orders; rings: interpolation across rings. The rest: single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Minimum error of interpolation across rings, as a share of the error of U that all pieces have in common.

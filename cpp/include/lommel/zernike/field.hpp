@@ -49,7 +49,7 @@ class ZernikeField {
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // Positions have six roundings: radius in units of a ring, and step in v. |U'| < 1/2, hence 3 v units of roundoff.
+        // A position v is off by six roundings at most, three of the radius and three of the step. As |U'| < 1/2, U is off by 3 v.
         base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {

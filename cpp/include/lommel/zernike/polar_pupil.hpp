@@ -91,7 +91,7 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // `aliases` holds for chord means of the pupil function with a mean square <= 1; `growth` covers the truncation error.
+            // `aliases` bounds pupil functions whose chord means have a mean square <= 1. The truncation error aliases by `growth`.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -99,8 +99,8 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding error of U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: sums over every other degree
-// (single precision rounds both factors); each: rounding of (n + 1) times the table's degree n; left_out: degrees not in the table.
+// Rounding error of the field U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: sums over every
+// other degree; each: products of n + 1 and the table's value of degree n; left_out: degrees that are not in the table.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;

@@ -1,5 +1,5 @@
-// Growth of a pupil function on chords of the disk continued to complex points: its mean over samples, a smaller bound than the
-// product of the maxima of all Zernike terms (docs/certificate.md, section 7, "Means by samples").
+// Bound on the mean modulus of a pupil function over chords of the disk that are continued to complex points, from samples: it is
+// smaller than the product of the maxima of all Zernike terms (docs/certificate.md, section 7, "Means by samples").
 #pragma once
 
 #include <algorithm>
@@ -111,8 +111,9 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 }
 #endif
 
-// Logarithm of the mean of e^{-Im Phi}, Phi the phase, over a curve and over chords, at the direction with the largest mean. mean:
-// from samples; margin: for values between samples (second derivatives at most n^2, m^2 times a term's maximum) and for rounding.
+// Growth of a pupil function exp(i Phi): logarithm of the mean of e^{-Im Phi} over a complex curve on every chord of one direction,
+// for the direction where it is largest. mean: from samples; margin: for rounding, and for values between samples, by the second
+// derivatives of each Zernike term, at most n^2 or m^2 times its maximum.
 struct SampledGrowth {
     double mean, margin;
 };

@@ -224,7 +224,7 @@ def _with_second(table: dict[str, Any], second: dict[str, Any] | None) -> dict[s
 # are measured against, where that is a column; the least favourable row counts. Last, which of the row's ratios.
 _ROUND, _OTHERS = "512², float32, tol 1e-6, abs(C_d), abs(C_s) ≤ 50", "512², float32, tol 1e-6, pixels of"
 IN_SHORT = [
-    ("512² samples, defocus and spherical aberration of up to 50 rad each, to 1e-6",
+    ("512² samples, defocus C_d and spherical aberration C_s of up to 50 rad, to 1e-6",
      "SciPy's FFT of 1024², complex128", "targets", _ROUND, "scipy.fft", 0),
     ("the same", "quadrature over the radius in NumPy, J0 cached, at the distinct radii", "targets", _ROUND,
      "NumPy: quadrature, cached J0, the distinct radii", 0),
@@ -242,6 +242,7 @@ IN_SHORT = [
      "f/2.8, 4 µm (2.6 λN), 0.2 waves rms, 1000 PSFs", "", 0),
     ("64 planes of 64² of a microscope, NA 1.4, oil, an objective seen before, to 1e-6",
      "psfmodels, vectorial, oversample_factor=1", "microscopes", "64 planes of 64²", "", 1),
+    ("the same", "pyotf, scalar light in one medium", "microscopes", "64 planes of 64²", "", 2),
 ]  # fmt: skip
 
 

@@ -19,7 +19,7 @@ struct PixelFilter {
     double lowest = 0.0;             // lower limit to which averages are clamped
     const double* across = nullptr;  // weights along x, if they differ from those along y; otherwise null
     std::size_t pixels = 1;          // number of pixels that `stride` samples span, 1 or 2
-    double dark = 0.0;               // float samples of at most this value are summed in single precision
+    double dark = 0.0;               // float samples are summed in single precision where none exceeds this
 
     // Number of samples, along one axis, that `count` adjacent pixels use.
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }

@@ -20,8 +20,8 @@ constexpr std::size_t position_step = 2 * row_lanes;
 
 // Compute row[k] such that sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for every polynomial f of degree below `count`.
 // The Lagrange polynomial of node k is the product of 2 (z - nodes[j]) over j != k, without cancellation, times scale[k] = 1 /
-// product of 2 (nodes[k] - nodes[j]). Unused entries of z and share have share 0; `scratch` has room for 3 count vectors. Four
-// chains of products overlap to hide their latency.
+// product of 2 (nodes[k] - nodes[j]). positions: number of points z, with padding of share 0. scratch: room for 3 * count vectors.
+// Four chains of products overlap to hide their latency.
 template <class I>
 LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
                                 const double* scale, std::size_t count, double* scratch, double* row) {
@@ -31,7 +31,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     std::fill_n(sums, count * lanes, 0.0);
     const std::size_t half = count / 2;
     for (std::size_t i = 0; i < positions; i += 2 * lanes) {
-        V twice[2], below[2], above[2];  // 2 z; products of 2 (z - node) over the nodes before node n; over those after it
+        V twice[2], below[2], above[2];  // twice: 2 z; below: share * product of 2 (z - nodes[j]), j < n; above: j >= count - n
         for (std::size_t u = 0; u < 2; ++u) {
             twice[u] = load<V>(z + i + u * lanes) * splat<V>(2.0);
             below[u] = load<V>(share + i + u * lanes);
@@ -114,7 +114,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// Rounding error of a series: sum of the moduli of its coefficients, each times its rounding error in roundoffs (penalty).
+// Rounding error of a series, in roundoffs: sum over k of |coefficients[k]| * penalty[k], the error of term k for coefficient 1.
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;

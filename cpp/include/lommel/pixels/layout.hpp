@@ -1,4 +1,4 @@
-// Distinct distances of a window's pixels from an axis at a pixel's centre, edge or corner, and each pixel's index among them.
+// Distinct distances of a window's pixels from an axis at a pixel centre or midway between pixels, and which one each pixel has.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct Layout : Radii {  // the radii are in units of the pixel pitch
     }
 
    private:
-    // Index of each pixel's radius, [row distance][column distance]: in of_few_ if 16 bits suffice, as reading these is faster.
+    // [row distance][column distance]: index of a pixel's radius in `radii`; in of_few_, faster to read, if 16 bits suffice.
     std::vector<std::uint16_t> of_few_;
     std::vector<std::uint32_t> of_many_;
 };

@@ -71,9 +71,9 @@ struct Halves {
 // points, in a variable that runs from -1/2 to 1/2.
 template <std::size_t Terms>
 struct Parts {
-    static constexpr std::size_t most = 64;  // largest number of parts; the number is even
+    static constexpr std::size_t most = 64;  // largest number of parts, which is always even
     std::size_t parts;
-    double sizes = 0.0;  // for rounding errors: sum over powers of twice the largest 1-norm of a coefficient's factors
+    double sizes = 0.0;  // S in docs/certificate.md, section 9: rounding errors are proportional to it
     Halves halves;       // maps values to coefficients [part][power] of the parts above 0
 
     explicit Parts(std::size_t count);
@@ -128,7 +128,7 @@ struct Parts {
 
 // Bounds on the second and the fourth derivative, on [-1, 1], of the polynomial through values at 16 Chebyshev points.
 struct Bends {
-    static constexpr std::size_t second = 32, fourth = 16;  // numbers of Chebyshev points for derivatives 2 and 4
+    static constexpr std::size_t second = 32, fourth = 16;  // numbers of points at which derivatives 2 and 4 are computed
     static_assert(second / 2 % Halves::together == 0 && fourth / 2 % Halves::together == 0);
 
     struct Sizes {

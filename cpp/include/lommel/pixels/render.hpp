@@ -15,8 +15,8 @@
 
 namespace lommel {
 
-// One side of a window whose axis is at a pixel centre or midway between two pixels. count: number of pixels; low, high: the
-// pixels on both sides of the axis, equal if it is at a pixel centre.
+// One side of a window whose axis is at a pixel centre or midway between two pixels. count: number of pixels; low, high: the two
+// pixels that the axis is between, both the same if it is at a pixel centre.
 struct FoldedSide {
     std::size_t count, low, high;
 

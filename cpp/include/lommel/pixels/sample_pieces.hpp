@@ -30,12 +30,12 @@ namespace lommel {
 struct SamplePieces : Radii {  // radii at which the intensity is computed, in optical units
     static constexpr std::size_t points = Halves::points;  // number of Chebyshev points per piece (interval of the distance)
     static constexpr std::size_t terms = 8;  // number of coefficients per part of a piece, in double precision
-    static constexpr std::size_t together = 2;  // ranges of intervals end at multiples of this, so that windows share tables
-    static constexpr double slack = 1e-4;  // margin for rounding errors of positions, over the width of an interval
-    static constexpr double evenly = 32.0;  // up to this distance, in optical units, all intervals have the same width
+    static constexpr std::size_t together = 2;  // `first` and `last` are multiples of this, so that windows share tables
+    static constexpr double slack = 1e-4;  // margin for rounding errors of positions, in widths of a piece
+    static constexpr double evenly = 32.0;  // up to this distance, in optical units, all pieces have the same width
 
     int level;  // requested accuracy in decimal digits; the error bound is `error`
-    std::size_t first, last;  // range [first, last) of the intervals (pieces) in the table
+    std::size_t first, last;  // the table has the pieces (intervals) first to last - 1
     double width, error, of_nodes = lebesgue(points), of_grid = 1.0, rounding = 0.0;
     std::shared_ptr<const Parts<terms>> parts;
 
@@ -46,8 +46,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     bool is(int digits, std::size_t from, std::size_t to) const { return level == digits && first == from && last == to; }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-    // Width of a piece (interval of the distance), in optical units, for `digits` decimal digits. Of the error, 10/11 is for
-    // interpolation on pieces, times the Lebesgue constant of their parts, and 1/11 for interpolation on parts.
+    // Width of a piece (interval of the distance), in optical units, for `digits` decimal digits. Of the allowed error, 10/11 is
+    // lebesgue(terms) times that of interpolation on pieces, and 1/11 that of interpolation on their parts.
     static double width_for(int digits) {
         const double error = PixelTable::Budget::window * std::pow(10.0, -digits) / 1.1;
         const double of_slopes = interpolation_by_slope(1.0, points) * of_squares(evenly, points) * lebesgue(terms);
@@ -74,7 +74,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         };
         return {table(ends[0], -slack) * together, (table(ends[1], slack) + 1) * together};
     }
-    // Return whether pieces are efficient: they need fewer radii than the window has pixels, or about as many.
+    // Return whether pieces are efficient: they need at most 1024 more radii than the window has pixels.
     static bool pays(const PixelWindow& window, int digits) {
         const auto ends = of(window, digits);
         return (ends[1] - ends[0]) * points <= window.height * window.width + 1024;
@@ -124,8 +124,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return *std::max_element(tops.begin(), tops.end());
     }
 
-    // piece_of(): position, counted in pieces, of a distance r in units of the innermost width: r up to `equal`, (r^2 / R + 2
-    // R - equal) / 2 for R <= r < 2 R, with R = equal, 2 equal, 4 equal, ... distance_of(): its inverse.
+    // piece_of(): position, counted in pieces, of a distance r in units of the innermost width. It is r for r < equal, otherwise
+    // (r^2 / R - equal) / 2 + R, where R <= r < 2 R and R is equal, 2 equal, 4 equal, ... distance_of(): its inverse.
     static double piece_of(double distance, double equal) {
         if (distance < equal) {
             return distance;
@@ -148,7 +148,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
                static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // Write to `curves` a bound on the intensity's second derivative on each piece; returns the largest bound on a fourth one.
+    // For each piece as [-1, 1], write a bound on the intensity's second derivative to `curves`; returns the largest on the fourth.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -161,8 +161,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return largest;
     }
 
-    // Of pieces begin to end - 1 compute to[piece][part][power], `by` times the coefficients of the polynomial of each part.
-    // largest[power]: largest modulus of these so far.
+    // For pieces begin to end - 1 compute to[piece][part][power], the coefficients of each part's polynomial times `by`;
+    // largest[power] is raised to their largest modulus.
     template <class I, std::size_t Terms, class To>
     static LOMMEL_INLINE void cut(I isa, const Parts<Terms>& parts, const double* intensity, double by, std::size_t begin,
                                   std::size_t end, To* to, double* largest) {
@@ -170,16 +170,16 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
             parts.cut(isa, Halves::Values(intensity, by), to, largest);
         }
     }
-    // Error of cubics or lines from rounding to single precision, and from errors of positions by up to `astray` parts, where
-    // largest[k] bounds the coefficients of power k (docs/certificate.md, section 9).
+    // Error of cubics or lines from rounding to single precision, and from positions that are off by up to `astray` widths of a
+    // part. largest[k]: largest modulus of a coefficient of power k (docs/certificate.md, section 9).
     static double rough(const double (&largest)[4], double astray) {
         const double rounded = largest[0] + 3.0 * largest[1] + 2.25 * largest[2] + 1.5 * largest[3];
         return 1.01 * (single_roundoff * rounded + astray * (largest[1] + largest[2] + 0.75 * largest[3]));
     }
 
     SampleRows::Zones zones(double parts) const;
-    // Evaluate polynomials of `Terms` coefficients, from c[at[i]] on for pixel i, at x[i], by vectors of pixels, clamped to 0.
-    // Coefficients are loaded pixel by pixel and transposed. `tops` becomes the maximum of each vector lane.
+    // Compute to[i], the polynomial with the `Terms` coefficients from c[at[i]] on, at x[i], or 0 if it is negative. Coefficients
+    // are loaded pixel by pixel and transposed. `tops` is raised, lane by lane, to the largest values.
     template <std::size_t Terms, class I>
     static LOMMEL_INLINE void values_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
                                         float* tops) {

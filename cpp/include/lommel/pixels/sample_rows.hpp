@@ -53,12 +53,12 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// Position of each pixel of a window along the distance from the axis, which pieces divide, and parts divide pieces: in units of a
-// part, 0 being the middle of the first. In zone 0 it is linear in the distance; in each zone farther out, where the square root is
-// not worth its time, linear in the squared distance. Such a zone ends at twice the distance at which it begins.
+// Positions of a window's pixels. Distances from the axis are divided into pieces, and these into parts; a position counts parts
+// from the middle of the innermost one. It is linear in the distance in zone 0 and, to avoid square roots, linear in the squared
+// distance in each zone farther out. Such a zone ends at twice the distance at which it begins.
 class SampleRows {
    public:
-    struct Zone {  // squared distance where it begins, in (piece width)^2; position = slope * squared distance + shift
+    struct Zone {  // begins at this squared distance, in (piece width)^2; position = slope * squared distance + shift
         double begin, slope, shift;
     };
     using Zones = std::array<Zone, 40>;  // enough zones for the largest distance allowed; unused ones begin at infinity
@@ -66,9 +66,9 @@ class SampleRows {
     static constexpr std::size_t longest = 128;  // largest number of pixels in a run
     static constexpr std::size_t most_lanes = 16;
 
-    // Run: `count` adjacent pixels of a row, from column `start` on. at[i]: index of the part of a piece that contains pixel
-    // i, less `base`, both times the number of coefficients per part; x[i]: position in the part, from -1/2 to 1/2. Both
-    // arrays are padded to whole vectors, with valid entries. straight: parts have two coefficients, of a line.
+    // Run: `count` adjacent pixels of a row, from column `start` on. base + at[i]: index of the part that contains pixel i, times
+    // the number of coefficients per part; x[i]: position in this part, from -1/2 to 1/2. Both arrays are padded to whole
+    // vectors, with valid entries. straight: parts have two coefficients, those of a line.
     template <class Real>
     struct Run {
         std::size_t row, start, count;
@@ -88,7 +88,7 @@ class SampleRows {
     // returns an upper bound on the distance of pixels in other runs, in the same unit.
     double straight_from(double pieces);
 
-    // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part, unless the run is straight.
+    // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part; straight runs have 2 instead.
     template <class Real, std::uint32_t Apart, class Take>
     LOMMEL_INLINE void each(std::size_t begin, std::size_t end, const Take& take) const {
         constexpr std::size_t block = most_lanes;
@@ -184,8 +184,8 @@ class SampleRows {
         return r;
     }
 
-    // Fixed-point contributions of a block of columns to positions: here[i] and next[i] are the squared distance of column i
-    // times the slopes of a row's zone and of the next zone.
+    // Fixed-point contributions of a block of columns to positions: squared distance of column i, less the smallest one, times
+    // the slope of a row's zone (here[i]) and times that of the next zone (next[i]).
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;

@@ -1,4 +1,4 @@
-// Derivatives of pixel averages by the axis position: differences along opposite pixel edges (docs/certificate.md, section 15).
+// Derivatives of pixel averages by the axis position, from averages along opposite edges (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace lommel {
 // Table for the derivative along x, which is odd in x and even in y: a sum over j < harmonics of cos((2j+1) theta) times odd
 // polynomials of the distance from the axis. The derivative along y is the same with x and y exchanged.
 struct ShiftTable {
-    std::shared_ptr<const AnywhereTable> pixels;  // table of the pixel averages; key of this table in the cache
+    std::shared_ptr<const AnywhereTable> pixels;  // table of the pixel averages, by which the cache finds this one
     std::size_t harmonics, degree;
-    Doubles weights, penalty;  // weights[block of outputs][node][output]; rounding error of each coefficient
+    Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: roundoffs per unit of this output
     double error, of_grid, rounding;
 
     explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of);
@@ -96,8 +96,8 @@ struct ShiftTable {
                           pixels->of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0));
         for (std::size_t o = 0; o < weights.size() / pixels->count; ++o) {
             const double j = static_cast<double>(o / degree), k = static_cast<double>(o % degree);
-            // A rounding error in step m of the recurrence in r or in cos(theta) is amplified up to 2m + 1 times; a factor r
-            // or cos(theta) multiplies the result. Squared distances are rounded as in AnywhereTable.
+            // In Clenshaw's recurrences in r and in cos(theta), a rounding error in step m is amplified up to 2m + 1 times. Squared
+            // distances are rounded as in AnywhereTable.
             const double each = 0.5 * (k + 1.0) * (k + 2.0) * (2.0 * k + 3.0) + 5.0 * k * (k + 1.0) * (2.0 * k + 1.0) +
                                 (2.0 * j + 1.0) * (10.0 * (j + 1.0) * (j + 1.0) + 4.0 * orders);
             penalty.push_back(o < degree * harmonics ? each : 0.0);

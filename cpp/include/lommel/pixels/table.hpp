@@ -37,7 +37,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         static constexpr double gauss = 0.1;      // share for quadrature over a pixel
         static constexpr double harmonics = 0.2;  // share for interpolation in the angle
         static constexpr double rings = 0.3;      // share for interpolation in the distance, on a ring
-        static constexpr double nodes = 0.2;  // share for interpolation between radii, amplified by that in distance and angle
+        static constexpr double nodes = 0.2;  // interpolation between radii, amplified by interpolation in distance and angle
         static constexpr double window = 0.5;  // share for interpolation between radii if the window is one ring
         static_assert(gauss + harmonics + rings + nodes <= 1.0 && gauss + window <= 1.0);
     };
@@ -51,17 +51,17 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         std::size_t first_node;  // index in `places` of the ring's first radius
         std::size_t first_value, values, padding;  // index of the first value; padded number of values; how many are padding
         std::size_t first_weight, outputs;
-        bool direct;  // true: outputs are pixel values; false: coefficients [harmonic][radial_degree]
+        bool direct;  // true: outputs are pixel values; false: coefficients [harmonic][degree in the distance]
     };
 
     std::vector<Ring> rings;  // empty if the intensity is computed at the radius of every pixel
     std::vector<std::int32_t> places;  // for each radius of each ring: its index in the ascending `radii`
     Doubles weights;  // for each ring: [block of outputs][radius][output]
     Doubles x, cosine;  // for each value: radial position in the ring, -1 to 1; cosine of four times the angle
-    Doubles penalty;  // for each coefficient: its rounding error per unit, in units of roundoff
+    Doubles penalty;  // for each coefficient: rounding error of its term if it is 1, in units of roundoff
     std::size_t harmonics = 1, gauss = 1;
     double error = 0.0;  // error bound of values, over half the largest intensity, if the intensities at the radii are exact
-    double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants of interpolation between radii; in distance and angle
+    double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants: interpolation between radii; in distance and angle
     double rounding = 0.0;  // rounding of weights and sums, in units of roundoff times the largest intensity
 
     // Largest factor from an error of the intensity at the radii to an error of a pixel value.
@@ -168,7 +168,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
 struct PixelTable : PixelRings {
     PixelWindow window;
     int level;  // requested accuracy in decimal digits; the error bound is `error`
-    bool shared;  // true: for many images at a time, which load weights once; it has weights only if one ring suffices
+    bool shared;  // true: for many images at a time, which load weights once; without weights unless one ring suffices
     PixelGroups groups;
     std::size_t value_count = 0;
 

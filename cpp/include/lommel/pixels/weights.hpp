@@ -71,7 +71,7 @@ inline Doubles odd_transform(std::size_t points) {
     return matrix;
 }
 
-// Multiply `sets` sets of rows by a square matrix, in place. Sets begin `set_stride` rows apart, rows of a set are `stride` apart.
+// Multiply `sets` sets of rows of `length` values by a square matrix, in place. Row i of set s is row s * set_stride + i * stride.
 LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t set_stride, std::size_t stride,
                              std::size_t length, Doubles& rows) {
     const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));

@@ -43,7 +43,7 @@ struct PixelWindow {
         };
         return along(center_y, height) * along(center_x, width);
     }
-    // Distances of rows and columns from the axis, valid if folds(): it is at pixel centres or midway between pixels.
+    // Distances of rows and columns from the axis; valid if folds(), that is, if it is at a pixel centre or midway between pixels.
     FoldedSide rows() const { return {height, center_y}; }
     FoldedSide columns() const { return {width, center_x}; }
     bool folds() const { return FoldedSide::fits(height, center_y) && FoldedSide::fits(width, center_x); }

@@ -22,7 +22,7 @@
 
 namespace lommel {
 
-// Bounds for an aperture. area: on the modulus of the field; light: transmitted light over pi, approximately.
+// Aperture. area: upper bound on |U| of the field; light: transmitted light / pi, approximately; obscuration: relative radius.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -30,14 +30,14 @@ struct Aperture {
     Aperture(double eps, const Amplitude& amplitude)
         : area(bright(eps, amplitude)), light(amplitude.raised(2.0).integral(eps)), obscuration(eps) {}
 
-    // Bound on the field |U| of the pupil function times t^power, t the squared pupil radius, for any phase.
+    // Upper bound, for any phase, on |U| of the field of t^power times the pupil function, t the squared pupil radius.
     double moment(std::size_t power) const {
         const double k = static_cast<double>(power);
         return std::min(area, (1.0 - std::pow(obscuration, 2.0 * (k + 1.0))) / (k + 1.0));
     }
 
    private:
-    // Integral of the amplitude over t: in closed form or, if there is none, computed, plus its error.
+    // Integral of the amplitude over the squared pupil radius: in closed form or, if there is none, a computed upper bound.
     static double bright(double eps, const Amplitude& amplitude);
 };
 
@@ -58,8 +58,8 @@ LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
 template <class T>
 class PixelRenderer {
    public:
-    // Error bounds are relative to the largest pixel anywhere in the plane or, if an image is divided by its largest pixel, in the
-    // window; to a lower bound on it, to be exact.
+    // Error bounds are relative to a lower bound on the largest pixel: of the whole plane or, if an image is divided by its largest
+    // pixel, of the window.
     PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
@@ -95,10 +95,10 @@ class PixelRenderer {
     }
 
    private:
-    // Accuracy of tables in decimal digits. last_level: highest to try; exact_level: rounding prevents more.
+    // Accuracy of tables in decimal digits. last_level: highest to request; exact_level: from it on, rounding limits the accuracy.
     static constexpr int last_level = 15, exact_level = 14;
     // Filters of finer samples are for pixel pitches up to `widest_filtered` (optical units). The flux through pixel edges is
-    // faster for tolerances below `least_filtered`, and if interference rings matter in at most beside_filters * pitch^4 pixels.
+    // faster for tolerances below `least_filtered`, or if interference rings matter in at most beside_filters * pitch^4 pixels.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
     // Tables of weights are faster than filters up to about `light_work` products or, for derivatives, `most_weighed` pixels.
     static constexpr double light_work = 2e5;
@@ -106,14 +106,14 @@ class PixelRenderer {
     static constexpr std::size_t most_tabled = 40000;  // largest number of pixels whose weights take reasonable memory and time
     static constexpr std::size_t most_sampled = 8192;  // largest number of pixels for which the table of a batch saves time
 
-    // Error budget: shares of the tolerance times the estimated maximum.
+    // Error budget: shares of tolerance * estimated largest pixel.
     struct Budget {
-        // First attempt. table: error of the table; field: of the field U, which counts twice in the intensity; cubics: of
-        // single-precision cubics, half as much if values are divided by their maximum; places: of positions.
+        // First attempt. table: error of the table; field: of the field U, which counts twice in the intensity; cubics: of cubics
+        // in single precision, halved if values are divided by their maximum; places * tolerance: of positions, in optical units.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
-        // Later attempts: error of the table and of the field U each, half as much if values are divided by their maximum.
+        // Later attempts: error due to the table, and that due to the field; half as much if values are divided by their maximum.
         static constexpr double each = 0.2;
-        // Averages from the flux through pixel edges. rings: omitted interference rings; sums: each quadrature.
+        // Averages from the flux through pixel edges. rings: error by omitting interference rings; sums: error of each quadrature.
         static constexpr double rings = 0.6, sums = 0.05;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };
@@ -127,7 +127,7 @@ class PixelRenderer {
     struct Found {
         std::shared_ptr<const Table> table;
         double bound, size;  // error bound of the field U; largest intensity at the radii
-        double top, off, by_field, by_table;  // largest value; its error bound; parts of this bound, due to field and table
+        double top, off, by_field, by_table;  // largest value; error bound of values; its parts due to field and table
     };
 
     // Destination of an image that SamplePieces writes directly.
@@ -135,7 +135,7 @@ class PixelRenderer {
         double scale = 1.0;
         T* image = nullptr;
         bool single_precision = false;
-        double cubics = 0.0;  // allowed error of cubics, over the largest intensity
+        double cubics = 0.0;  // allowed error of cubics, relative to the largest intensity
     };
     // Smallest allowed error for which samples are computed in single precision.
     static constexpr double single_enough = 5e-7;
@@ -244,7 +244,8 @@ class PixelRenderer {
         return f.top - f.off;
     }
 
-    // Error bound of stored values over the peak. top: largest value, up to the error `off`; elsewhere: lower bound on the peak.
+    // Error bound of stored values over the peak. top: largest value in the window, with an error of at most `off`; elsewhere:
+    // lower bound on the peak, from other pixels; normalize: values are divided by their maximum; after: only once they are stored.
     double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
@@ -427,7 +428,7 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // seen: estimate of the largest value, even if all are below their error; room: allowed error of field and of table.
+            // seen: largest value, or 1e-3 of its error bound if larger; room: allowed error due to field, and due to table.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = request;
@@ -567,7 +568,7 @@ class PixelRenderer {
     Aperture aperture_;
     PixelWindows windows_;
     PixelWindow window_;  // window of the first pupil
-    double tol_, allowed_;  // tolerance; part of it for errors before storing
+    double tol_, allowed_;  // tolerance; tolerance less the rounding error of stored values
     int level_ = 0;  // minimum accuracy of tables, in decimal digits, common to the stack
     bool light_ = false;  // whether averages come from the flux through pixel edges
     int threads_;

@@ -102,8 +102,8 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     return penalty;
 }
 
-// Error bound of a table's values (docs/certificate.md, section 9, "Together"). At the radii the intensity is at most `size`,
-// with error `given`; its slope along a line is at most `slope`, and it differs from a constant by at most `swing`.
+// Error bound of a table's values (docs/certificate.md, section 9, "Together"). penalty: rounding of the harmonics. At the radii
+// the intensity is <= size, with an error <= given; its slope along a line is <= slope; it differs from a constant by <= swing.
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
     // Numbers of roundings of a distance: 3 of radii, 6 of positions in a pixel, 4 of pixel positions.

@@ -18,7 +18,7 @@
 namespace lommel {
 
 struct RadiusTable {
-    std::shared_ptr<const Radii> layout;  // radii in units of `step`; key of the table in the cache
+    std::shared_ptr<const Radii> layout;  // radii in units of `step`; the cache finds the table by these, step and terms
     double step;
     std::size_t terms, stride;
     Doubles rows;  // [n][radius]: transform of the Legendre polynomial P_n; padded to two of the widest vectors

@@ -124,9 +124,9 @@ class EnergyWithin {
     struct Crossed {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
-    // crossing(): integrals along a pixel edge at distance x from the axis, from `start` to start + 1, in pixels of width `step`,
-    // by Gauss quadrature. light: of E x / r^2, E the encircled energy; turn: of x / r^2, about the angle that the edge subtends;
-    // off: error bound of `light` from errors of E. The number of nodes is a multiple of `together`. Limited by loads.
+    // crossing(): Gauss quadrature along a pixel edge at distance x from the axis, from `start` to start + 1, all in units of the
+    // pixel pitch `step`. light: integral of E x / r^2, E the encircled energy; turn: of x / r^2, about the angle that the edge
+    // subtends; off: error of `light` due to errors of E. The number of nodes is a multiple of `together`. Limited by loads.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
@@ -146,8 +146,8 @@ class EnergyWithin {
     Doubles radii_, values_;
     std::vector<Doubles> transforms_;  // [points]: matrix [point][coefficient] from values to Chebyshev coefficients
     std::vector<double> places_, mean_, moment_, series_, monomials_, sizes_;  // buffers of make()
-    // energies_[panel][power]: coefficients of the encircled energy in the position on a panel, -1 to 1. offs_[panel]: error
-    // of the energy at the panel's start, error of the intensity on the panel.
+    // energies_[panel][power]: coefficients of the encircled energy in the position on a panel, -1 to 1. offs_[panel][0]: error
+    // bound of the energy at the panel's start; offs_[panel][1]: error bound of the intensity on the panel.
     std::vector<double> energies_, offs_;
 };
 
@@ -210,7 +210,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
     moment_.resize(points + 3);
     series_.resize(count_);
     monomials_.assign(count_ * count_, 0.0);  // [k][power]: monomial coefficients of the Chebyshev polynomial T_k
-    sizes_.assign(count_, 0.0);  // [k]: roundings of the Chebyshev polynomial T_k, evaluated by powers
+    sizes_.assign(count_, 0.0);  // [k]: rounding error of the Chebyshev polynomial T_k, evaluated by powers, in roundoffs
     for (std::size_t k = 0; k < count_; ++k) {
         for (std::size_t power = k % 2; power <= k; power += 2) {
             const double risen = k > 1 && power > 0 ? 2.0 * monomials_[(k - 1) * count_ + power - 1] : 0.0;
@@ -226,7 +226,7 @@ LOMMEL_ONCE void EnergyWithin::make(Field& field, const Phase& phase, double obs
         double* const energy = &energies_[s * count_];
         const double before = inside;
         inside = integrate_moment(0.5 * width, middle, mean_.data(), points, before, moment_.data(), series_.data());
-        // evaluating: rounding error of the energy, by coefficients and by positions; tall: bound on the intensity on the panel.
+        // evaluating: rounding error of the energy, due to positions and to coefficients; tall: bound on the panel's intensity.
         const double top = *std::max_element(values, values + points), tall = spread * top + between;
         double evaluating = 4.0 * end * end * tall;
         rows_summed(monomials_.data(), series_.data(), count_, count_, energy);
@@ -282,12 +282,12 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 // by Gauss quadrature; farther out from the smooth part of the intensity, with a bound on the omitted interference rings.
 class CoarseAverages {
    public:
-    // by_rings: error bound of averages without interference rings; error: of averages from the flux; top: largest average.
+    // by_rings: error bound of averages without interference rings; error: bound for those from the flux; top: largest average.
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
 
-    static constexpr double least_exact = 2.0;  // minimum pixel pitch, in optical units, for high accuracy
+    static constexpr double least_exact = 2.0;  // minimum pixel pitch, in optical units, if tables are not accurate enough
     static constexpr std::size_t few = 8;  // largest number of pupils for which filters may be faster
 #if defined(__wasm__)
     // The live web page renders one image per window: no other image would share its weights.
@@ -295,16 +295,16 @@ class CoarseAverages {
 #else
     static constexpr double least = 7.4;         // minimum pixel pitch, in optical units
     static constexpr double least_alone = 4.0;   // minimum pixel pitch, in optical units, for few pupils
-    static constexpr double of_weights = 0.125;  // largest ratio of this class's time to that of weights, which stacks share
+    static constexpr double of_weights = 0.125;  // used if a stack takes at most this share of the time to compute weights
 #endif
 
     struct Attempt {
-        double rings, field, sums;  // requested errors: averages, by omitted rings; field U; averages, by quadrature
+        double rings, field, sums;  // requested errors: of averages by omitted rings; field U; of averages by quadrature
     };
 
-    // Error bound of averages without interference rings, over pixels of width `step` at distances >= r. The two edges that
-    // face the axis subtend an angle of at most step sqrt(2) / r, the other two as much in the opposite sense. A pixel that
-    // contains the axis is at least 2 r wide; both terms are then at most pi / 2 times those for the angle step / r.
+    // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r. Edges that
+    // face the axis subtend at most sqrt(2) step / r, the others as much back: 2 sqrt(2) step / r in all. Around the axis, edges
+    // subtend 2 pi <= pi step / r, as the pixel is at least 2 r wide; the second term is then at most pi / 2 times curved(r).
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }

@@ -41,7 +41,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
     check_reach(reach);
     const double left = RadialBudget::truncation * error;
     std::tie(terms, truncation) = ellipses.terms(left);
-    // Choose the number of terms by the window instead, if this needs fewer than the phase.
+    // Choose the number of terms by the largest distance, `reach`, instead of the phase if fewer suffice for it.
     if (terms > 1 && window_tail(terms - 1, reach) <= left) {
         terms = window_terms(reach, left);
         truncation = window_tail(terms, reach);
@@ -68,7 +68,7 @@ struct Disk {
     Doubles re, im;
     std::size_t terms = 0;
 
-    // Compute the coefficients for a requested error of the field U up to the distance `reach`; returns the bound, with rounding.
+    // Compute the coefficients for a requested error of the field U up to the distance `reach`; returns its bound, with rounding.
     double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch);
 
     // Add the constant `angle` to the phase.

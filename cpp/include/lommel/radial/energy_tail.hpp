@@ -15,7 +15,7 @@ namespace lommel {
 
 // Beyond the geometric rays, only the edges of the aperture contribute to the field U(v): by partial integration U is a sum of
 // exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a mean,
-// mean() / v^3 at first order, plus rings, whose integral from v on is bounded by its value at v (docs/certificate.md, section 9).
+// mean() / v^3 at first order, plus rings, whose amplitude at v bounds their integral from v on (docs/certificate.md, section 9).
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
@@ -68,8 +68,8 @@ class EnergyTail {
     }
 
    private:
-    // terms: number of derivatives of the pupil function expanded in waves; powers: number of powers of 1 / v in a wave;
-    // orders: number of derivatives bounded for the remainder.
+    // terms: number of terms of partial integration that are expanded in waves; powers: number of powers of 1 / v in a wave;
+    // orders: number of derivatives of the pupil function that are bounded, for remainder().
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
     struct Wave {

@@ -66,7 +66,7 @@ class Field {
     std::size_t piece_at(double radius, double per_pixel) const {
         return std::min(static_cast<std::size_t>(radius * per_pixel), all_ - 1);
     }
-    // Index of the first radius, from `first` on, that is beyond interval (piece) s.
+    // Index of the first radius, after `first`, that is beyond interval (piece) s; per_pixel: pieces per unit of `radii`.
     std::size_t end_of(std::size_t s, const double* radii, std::size_t first, std::size_t last, double per_pixel) const {
         if (s + 1 == all_) {
             return last;

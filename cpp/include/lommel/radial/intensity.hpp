@@ -58,7 +58,7 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
 // with U the field of the pupil function and T that of t^k times the pupil function.
 struct Slopes {
     Doubles values;
-    double error = 0.0, size = 0.0, steepest = 0.0;  // error bound and largest |T|^2 of the field T; largest |values|
+    double error = 0.0, size = 0.0, steepest = 0.0;  // error bound of the field T; largest |T|^2; largest |values|
 
     // Compute `values` = dI/dc_k at `places`; `field` must be prepared for the same places. power: the exponent k; requested: error
     // of the field of t^k times the pupil function, t the squared pupil radius.
@@ -114,8 +114,8 @@ LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double e
 
 struct Settled {
     double error, bound;  // requested error of the field U; its error bound
-    double relative;  // error bound of the stored values, over the peak
-    double top, peak;  // largest intensity in the window; largest known, in or outside the window
+    double relative;  // error bound of the stored values, relative to the peak
+    double top, peak;  // largest intensity in the window; largest one found, also outside the window
 };
 
 // Prepare `field` for `places` with smaller and smaller errors, until values of type T have an error of at most `tol` over the

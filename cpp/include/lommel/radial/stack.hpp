@@ -18,9 +18,9 @@ struct Phase {
     const Amplitude* amplitude = &even_light;
 
     double size() const { return weighted(0.0, 0.0, 1.0); }
-    // Rounding error of the phase in units of roundoff, averaged over the pupil (docs/certificate.md, section 4): for each
-    // coefficient two roundings of its own, one of the Legendre polynomial P_j, K + 1 of products and sum, with K nonzero
-    // coefficients, half a rounding of the node times the mean of |P_j'|, at most sqrt(j (j + 1) / 2) by Cauchy, and one to spare.
+    // Rounding error of the phase in roundoffs, averaged over the pupil (docs/certificate.md, section 4). The coefficient of the
+    // Legendre polynomial P_j counts j + K + 5 times: 2 for its own roundings, 1 for P_j, K + 1 for products and sum (K: number of
+    // nonzero coefficients), 1 to spare, j for half a rounding of the node times the mean |P_j'|, at most sqrt(j (j + 1) / 2).
     double sensitivity() const {
         const double used =
             static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
@@ -73,7 +73,7 @@ struct Box {
     Phase worst(const Amplitude& amplitude) const { return {farthest.data(), farthest.size(), &amplitude}; }
 };
 
-// Output arrays, by pupil. scales: factor of the intensity (0 on entry: divide by the maximum); bounds: error relative to `peaks`.
+// Output, by pupil. scales: factors of the intensity (0 on entry: divide by the maximum); bounds: error bounds relative to `peaks`.
 template <class T>
 struct Answer {
     T* images;
@@ -81,7 +81,7 @@ struct Answer {
     const std::size_t* powers;  // [derivative]: exponent k of t^k, t the squared pupil radius, whose coefficient varies
     std::size_t derivatives;
     T* derivative_images;  // [derivative][pupil][height][width]
-    double* derivative_bounds;  // [derivative][pupil]: error bound over the peak of the intensity
+    double* derivative_bounds;  // [derivative][pupil]: error bound relative to the peak of the intensity
 
     // Store peak and error bound of a pupil, and return the scale of its image, whose largest intensity is `top`.
     double finish(std::size_t pupil, double top, double peak, double bound) const {
@@ -105,7 +105,7 @@ struct RadialBudget {
     static constexpr double retry = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Estimate of the field's largest modulus. Most exceed it; for others the requested error is reduced once the peak is known.
+// Estimate of a field's largest modulus. Most fields exceed it; for others the error is reduced once the peak is known.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

@@ -1,6 +1,6 @@
-// Pixel averages of a radially symmetric PSF around an arbitrary axis, for windows too large for one polynomial. On each ring
-// of equal width, averages are sums of angular harmonics times polynomials of the distance from the axis; the weights depend
-// only on pixel pitch and largest distance (docs/certificate.md, section 9).
+// Pixel averages of a radially symmetric PSF around an arbitrary axis, for windows too large for one polynomial. Rings of equal
+// width divide the window. On each, averages are sums of angular harmonics times polynomials of the distance from the axis;
+// their weights depend only on pixel pitch and largest distance (docs/certificate.md, section 9).
 #pragma once
 
 #include <algorithm>

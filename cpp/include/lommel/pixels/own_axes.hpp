@@ -28,8 +28,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
     double farthest;  // largest distance of a pixel centre from the axis, in pixels
     int level;        // requested accuracy in decimal digits; the error bound is `error`
     std::size_t harmonics = 1, gauss, degree, outputs;
-    Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: roundoffs per unit of this output
-    double error, of_nodes = 1.0, of_grid, rounding;  // error bound; Lebesgue constants of radii, of polynomials; roundoffs
+    Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: rounding error if this output is 1
+    double error, of_nodes = 1.0, of_grid, rounding;  // bound; Lebesgue constants of radii, of polynomials; rounding error
 
     AnywhereTable(double pitch, bool averages, double pixels, int digits);
 

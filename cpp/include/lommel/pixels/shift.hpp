@@ -19,7 +19,7 @@ namespace lommel {
 struct ShiftTable {
     std::shared_ptr<const AnywhereTable> pixels;  // table of the pixel averages, by which the cache finds this one
     std::size_t harmonics, degree;
-    Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: roundoffs per unit of this output
+    Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: rounding error if this output is 1
     double error, of_grid, rounding;
 
     explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of);

@@ -100,7 +100,7 @@ class PixelRenderer {
     // Filters of finer samples are for pixel pitches up to `widest_filtered` (optical units). The flux through pixel edges is
     // faster for tolerances below `least_filtered`, or if interference rings matter in at most beside_filters * pitch^4 pixels.
     static constexpr double widest_filtered = 12.6, least_filtered = 1e-7, beside_filters = 2.5;
-    // Tables of weights are faster than filters up to about `light_work` products or, for derivatives, `most_weighed` pixels.
+    // Tables of weights are faster than filters up to `light_work` products per pupil or, for derivatives, `most_weighed` pixels.
     static constexpr double light_work = 2e5;
     static constexpr std::size_t most_weighed = 5000;
     static constexpr std::size_t most_tabled = 40000;  // largest number of pixels whose weights take reasonable memory and time

@@ -28,7 +28,7 @@ namespace lommel {
 struct CoarseWindow {
     PixelWindow window;
     PixelGroups groups;
-    std::vector<double> edges;  // distances of pixel edges from the axis, in pixels, ascending
+    std::vector<double> edges;  // distances of pixel edges from the axis, in pixels, ascending; negative across the axis
     std::vector<std::int32_t> left, right, top, bottom;  // for each column or row: index into `edges` of its two edges
     Doubles means;  // for each group of pixels: average of distance^-3 over a pixel, in pixels^-3
 

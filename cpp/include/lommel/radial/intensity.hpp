@@ -118,8 +118,8 @@ struct Settled {
     double top, peak;  // largest intensity in the window; largest one found, also outside the window
 };
 
-// Prepare `field` for `places` with smaller and smaller errors, until values of type T have an error of at most `tol` over the
-// peak. `evaluate` computes the window's intensities and returns their maximum, by which they are divided if `normalize`.
+// Prepare `field` for `places` with smaller and smaller errors, until values of type T have an error of at most tol * peak.
+// `evaluate` computes the window's intensities and returns their maximum, by which they are divided if `normalize`.
 template <class T, class Evaluate>
 Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
                      const Evaluate& evaluate) {

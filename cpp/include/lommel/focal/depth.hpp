@@ -14,8 +14,8 @@ namespace lommel {
 
 // Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: the energy as a quadratic form in the
 // residual images. statistics[row][candidate], with kappa half the energy's second derivative: row 0: energy of white noise;
-// rows 1, 2: variance of half the energy's first derivative, due to texture (over kappa) and to noise; row 3: kappa over valley
-// depth (mean minus minimum of the energy); row 4: variance of kappa due to noise.
+// row 1: variance, due to texture, of half the energy's first derivative, divided by kappa; row 2: its variance due to noise;
+// row 3: kappa / (mean - minimum of the energy over the candidates); row 4: variance of kappa due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
@@ -153,7 +153,7 @@ class FocalSearch {
         const float* const e = around + (at - start);
         if (at >= start + 2 && at + 2 <= end) {
             std::copy_n(e - 2, 5, g);
-        } else {  // the missing fifth value, extrapolated by a cubic
+        } else {  // one of the five energies is missing: extrapolate by a cubic
             std::copy_n(e - 1, 3, g + 1);
             const bool low = at < start + 2;
             g[low ? 4 : 0] = low ? e[2] : e[-2];
@@ -210,7 +210,7 @@ class FocalSearch {
             float total = 0.0f, moment = 0.0f;
             for (std::size_t c = 0; c < count; ++c) {
                 const float apart_from = std::abs(static_cast<float>(rough_step * c) - found.position);
-                const float away = std::max(0.0f, apart_from - 1.0f);  // minus the spread that coarse steps add
+                const float away = std::max(0.0f, apart_from - 1.0f);  // less 1, for the spread that steps of 4 add
                 const float chance = std::exp(likelihood * std::min(0.0f, here - rough(c)));
                 total += chance;
                 moment += chance * away * away;

@@ -39,7 +39,7 @@ class FocalAxis {
         }
     }
 
-    // first(x): first of the eight source pixels of pixel x; inside(x): all eight are in the frame; weight(k, x): of the k-th.
+    // The eight source pixels of pixel x: first(x): index of the first; inside(x): all are in the frame; weight(k, x): k-th weight.
     std::ptrdiff_t first(std::size_t x) const { return first_[x]; }
     bool inside(std::size_t x) const { return first_[x] >= 0 && first_[x] + std::ptrdiff_t{taps} <= std::ptrdiff_t(side_); }
     float weight(std::size_t k, std::size_t x) const { return weights_[k * side_ + x]; }

@@ -101,7 +101,7 @@ class Sheets {
     T* both() { return values_.data(); }
     T* right() { return values_.data() + size_; }
     T* left() { return values_.data() + 2 * size_; }
-    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // partial sums [lane] of a point; zero between columns
+    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // partial sums [lane] of a point; 0 after each column
 
     // Offset in a sheet. row: counted downwards from the column's first point; from: column, counted outwards from the points.
     LOMMEL_INLINE std::size_t place(std::ptrdiff_t row, std::size_t from) const {
@@ -145,7 +145,8 @@ class Sheets {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Call f(place, right, left) for all vectors of pixels; right, left: fractions of the layer seen by pixels on either side.
+    // Call f(place, right, left) for all vectors of pixels that the points reach. place: offset in a sheet; right, left: fractions
+    // of the layer that pixels to the right and to the left of the points see.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {

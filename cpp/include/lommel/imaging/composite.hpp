@@ -21,7 +21,7 @@
 namespace lommel {
 
 // Points of a scene in layers; scene.height and scene.width include border extension. layers[p]: layer of image pixel p, 0 the
-// nearest; behind[p]: index of the pixel representing the light that p occludes, or negative.
+// nearest; behind[p]: index of the pixel whose light represents that occluded by p, negative if none.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
@@ -114,8 +114,8 @@ class Compositor {
     Compositor(const WindowBank<T>& bank, const LayeredScene& layered, int threads, const T* image, std::ptrdiff_t down,
                std::ptrdiff_t right);
 
-    // Add layers from .. to - 1 to `made`. If `known`, its visibility `seen` is given. Otherwise `seen` is computed: before the
-    // first layer `seen` must be beyond(), and `total` 0.
+    // Add layers from .. to - 1 to `made`. If `known`, the visibility made.seen is an input. Otherwise it is computed: before
+    // the first layer, made.seen must be beyond() and made.total must be 0.
     void operator()(std::size_t from, std::size_t to, bool known, const Composite<T>& made);
 
     // level(): layer number relative to the middle layer, as small numbers leave more bits of the visibility for the fraction;
@@ -285,7 +285,7 @@ class Compositor {
     struct Points {
         explicit Points(std::size_t tall)
             : places(new BankPlace<T>[(tall + 1) * part_width]), values(new T[(tall + 1) * part_width]) {}
-        std::unique_ptr<BankPlace<T>[]> places;  // bank positions [row, one spare][column], set within the layer's extent
+        std::unique_ptr<BankPlace<T>[]> places;  // bank positions [row, one spare][column], set in the layer's bounding box
         std::unique_ptr<T[]> values;  // light [column][row, one spare], set at points of the layer
         std::size_t first[part_width], last[part_width];
     };
@@ -447,9 +447,9 @@ class Compositor {
         }
     }
 
-    // Add a layer to a vector of pixels. cover: share of each pixel that the layer covers, its blurred image if it were white,
-    // reset to zero here; total: share covered by all layers so far; seen: visibility, the number of layers seen. Returns 1 for
-    // pixels that this layer covers completely, 0 for others.
+    // Add a layer of level `layer` to a vector of pixels. cover: fraction of the aperture that the layer alone covers, as seen
+    // from each pixel, reset to 0 here; total: fraction that all layers so far cover; seen: visibility, set at pixels where this
+    // layer completes the cover. Returns 1 for these pixels, 0 for others.
     Short cover_pixels(T* total, T* seen, T* cover, T layer) const {
         constexpr T tiny = std::numeric_limits<T>::min(), never = std::numeric_limits<T>::infinity();
         const Short one = splat<Short>(T(1)), rounding = splat<Short>(T(16) * std::numeric_limits<T>::epsilon());

@@ -67,10 +67,10 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
 
 // For each occluding point p, find a representative point for the light behind p.
 // A point p occludes a farther point q if their distance is less than radius(p) - radius(q), their signed blur radii: rays
-// through the rim of the aperture then pass the edge between them. Candidates q are visited in order of distance. A q is
-// skipped if its layer is not farther than those of p and of all q skipped as too distant to be occluded. The first q left
-// decides: the representative is the mirror image of p at q (the point 2 q - p) if that is in a farther layer than p and all
-// skipped q; otherwise q.
+// through the rim of the aperture then pass the edge between them. Points q are visited in order of distance from p. Let L be
+// the layer of p at first; points q in layers not farther than L are skipped. If p does not occlude the next q, L becomes the
+// layer of q. Otherwise the search ends: the representative is the mirror image of p at q (the point 2 q - p) if that is in a
+// layer farther than L, else q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)
@@ -179,7 +179,7 @@ class HiddenPoints {
         return steps;
     }
 
-    // For each point, a radius (at most `most` pixels) within which no point is in a farther layer. Found by dilation with
+    // For each point, a radius (at most `most` pixels) within which no point's layer is farther than its own. Found by dilation by
     // octagons (squares and diamonds alternately), which contain the circles of these radii.
     std::vector<std::uint8_t> alone(std::size_t most) const {
         const std::size_t height = height_, width = width_;
@@ -270,7 +270,7 @@ LOMMEL_ONCE std::size_t HiddenPoints::find(std::int32_t* behind) const {
     }
     const std::size_t rings = candidates * reach > 4 * size ? std::min(reach, most_rings) : 0;
     const std::vector<std::uint8_t> isolated = rings > 0 ? alone(rings) : std::vector<std::uint8_t>();
-    std::vector<std::size_t> begin(rings + 1, 0);  // [ring]: first offset longer than `ring` pixels
+    std::vector<std::size_t> begin(rings + 1, 0);  // [ring]: index of the first offset longer than `ring` pixels
     for (std::size_t ring = 1; ring <= rings; ++ring) {
         begin[ring] = begin[ring - 1];
         while (begin[ring] < steps.size() && steps[begin[ring]].distance <= static_cast<float>(ring)) {

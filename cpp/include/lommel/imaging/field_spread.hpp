@@ -14,25 +14,26 @@
 
 namespace lommel {
 
-// Spline coefficients of PSF windows, [node down the field][node across][node over defocus][pixel, by rows, zero padded].
+// Spline coefficients of PSF windows, [node down the field][node across][node over defocus][pixel, by rows, zero padded]. down,
+// across, depth: numbers of nodes; side: width of a window (pixels); size: number of values of a window, padding included.
 template <class T>
 struct FieldWindows {
     const T* coefficients;
     std::size_t down, across, depth, side, size;
 
-    std::size_t row() const { return depth * size; }  // stride from one node across to the next
+    std::size_t row() const { return depth * size; }  // stride between adjacent nodes across the field
 };
 
-// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Between an odd
-// number of columns, the "places", windows are interpolated by parabolas instead of splines: image column x mixes the windows
-// at places 2 tiles[x] .. 2 tiles[x] + 2 with the weights shares[x][3].
+// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Splines give
+// the windows at an odd number of columns only, the "places". Image column x interpolates by a parabola: it mixes the windows of
+// the three places 2 tiles[x] .. 2 tiles[x] + 2 with the weights shares[x][3].
 template <class T>
 struct FieldScene {
     const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]
     const std::int64_t *tiles, *rows, *columns;
     std::size_t count, height, width;  // number of places, rows, columns
     const double *defocus, *breaks;    // defocus[image row][image column]; breaks: ends of the defocus intervals
-    const T* powers;                   // [interval][power][node]: spline weights as polynomials in the interval
+    const T* powers;                   // [interval][power][node]: spline weights as polynomials of t = 0 .. 1 in it
     std::size_t across, intervals, order;
 };
 
@@ -44,7 +45,7 @@ class FieldSpreader {
         : bank_(bank), scene_(scene), threads_(threads), wide_(scene.width + bank.side - 1 + step),
           tall_(std::max(least_rows, bank.side)) {}
 
-    static constexpr std::size_t step = 16;  // divides window sizes; also the number of values that may be loaded beyond a row
+    static constexpr std::size_t step = 16;  // divides window sizes; number of values that may be loaded beyond a row
 
     // Add values[height][width], each times its window (side x side), to out[height + side - 1][width + side - 1 + step].
     void forward(const T* values, T* out) const;

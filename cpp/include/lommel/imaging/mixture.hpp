@@ -33,7 +33,7 @@ struct BankPlace {
 };
 
 // Interpolated window of one point: index of the first window, cubic Lagrange weights of the four, half width in pixels, and
-// occlusion layer. `any`: the point spreads light. `hidden`: some pixels reached by its window see only a fraction of it.
+// occlusion layer. `any`: the point spreads light. `hidden`: some pixels that its window reaches see the point only in part.
 template <class T>
 struct Mixture {
     T weights[4];

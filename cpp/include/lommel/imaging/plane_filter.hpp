@@ -17,7 +17,7 @@
 namespace lommel {
 
 // Planes of an image stack. specimen, recording: numbers of planes; first: specimen plane at which the recording starts;
-// before, after: numbers of planes beyond the ends of the specimen, equal to its outermost planes, whose light is recorded.
+// before, after: numbers of copies of the first and of the last plane that extend the specimen and contribute to the recording.
 struct StackPlanes {
     std::size_t specimen, recording, first, before, after;
 };

@@ -12,8 +12,8 @@
 
 namespace lommel {
 
-// Factors of separable products as cubic polynomials values[interval][power][product] of defocus, in steps of the window bank
-// from the second of the four windows interpolated. A power has `stride` values, a multiple of 16, zero after the last product.
+// Factors of separable products as cubic polynomials of t, values[interval][power][product]; t: distance in the window bank, in
+// steps, from the second of the four windows interpolated. Each power has `stride` values, a multiple of 16, padded with zeros.
 template <class T>
 struct RemainderCubics {
     const T* values;

@@ -49,8 +49,8 @@ LOMMEL_ONCE bool all_finite(const double* values, std::size_t size) {
 }
 #endif
 
-// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l, that is all of the layers in front of
-// `seen`, a fraction of the layer that contains `seen`, and nothing of the layers behind.
+// Occlusion: a pixel sees the fraction clamp(seen - l, 0, 1) of a point in layer l: all of the point if l <= seen - 1, nothing
+// if l >= seen, a fraction in between. Nearer layers have smaller l.
 template <class T>
 struct Screen {
     const T* layers = nullptr;  // indexed like Scene::positions; null: no occlusion
@@ -70,13 +70,11 @@ class Spreader {
     static constexpr std::size_t reach = 16;
     static std::size_t margin(std::size_t widest) { return (widest / reach + 1) * reach; }
 
-    // out += sum over source pixels of value x window, with out[height + 2 widest][width + 2 margin()]: `widest` extra rows
-    // above and below, margin() extra columns on either side. `image`: values, at the same pixels as Scene::positions; `down`,
-    // `right`: its strides.
+    // out[height + 2 widest][width + 2 margin()] += sum over source pixels of value x window; the image lies in the middle of
+    // `out`. `image`: values, at the same pixels as Scene::positions, with row stride `down` and column stride `right`.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = sum of window x `image` per source pixel; `image`: size of forward()'s
-    // output.
+    // Transpose of forward(): out[height][width] = sum of window x `image` per source pixel; `image`: like forward()'s `out`.
     void adjoint(const T* image, T* out) const;
 
    private:

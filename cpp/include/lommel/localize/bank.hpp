@@ -118,12 +118,12 @@ class Localizer {
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
     // Fit `count` molecules, each from its best template or, if that fit is doubtful, from up to `starts` templates.
-    // offsets[molecule][channel][row, column]: between positions in channels; tilted: the background is linear, not constant.
+    // offsets[molecule][channel][row, column]: offset in the map of positions (Channel); tilted: fit a linear background.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 
    private:
-    // Copy an image into rows of whole vectors: to `counts` plus read variance, to `centred` minus its mean, which is returned.
+    // Copy an image in padded rows: to `counts` with the read variance added, to `centred` without its mean. Returns the mean.
     static double take(const MoleculeTable& table, const BoxStack& stack, std::size_t index, Counts& counts, float* centred) {
         const std::size_t size = table.height * table.width;
         const float* const electrons = stack.electrons + index * size;

@@ -16,7 +16,7 @@ Real chebyshev_point(std::size_t j, std::size_t count) {
 }
 
 // Integral of r f(r) dr, r = middle + half x, for a Chebyshev series f of `count` terms in x. `out`: count + 2 Chebyshev
-// coefficients of the integral, `before` at x = -1. `moment`: scratch, count + 3 numbers. Returns the integral at x = 1.
+// coefficients of the integral, which is `before` at x = -1. `moment`: scratch, count + 3 numbers. Returns the integral at x = 1.
 inline double integrate_moment(double half, double middle, const double* series, std::size_t count, double before,
                                double* moment, double* out) {
     std::fill_n(moment, count + 3, 0.0);

@@ -19,8 +19,8 @@ namespace lommel {
 
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
-// Piece of the Bessel table. Row n: 16 coefficients, in powers of x from -1 to 1 on the piece, of Bessel function n; negligible
-// functions have no row. magnitude, azimuthal: values, for this piece, of the bounds of these names in PieceTable.
+// Piece of the Bessel table (bessel_table.hpp). Row n: the table's function of index n, as 16 coefficients of powers of x, from
+// -1 to 1 on the piece; negligible functions have no row. magnitude, azimuthal: this piece's values of these PieceTable bounds.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;

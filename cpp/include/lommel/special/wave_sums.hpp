@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Gridding kernel and FFT for sums over waves a exp(-i k s) at up to `side` integers k; gain: 1 / (transform of the kernel).
+// Gridding kernel and FFT for sums over waves a exp(-i k s) at `side` integers k; gain[|k|]: 1 / (transform of the kernel).
 struct WaveKernel {
     static constexpr std::size_t most_taps = 16;
 

@@ -39,7 +39,8 @@ struct Judged {
         swing += 0.5 * steady;
     }
 
-    // Bounds for a derivative of the intensity, 2 Re sum of form G conj(F): field F (`of`), derivative G (`sizes`, `error`).
+    // Bounds for a derivative of the intensity, 2 Re sum over j, l of form[j][l] G_j conj(F_l). `of`: sizes of the field F;
+    // `sizes`, `error`: sizes and error bound of its derivative G.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
@@ -65,7 +66,7 @@ struct Judged {
    private:
     static constexpr double rounding = 4e-13;
 
-    // Parts F_m of a field. found: |F_m| at the radii; most: bound on |F_m| at any radius; off: error of each F_m.
+    // Parts F_m of a field. found: largest |F_m| at the radii; most: bound on |F_m| at any radius; off: error of F_m.
     struct Parts {
         double off;
         std::array<double, most_parts> found{}, most{};

@@ -28,7 +28,7 @@ namespace lommel {
 template <class T>
 class LayeredImages {
    public:
-    // `allowed`: allowed interpolation error of the intensity, over the peak of a uniform aperture without aberrations.
+    // `allowed`: allowed interpolation error of the intensity, as a share of the peak of a uniform aperture without aberrations.
     LayeredImages(const Planes& planes, const PixelWindows& windows, double allowed, int threads, const Answer<T>& answer,
                   const LayeredSlopes<T>& slopes)
         : planes_(planes), windows_(windows), window_(windows.first), allowed_(allowed), answer_(answer), slopes_(slopes) {
@@ -86,7 +86,7 @@ class LayeredImages {
             });
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
-                // Radii have a few roundings of the largest radius; |dI/dv| is at most twice the swing (Bernstein's inequality).
+                // The error of radii is six roundings of the largest; |dI/dv| is at most 2 judged.swing (Bernstein's inequality).
                 const double off =
                     between->magnification() * judged.given + between->error * judged.swing +
                     unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);

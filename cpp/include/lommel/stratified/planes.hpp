@@ -1,5 +1,4 @@
-// Planes of a microscope's stack: pupil angles, phases, and the Hermitian forms that give intensities (docs/certificate.md,
-// section 15).
+// Planes of a microscope's stack: pupil angles, phases, Hermitian forms for intensities (docs/certificate.md, section 15).
 #pragma once
 
 #include <algorithm>
@@ -16,14 +15,14 @@ namespace lommel {
 
 constexpr std::size_t most_parts = 3;
 
-// Pupil angles, the nodes of a quadrature: amplitudes of the parts of the field (azimuthal orders 0, 1, ...), and the phase psi
-// = fixed + depth * by_depth + focus * by_focus.
+// Pupil angles, the nodes of a quadrature: pupil radius rho, amplitudes of the parts of the field (azimuthal orders 0, 1, ...),
+// and the phase psi = fixed + depth * by_depth + focus * by_focus.
 struct Angles {
     const double* rho;
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: amplitudes [part][angle]; others: phases [angle]
     double error;                                                   // error bound of each part of the field
-    // Derivatives by ln(wavenumber). turning: of fixed, by_depth, by_focus, less constants, [3][angle]; change: of `part`.
+    // Derivatives by ln(wavenumber). turning[3][angle]: of fixed, by_depth, by_focus, each minus a constant; change: of `part`.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
     // Rounding of a sum over angles, of its products and of Bessel functions, relative to the sum of magnitudes.
@@ -60,8 +59,8 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // Multiply the parts of the field by exp(i psi), psi being the phase: re, im[part * stride + angle]. sizes: sum of |re| +
-    // |im| of each part. exp() of the decay is computed only for evanescent waves, which are few.
+    // Write the parts of the field times exp(i psi), psi being the phase, to re, im[part * stride + angle], and the sum over
+    // angles of |re| + |im| to sizes[part]. exp() of the decay is computed only for evanescent waves, which are few.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {

@@ -38,12 +38,12 @@ class Profiles {
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
-    // outputs(): rows per plane: azimuthal orders of the intensity and its derivatives; kinds(): intensity and derivatives.
+    // outputs(): rows per plane, one per azimuthal order of the intensity and of each derivative; kinds(): 1 + derivatives.
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
-    // Call take(first, count, values, sizes) for each group of planes: values[(plane * outputs() + row) * stride() + radius],
-    // and sizes[plane][kind] of the field and of its derivatives.
+    // Call take(first, count, values, sizes) for each group of planes, first .. first + count - 1, with
+    // values[(plane * outputs() + row) * stride() + radius] and sizes[plane][kind]; kind 0: field, others: its derivatives.
     using Take = Reference<void(std::size_t first, std::size_t count, const double* values, const PartSizes* sizes)>;
     void run(int threads, const Take& take) const;
 

@@ -70,7 +70,7 @@ class Rings {
         : light_(light), steps_(steps), fft_(steps.angles), finer_(steps.finer()), circles_(light.circles - steps.filters + 1),
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
-    // Compute eight planes from index `first` on. row(): [circle, from -before() on][angle, from -taps / 2 on][plane].
+    // Compute eight planes from index `first` on. row(i): [angle, from -taps / 2 on][plane] of circle i - steps.before().
     void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }

@@ -1,5 +1,4 @@
-// Images interpolated between circles; the interpolation weights of a pixel are common to all planes (docs/certificate.md,
-// section 16).
+// Images interpolated between circles; a pixel's interpolation weights serve all planes (docs/certificate.md, section 16).
 #pragma once
 
 #include <algorithm>

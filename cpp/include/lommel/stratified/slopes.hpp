@@ -19,9 +19,9 @@
 
 namespace lommel {
 
-// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, with x the depth, the focus or ln(wavenumber);
-// `axis`: two images, by row and column of the axis. By ln(wavenumber), radially symmetric intensities are differentiated at
-// fixed positions in metres, others at fixed positions in lambda / (2 pi NA).
+// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, with x the depth, the focus or ln(wavenumber).
+// `axis`: two images, with x the row and the column of the axis. Derivatives by ln(wavenumber) are taken at fixed positions: in
+// metres for radially symmetric intensities, in lambda / (2 pi NA) for others.
 struct LayeredSlope {
     enum class What { depth, focus, axis, wavenumber } what;
     double factor;
@@ -37,7 +37,8 @@ struct LayeredSlopes {
     double* errors = nullptr;
 };
 
-// Radial profiles of one plane, values[kind][order][radius]: intensity and derivatives; sizes of fields; error bounds.
+// Radial profiles of one plane, values[kind][azimuthal order][radius]; kind 0: intensity, others: its derivatives. sizes[kind]:
+// sizes of the field and of its derivatives; judged: error bounds of the intensity.
 struct PlaneProfiles {
     const double* values;
     std::size_t stride;
@@ -119,7 +120,7 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // Derivative of the intensity at the radii. By the wavenumber at fixed positions in metres, v I'(v) is added (v: radius).
+    // Derivative of the intensity at the radii v. For that by ln(wavenumber) at fixed positions in metres, v I'(v) is added.
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
@@ -146,7 +147,7 @@ class WindowSlopes {
             all.most += size * far * 2.0 * self.swing;
             all.swing += size * table.growth() * self.swing;
         }
-        // The collected power, by which I is divided, is known to 1e-13, and so are the power's derivatives.
+        // `own` contains the collected power's derivative over the power. Both are known to 1e-13, for which 1e-12 leaves room.
         all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
         return {mixed.data(), all};
     }

@@ -85,10 +85,10 @@ struct Column {
     bool hidden;
 };
 
-// Accumulators ("sheets") for the windows of one column of points: [row, from `widest` (largest half width) above the first
-// point][column, from the points outwards]. Windows are symmetric, so one sheet serves both sides unless there is occlusion.
-// Sums at the same cache-aligned addresses for every column take half the time of sums in the image. One spare row serves the
-// last of an odd number of points, which is paired with an empty point.
+// Accumulators ("sheets") for the windows of one column of points, [row][column]. Row `widest` (largest half width) is that of
+// the first point; columns count outwards from the points. Windows are symmetric, so one sheet serves both sides unless there is
+// occlusion. Sums at the same cache-aligned addresses for every column take half the time of sums in the image. One spare row
+// serves the last of an odd number of points, which is paired with an empty point.
 template <class I, class T>
 class Sheets {
    public:

@@ -15,7 +15,7 @@
 namespace lommel {
 
 // Signed radius of the circle of confusion in pixels, sampled at `count` equal steps of defocus from `low` to `high`; a larger
-// radius means a nearer point. Layers have equal `thickness` in radius; layer 0 starts at the largest radius.
+// radius means a nearer point. At most `layers` layers have equal `thickness` in radius; layer 0 starts at the largest radius.
 struct BlurRadii {
     const double* radii;
     std::size_t count;

@@ -17,7 +17,7 @@
 namespace lommel {
 
 // Source pixels [height][width] and their positions in the window bank: pixel (y, x) has positions[rows[y]][columns[x]], so
-// that border extension needs no copy of the image. Pixels with a negative position spread no light.
+// that border extension needs no copy of the image. Negative positions: no light is spread. across: row stride of positions.
 struct Scene {
     const double* positions;
     std::size_t across;

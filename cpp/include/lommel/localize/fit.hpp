@@ -259,8 +259,8 @@ class MoleculeFit {
                     found.state = FitState::converged;
                     break;
                 }
-                // Fisher information differs from the curvature of the log-likelihood: where the derivative along the step
-                // changes sign, the step was too long, and the damping is increased.
+                // Fisher information differs from the curvature of the log-likelihood: if the derivative along the step
+                // changes sign and keeps over half of its modulus, the step was far too long: damping increases.
                 const double turned = after / before;
                 damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
                           : turned < -0.2  ? damping

@@ -86,7 +86,7 @@ class LayeredImages {
             });
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
-                // The error of radii is six roundings of the largest; |dI/dv| is at most 2 judged.swing (Bernstein's inequality).
+                // Errors of radii: up to 6 roundings of the largest; |dI/dv| is at most 2 judged.swing (Bernstein's inequality).
                 const double off =
                     between->magnification() * judged.given + between->error * judged.swing +
                     unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);

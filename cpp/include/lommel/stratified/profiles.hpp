@@ -38,7 +38,7 @@ class Profiles {
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
-    // outputs(): rows per plane, one per azimuthal order of the intensity and of each derivative; kinds(): 1 + derivatives.
+    // outputs(): rows per plane, one per azimuthal order of the intensity and each derivative; kinds(): 1 + number of derivatives.
     std::size_t outputs() const { return harmonics() * kinds(); }
     std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 

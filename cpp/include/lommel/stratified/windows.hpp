@@ -30,8 +30,8 @@ struct Order {
     Judged judged;
 };
 
-// Add to `total` one azimuthal order of the intensity: `values` times its cosine and sine in the azimuth; for order 1, whose
-// values are divided by the radius, also times the radius.
+// Add to `total` one azimuthal order of the intensity: `values` times the order's cosine and sine in the azimuth. For
+// order 1, `values` are given divided by the radius and are multiplied by it here.
 inline void add_order(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
     const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
     for (std::size_t row = 0, i = 0; row < here.height; ++row) {

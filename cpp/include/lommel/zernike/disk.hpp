@@ -51,10 +51,10 @@ struct ZernikePhase {
         });
         return std::sqrt(1.0 + variance);
     }
-    // Dimness with a margin: strong aberrations may dim an image twice as much as dimness() estimates.
+    // Upper estimate of dimness(): aberrations may dim an image twice as much as estimated there, and 2.5 leaves a margin.
     double dimmest() const { return std::min(size() + 1.0, 2.5 * dimness()); }
 
-    // Rounding error of the pupil function in units of roundoff, from rho and recurrences (docs/certificate.md, section 7).
+    // Rounding of the pupil function in units of roundoff, from rho and the recurrence for R_n^m (docs/certificate.md, section 7).
     double sensitivity() const {
         double sum = 0.0;
         amplitudes([&](double a, std::size_t degree, std::size_t) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
@@ -80,7 +80,7 @@ struct DiskRule {
 
     explicit DiskRule(std::size_t exact);
 
-    // rounded: degree that the next multiple of eight rings allows, so that slightly stronger aberrations need no new tables.
+    // rounded: highest degree for the same number of rings, so that slightly stronger aberrations need no new tables.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
@@ -170,7 +170,7 @@ class ZernikeAnalysis {
     }
 
    private:
-    // Phase by azimuthal orders, sums over n of coefficients times R_n^m: radial_[index of the order][cosine, sine][ring].
+    // For each azimuthal order m of the phase, sum over n of coefficient * R_n^m: radial_[index of m][cosine, sine][ring].
     template <class I>
     LOMMEL_INLINE void prepare(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;

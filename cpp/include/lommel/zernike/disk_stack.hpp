@@ -21,8 +21,8 @@ struct DiskWindow {
     double row, column, step;
 };
 
-// Output for each pupil. images: values; scales: factor on the intensity (0 on entry: divide by the maximum); bounds: error bound
-// relative to the peak; peaks: intensity of the peak.
+// Output for each pupil. images: pixel values; scales: factor on the intensity (0 on entry: divide by the maximum); bounds: error
+// bound / intensity of the peak; peaks: intensity of the peak.
 template <class T>
 struct DiskAnswer {
     T* images;
@@ -119,8 +119,8 @@ struct DiskStack {
     void shrink();
 
    private:
-    // Rounding error of U if a tilt becomes a shift of the axis. Shift and position may cancel, so the error is relative to both;
-    // |dU/dv| < 1/2 (docs/certificate.md, section 7, "The axis").
+    // Rounding error of U if `tilt` shifts the axis from its position `given`, in pixels of pitch `step`. Shift and position may
+    // cancel, so the error is relative to both; |dU/dv| < 1/2 (docs/certificate.md, section 7, "The axis").
     static double rounded(double tilt, double given, double step) {
         return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);
     }

@@ -26,7 +26,7 @@ struct Looks {
     }
 };
 
-// Error of U that changes I by `all`, if |U| is at most `brighter` times the root of `intensity`: solves e (2 |U| + e) = all for e.
+// Error of U that changes I by `all`, if |U| is at most brighter * sqrt(intensity): solves e (2 |U| + e) = all for e.
 inline double allowed_error(double all, double intensity, double brighter) {
     const double u = brighter * std::sqrt(intensity);
     return all / (u + std::sqrt(u * u + all));

@@ -19,19 +19,19 @@ constexpr std::size_t max_degrees = 1600;  // maximum number of degrees of a Zer
 
 // Error budget of the Zernike series: shares of allowed errors and of the tolerance.
 struct ZernikeBudget {
-    // Shares of the error of U. outer, inner: expansions of the full disk and of the obscuration; small: small coefficients omitted
-    // from either expansion.
+    // Shares of the allowed error of U. outer, inner: expansions of the full disk and of the obscuration; small: small coefficients
+    // omitted from either expansion.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
-    // Shares of the error of a disk. degrees: omitted degrees (times `fourier`, which bounds the Lebesgue constant of Fourier sums,
-    // if orders are omitted too); orders: omitted orders; quadrature: distance of the pupil from polynomials, counted twice.
+    // Shares of a disk's allowed error. degrees: omitted degrees (if orders are omitted too, times `fourier`, a bound on Lebesgue's
+    // constant of Fourier sums); orders: omitted orders; quadrature: distance of the pupil function from polynomials, counts twice.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
-    // Shares of the error of U at the brightest point, common to all radial pieces. trimmed: omitted coefficients of each disk;
-    // dropped: omitted orders; pieces: interpolation across a piece.
+    // Shares of the allowed error of U at the brightest point, for errors that all radial pieces have in common. trimmed: omitted
+    // coefficients of each disk; dropped: omitted orders; pieces: interpolation across a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of the error of U that is left for one radial piece. own_orders: orders omitted in this piece; sines: all
-    // sines are omitted if they are below this share of own_orders; rings: interpolation across rings. The rest: single precision.
+    // Shares of the error of U that is left for one radial piece. own_orders: orders omitted in this piece; sines: all sines
+    // are omitted if they are below this share of own_orders; rings: interpolation across rings. The rest is for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Minimum error of interpolation across rings, as a share of the error of U that all pieces have in common.
@@ -55,11 +55,11 @@ struct DiskExpansion {
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
     std::size_t curve;
-    double saved = 0.0;  // decrease by samples of log M(b), M(b) the bound on the pupil function in bounds/disk.hpp
+    double saved = 0.0;  // by how much samples lower log M(b), with M(b) the bound on the pupil function in bounds/disk.hpp
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // Size of an expansion, estimated without samples and tables. exact: degree of the quadrature; samples: time for sampling.
+    // Size of an expansion, estimated without samples. exact: degree for which quadrature is exact; samples: time of sampling.
     struct Size {
         std::size_t degrees, orders, exact;
         double samples;
@@ -106,7 +106,7 @@ struct DiskExpansion {
    private:
     DiskExpansion() = default;
 
-    // Typical ratio of two bounds on the logarithm of a pupil function's growth: from samples, and from the maxima of all terms.
+    // Typical (bound from samples) / (bound from the maxima of all terms), both on the logarithm of a pupil function's growth.
     static constexpr double usual_share = 0.6;
 
     double less_by_samples(const ZernikePhase& phase) const {

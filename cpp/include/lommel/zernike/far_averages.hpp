@@ -31,8 +31,8 @@ class FarLight {
     double left_out(double step) const;
     // Fit the smooth part of I for all radii of at least v.
     void fit(double v);
-    // Smallest v from which averages have an error of at most `requested`, with the smooth part fitted from v on. The result
-    // exceeds `most` if no radius up to `most` suffices.
+    // Smallest v from which averages over pixels of width `step` have an error of at most `requested`, with the smooth part fitted
+    // from v on. The result exceeds `most` if no radius up to `most` suffices.
     double nearest(double step, double requested, double most) {
         // Lower limit of v: the interference rings of an unaberrated pupil, which fall as v^-3, are below `requested`.
         double rings = 0.0;
@@ -75,10 +75,10 @@ class FarLight {
         double frequency;
         std::vector<double> re, im;        // coefficients of v^(-3/2 - k), [k][angle]
         std::array<double, terms> sizes;   // [k]: bound on the modulus of coefficient k at all angles
-        double largest = 0.0, slope = 0.0;  // largest: bound on the amplitude times v^(3/2); slope: on v times its derivative
+        double largest = 0.0, slope = 0.0;  // bounds on a = v^(3/2) * amplitude: largest on |a|, slope on v |da/dv|
     };
     struct Disk {
-        double radius, weight, factor;  // relative radius; factor of the field; common factor of both waves of the disk
+        double radius, weight, factor;  // radius / full disk's radius; factor of the disk's field; factor of both its waves
         std::size_t orders;
         std::vector<double> size;  // [degree]: sum of the moduli of its coefficients over all orders
         std::array<double, terms> rounding;  // [k]: rounding error of term k of the waves
@@ -104,7 +104,7 @@ class FarLight {
     std::vector<Wave> waves_;
     std::vector<Disk> disks_;
     std::array<Harmonics, smooth> harmonics_{};
-    std::vector<double> table_;  // [angle][coefficient of (from / v)^power; its difference to the next angle]
+    std::vector<double> table_;  // [angle]: coefficients of the powers of from_ / v, then their differences to the next angle
 };
 
 #if defined(LOMMEL_DEFINES)
@@ -139,7 +139,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
             }
         }
     };
-    // Reduce `count`, of orders or degrees, while the omitted ones add at most spare / 2 to U; base_ receives their bound.
+    // Reduce `count`, the number of orders or of degrees, while those omitted add at most spare / 2 to U; add their bound to base_.
     const auto fewest = [&](std::size_t count, const auto& adds) {
         for (double sum = 0.0; count > 1 && sum + adds(count - 1) <= 0.5 * spare; --count) {
             sum += adds(count - 1);
@@ -253,8 +253,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
             power /= place;
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
-            // Remainder of Hankel's series for degree n: below the first omitted term after at least n + 1 terms; with fewer, the
-            // terms up to n + 1 are added. Another bound: the field of degree n plus the summed terms.
+            // Remainder of Hankel's series for degree n after `terms` terms, by the smaller of two bounds: the terms up to k = n
+            // (`after`) plus the next (`here`); or the summed terms (`before`) plus the field of degree n.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -430,8 +430,8 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
         const Wave& wave = waves_[i];
         size += wave.largest;
         for (std::size_t j = 0; j < i; ++j) {
-            // Pixel average of the product of two waves (interference ring): flux through the edges of the pixel, and the remainder
-            // inside it from the slopes of the amplitudes.
+            // Bound on the pixel average of the product of two waves (interference ring): flux through the edges of the pixel, plus
+            // the contribution of the slopes of the amplitudes inside it.
             const Wave& other = waves_[j];
             const double product = wave.largest * other.largest, frequency = std::abs(wave.frequency - other.frequency);
             const double sloping = wave.slope * other.largest + wave.largest * other.slope + 2.0 * product;
@@ -486,8 +486,8 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
 }
 #endif
 
-// Averages over pixels beyond a radius as small as the tolerance permits, at most `most` in v. found[pupil]: this radius in pixels
-// (closer pixels become 0), error bound of the averages, estimate of the largest average, row and column of the axis.
+// Averages over pixels beyond the smallest radius v <= most that the tolerance permits. found[pupil]: this radius in pixels (closer
+// pixels become 0), error bound of the averages, estimate of the largest average, row and column of the axis.
 class FarAverages {
    public:
     static constexpr std::size_t numbers = 5;

@@ -40,8 +40,8 @@ inline const Directions directions;
 // Field U of one pupil: on radial pieces, a polynomial in v for each azimuthal order of the full disk and of the obscuration.
 class ZernikeField {
    public:
-    // Expand the pupil with an error `error` of U for v up to `reach`. inner: phase within the obscuration, a function of the
-    // radius over that of the obscuration; lost: error of U from rounding in the coefficients of both phases.
+    // Expand the pupil with an error `error` of U for v up to `reach`. inner: phase within the obscuration, a function of
+    // (radius / radius of the obscuration); lost: error of U from rounding in the coefficients of both phases.
     void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
                 double lost = 0.0, int threads = 1) {
         // An obscuration is neglected if its area is below rounding.
@@ -49,7 +49,7 @@ class ZernikeField {
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // A position v is off by six roundings at most, three of the radius and three of the step. As |U'| < 1/2, U is off by 3 v.
+        // With u the unit roundoff, v is off by at most 6 v u, half from the radius, half from the step; as |U'| < 1/2, U by 3 v u.
         base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
@@ -71,8 +71,8 @@ class ZernikeField {
     // Largest I over the sampled directions at the radius v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Compute the coefficients of the pieces in_use(number of pieces), in increasing order. Omitted orders and interpolation add
-    // about `error` to U at most; afterwards base() is the error of U that all pieces have in common.
+    // Compute the coefficients of the pieces whose indices in_use(number of pieces) returns in increasing order. Omitted orders and
+    // interpolation add about `error` to U at most; afterwards base() is the error of U that all pieces have in common.
     template <class InUse>
     void prepare(double error, int threads, const InUse& in_use) {
         orders_.measure(outer_, inner_, obscuration_);

@@ -168,7 +168,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Compute the pixels of groups [first, last) in one ring; x = slope r + offset is the position in the ring at the radius r.
+    // Compute the pixels of groups [first, last) in one ring. At the radius r, the position in the ring is slope * r + offset.
     template <std::size_t Degree, std::size_t Unroll, class V, class Real>
     LOMMEL_INLINE void pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
                               const Real* coefficients, const Put<Real>& put) const {
@@ -207,7 +207,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Write values times `scale` to the pixels of groups first .. first + count - 1; raise `top` to their maximum.
+    // Write scale * values[stride * j + i] to pixel j of the eight of group first + i, i < count; raise `top` to the largest value.
     template <class Real, class T>
     void place(std::size_t first, std::size_t count, std::size_t stride, const Real* values, double scale, T* image,
                double& top) const {

@@ -130,7 +130,7 @@ class ZernikeRenderer {
         return 1e300;
     }
 
-    // Search 65 x 65 points across the geometrical blur for a larger peak, as the pixels of the window may miss it.
+    // Search 65 x 65 points across the geometrical blur for a larger peak, as pixels may miss it. off: error of U at this peak.
     template <class Expand>
     void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;

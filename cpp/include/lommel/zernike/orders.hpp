@@ -72,8 +72,8 @@ class PupilOrders {
         return left;
     }
 
-    // Select the kept orders up to the highest that matters at radii from v on, with the sines of all or of none; return a bound on
-    // the omitted orders and sines.
+    // Select, for `plan`, the kept orders up to the highest that matters at radii from v on, with the sines of all of them or of
+    // none. Return a bound on the kept orders and sines that are omitted here, at most `error`.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {

@@ -23,7 +23,7 @@ namespace lommel {
 struct PolarCircle : GriddingTaps {
     RowFft<float> single;
     RowFft<double> exact;
-    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on aliases over the order's modulus
+    std::vector<double> gains, aliases;  // [order]: 1 / transform of the kernel; bound on (aliases / modulus of the order)
 
     PolarCircle(std::size_t points, std::size_t taps);
 
@@ -95,7 +95,7 @@ struct PolarSpectra {
     LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
         using V = typename RowPack<I, Sum>::type;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // vectors whose sums fit in registers
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), together = 2;  // together: vectors whose sums fit in registers
         for (auto& numbers : spectrum) {
             numbers.resize(n * fft_element);
             const auto clear = [&](std::size_t from, std::size_t to) {

@@ -19,7 +19,7 @@
 
 namespace lommel {
 
-// Ratio of estimated times, interpolation to series, below which interpolation is tried. Changed by tests only; 0: never.
+// Interpolation is tried if its estimated time is below this factor * time of the series. Changed by tests only; 0: never.
 inline double& interpolation_worth() {
     static double share = 1.0;
     return share;

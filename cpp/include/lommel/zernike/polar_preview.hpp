@@ -119,7 +119,7 @@ class PolarOrders {
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
-    // Smallest number of orders to keep, so that the omitted orders add at most `error` to U.
+    // Smallest number of orders to keep, so that left(), the bound on the omitted orders, is at most `error`.
     std::size_t least(double error, double v, double aliases) const {
         const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;

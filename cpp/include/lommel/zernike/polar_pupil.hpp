@@ -91,7 +91,7 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // `aliases` bounds pupil functions whose chord means have a mean square <= 1. The truncation error aliases by `growth`.
+            // `aliases` holds for pupil functions whose chord means have a mean square <= 1. A truncation error e adds growth * e.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -99,8 +99,8 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding error of the field U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: sums over every
-// other degree; each: products of n + 1 and the table's value of degree n; left_out: degrees that are not in the table.
+// Rounding error of the field U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: error of sums over
+// every other degree; each: error of (n + 1) * value of degree n in the table; left_out: bound on degrees not in the table.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
@@ -144,7 +144,7 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
         return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
-    // Rounding: storing the circles, a product, a chain of sums for each kernel, and four roundings of I, which count half in U.
+    // Rounding: storing the circles, two products, a chain of sums for each kernel, and four roundings of I, which count half in U.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
     // Rounding of single-precision positions in rough styles.
     const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);

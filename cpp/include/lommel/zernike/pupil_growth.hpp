@@ -46,7 +46,7 @@ struct GrowthTable {
         return side * side * static_cast<double>(directions_for(list) / row_lanes) *
                (2.0 * static_cast<double>(list.pairs.size()) + 40.0);
     }
-    // Return whether the terms on this curve, at most sinh(degree b), are well within the range of float.
+    // Return whether the terms on this curve, at most sinh(degree * b), are well within the range of float.
     static bool serves(const TermPairs& list, std::size_t curve) {
         return static_cast<double>(list.degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -56,7 +56,7 @@ struct GrowthTable {
     static constexpr std::size_t most_bytes = std::size_t{8} << 20;
 
    private:
-    // Number of directions: eight per half turn for each azimuthal order, rounded up to a multiple of sixteen.
+    // Number of directions in half a turn: 8 * highest azimuthal order, rounded up to a multiple of 16.
     static std::size_t directions_for(const TermPairs& list) {
         std::size_t highest = 1;
         for (const TermPairs::Pair& pair : list.pairs) {
@@ -112,8 +112,8 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 #endif
 
 // Growth of a pupil function exp(i Phi): logarithm of the mean of e^{-Im Phi} over a complex curve on every chord of one direction,
-// for the direction where it is largest. mean: from samples; margin: for rounding, and for values between samples, by the second
-// derivatives of each Zernike term, at most n^2 or m^2 times its maximum.
+// for the direction where it is largest. mean: this logarithm from samples; margin: its error from rounding, and between samples
+// from the second derivatives of the Zernike terms, each at most n^2 or m^2 times the term's maximum.
 struct SampledGrowth {
     double mean, margin;
 };

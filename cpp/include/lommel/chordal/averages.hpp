@@ -70,7 +70,7 @@ struct NodeWeights {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
 
     std::size_t height, width, rows, columns;  // size of the window in pixels, and in sampling nodes
-    std::size_t side;  // 1 if vector lanes are pupils; if they are columns of one pupil, their number
+    std::size_t side;  // number of vector lanes if they are columns of one pupil; 1 if they are pupils
     std::size_t vectors;  // number of SIMD vectors in a row of pixels
     Values across;  // weights along x: [tile of pixels][node][pixel of the tile]; for one pupil [node][vector of pixels]
     Values down;  // weights along y: [block of nodes][tile of pixels][node of the block][pixel of the tile]

@@ -81,8 +81,8 @@ struct SharpTable {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of samples along the first angle a, in x = cos(a), halved where a sample is its own mirror image. Sum over chords: ~
-    // |sin(a + ib)|^2, with b the imaginary part on the curve; sum over nodes: the largest weight for any number of chords.
+    // Weights of samples along the first angle a, in x = cos(a), halved where a sample is its own mirror image. Sum over chords:
+    // as |sin(a + ib)|^2, with b the imaginary part on the curve; sum over nodes: the largest weight for any number of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {

@@ -393,7 +393,7 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]: index in `parts`
     double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
 
-    // Return whether no field has both even and odd parts: the intensity is symmetric. odd: bit of a parity (1: in y; 2: in x).
+    // Return whether no field has both even and odd parts, so the intensity is symmetric. odd: bit of a parity (1: in y; 2: in x).
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -428,8 +428,8 @@ struct PlaneLight {
         }
         return count;
     }
-    // Compute intensity and derivatives on a row of one quadrant: light[set][column]. there[column]: 1 if the pixel exists, else 0;
-    // squares[set][field][lane]: running maximum of |field|^2 over existing pixels.
+    // Compute intensity and derivatives on row y of the quadrant given by `below` and `left`: light[set][column].
+    // there[column]: 1 if the pixel exists, else 0; squares[set][field][lane]: running maximum of |field|^2; first: working memory.
     template <class I>
     LOMMEL_INLINE void row(I, std::size_t y, bool below, bool left, const double* there, double* first, double* squares,
                            double* light) const {

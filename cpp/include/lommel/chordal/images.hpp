@@ -34,7 +34,7 @@ constexpr double max_table_bytes = 402653184.0;  // limit for the Fourier kernel
 
 // Error budget of the complex amplitude U in the image; tol: tolerance of the intensity |U|^2 relative to its peak.
 struct ChordalBudget {
-    // Error of U / (tol x max |U|), counted twice in the intensity; 1 - 2 field is a margin for the estimate of max |U|.
+    // Error of U / (tol x max |U|), counted twice in the intensity; 1 - 2 * field is a margin for the estimate of max |U|.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
@@ -43,16 +43,16 @@ struct ChordalBudget {
     // Largest share of a disk's error for the sum over chords; the sum over the nodes of chords gets the remainder.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of U / (tol x estimated max |U|), with rounding; rounding: largest part of it for rounding.
+    // Single precision. single: error of U, with rounding, / (tol x estimated max |U|); rounding: largest share of it for rounding.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak may
-    // then be below its estimate. A smaller error costs a few chords, a second attempt doubles the work.
+    // then be below its estimate, and a second attempt doubles the work. large_factor_single: large_factor in single precision.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
     // Second attempt. retry_least, retry_most: limits of (new error of U) / (first error); retry_single: error of U in single
     // precision, with rounding, / (tol x computed max |U|).
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Pixel averages: share of the tolerance for quadrature; the remainder is for rounding, larger if batches share tables.
+    // Pixel averages: share of the tolerance for quadrature. The rest is for rounding, which is larger if batches share tables.
     static constexpr double of_nodes = 0.9;
 };
 
@@ -113,7 +113,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Requested error in single precision, less rounding. If rounding is too large, pupil p is set to double precision.
+    // Error that rounding in single precision leaves for quadrature. If rounding is too large, pupil p is set to double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -362,7 +362,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate the times of this method (costs_.first) and of a Zernike series (costs_.second). singles: number of pupils in float.
+    // Estimate times of this method (costs_.first) and of a Zernike series (costs_.second). The first `singles` pupils: in float.
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +

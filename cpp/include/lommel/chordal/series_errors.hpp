@@ -14,19 +14,19 @@
 
 namespace lommel {
 
-// Bounds on the parts of amplitude series. series: number of series in all planes; parts: number of parts of a series.
+// Bounds on the parts of amplitude series. Numbers: series in all planes; parts of a series; complex curves for the bounds.
 struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]
 
-    // Compute the bounds. powers[term][curve]: bounds on the terms; needed: half the required numbers of chords and of nodes, each
-    // the minimum over curves of log(largest part) x rate[curve] + chosen[curve].
+    // Compute the bounds. ends[part]: index after its last term; powers[term][curve]: bounds on terms; needed[sum]: half the number
+    // of chords (0), of nodes (1), the minimum over curves of log(largest part) * rate[curve] + chosen[sum][curve].
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // Error bounds field_errors[set][plane][field]: sums over the parts of the amplitude of shares[field][part] times a part's
-    // error. That is the error of the sum over chords and of that over nodes, each by its best complex curve; `left`; `rounding`
-    // times the largest modulus of the part; and `error`.
+    // Error bounds field_errors[set][plane][field]: sums over parts of shares[field][part] * error of the part. A part's error is
+    // on_curves * chords[set][curve] for the best curve, plus the same with `nodes`, plus left[set], rounding[set] * moduli and
+    // `error`. of[set]: index of the set's series.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

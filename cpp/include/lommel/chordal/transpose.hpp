@@ -98,8 +98,8 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
     });
 }
 
-// Add -2 share Im(sum of Z P G over the nodes of a pair of chords) to sums[index in table.classes.order]. Z: Zernike term; P
-// (pupil): pupil function; G (adjoint): transposed Fourier transform of weight x conj(complex amplitude).
+// Add -2 * share * Im(sum of Z P G over the nodes of a pair of chords) to sums[index in table.classes.order]. Z: Zernike term; P
+// (pupil): pupil function; G (adjoint): transposed Fourier transform of weight x conj(complex amplitude); room: memory.
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {

@@ -116,7 +116,7 @@ LOMMEL_INLINE void add_widened(I, const V& sum, double* to) {
     }
 }
 
-// Average a row of samples[node][pupil] along x, added to sums[vector of pixels][lane]. `Lone`: samples[node], lanes are pixels.
+// Average a row of samples[node][pupil] along x; add this to sums[vector of pixels][lane]. `Lone`: samples[node], lanes are pixels.
 template <bool Lone, class I, class Real>
 LOMMEL_INLINE void average_along(I isa, const NodeWeights<Real>& weights, const Real* samples, double* sums) {
     using V = typename Waves<I, Real>::V;

@@ -164,7 +164,7 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups the same quadrature, and so the same tables, unless a group's nodes grow by more than factor `more`.
+    // Give neighbouring groups the same quadrature, and so the same tables, unless one of them gets over `more` times its nodes.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];

@@ -163,7 +163,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
 }
 #endif
 
-// Omit the highest coefficients of each order, which together add at most `error` to U, and return a bound on their sum. weight:
+// Omit the highest coefficients of each order, so that U changes by at most `error`, and return a bound on the change. weight:
 // factor of the disk's field.
 inline double trim(ZernikeSeries& series, double weight, double error) {
     double left = 0.0;

@@ -206,7 +206,7 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 struct PolarRowError {
     double sums = 0.0;  // rounding of the sums over degrees
     double around = 0.0;  // aliases of the orders, from interpolation around the circle
-    double sum = 0.0;  // sum over orders of the moduli before the FFT
+    double sum = 0.0;  // sum, over all orders, of the moduli of the input of the FFT
     double largest = 0.0;  // largest |re U| or |im U| on the circle
 };
 

@@ -55,7 +55,7 @@ struct PolarPupil {
     double base;  // error bound of U from the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // Rounding of positions in units of roundoff: below 12 v between circles, below 24 times the angle around them; |U'| < 1/2.
+        // Positions are off by < 64 (v + 64) roundoffs: 12 v between circles, 24 v * angle around them. |U'| < 1/2 halves this.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {

@@ -63,9 +63,9 @@ void each_corner(double eta, const At& at) {
 }
 
 // count: number of nodes of a Gauss rule on [-1, 1] for an error `error` (Trefethen, Approximation Theory and Approximation
-// Practice, Theorem 19.3; valid for one node too), the smallest found for ellipses with semi-axes cosh eta, sinh eta. The search
-// descends, as the number has one minimum over eta. blocked: a singularity prevented larger ellipses. largest(eta, limit): bound on
-// the logarithm of the integrand on the ellipse; at least 1e300 without a bound, or above `limit`.
+// Practice, Theorem 19.3; valid for one node too), the smallest found by descent over ellipses with semi-axes cosh eta, sinh eta.
+// blocked: a singularity prevented larger ellipses. largest(eta, limit): bound on the logarithm of the integrand on the ellipse; it
+// returns 1e300 or more if it finds no bound, or may do so if the integrand exceeds `limit`.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -166,7 +166,7 @@ class PanelMap {
     bool arc(const Side& side, double eta, ComplexDisc s, ComplexDisc& value) const {
         const double near = sign_ > 0.0 ? anchor_ - side.low : side.high - anchor_;
         const double far = sign_ > 0.0 ? side.high - anchor_ : anchor_ - side.low;
-        // Argument of the square root: (near + t) (far - t), t the distance from the end of the panel where the map is anchored.
+        // Argument of the square root: (near + t) (far - t), with t = sign_ * (y - anchor_).
         if (root_ == 0) {
             const double half = 0.5 * length_;
             return linear(-near / half, eta, s, std::sqrt(std::max(near, 0.0)), value = {1.0, 0.0}) &&
@@ -226,7 +226,7 @@ struct Panel {
     std::vector<std::array<Side, 2>> spans;
 
     // Bound on the logarithm of the integrand over s on the ellipse with semi-axes cosh eta and sinh eta, for polynomials of the
-    // degree `degree` that are at most 1 on the unit disc.
+    // degree `degree` that are at most 1 on the unit disc. Above `limit`, it may be replaced by 1e301.
     double largest(double eta, double degree, double limit) const {
         const PanelMap map(low, high, root);
         if (straight()) {

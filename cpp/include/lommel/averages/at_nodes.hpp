@@ -40,8 +40,8 @@ struct AverageRequest {
 // Averages and their derivatives in double precision, with error bounds.
 struct AverageAnswer {
     double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
-    double *errors, *peaks;         // [pupil]. errors: relative to the peak; peaks: largest average (the peak)
-    double* slope_errors;           // errors of derivatives [term][pupil], relative to the peak
+    double *errors, *peaks;         // [pupil]. errors: bounds, over `peaks`; peaks: largest average or lower bound on it
+    double* slope_errors;           // error bounds of derivatives [term][pupil], over `peaks`
 };
 
 // Estimates for a stack of pupils; they affect the speed, and no error bound.
@@ -71,7 +71,7 @@ struct NodeNumbers {
 // Function that computes fields at nodes, and averages and derivatives from them; it throws ToleranceNotMet if fields miss tol.
 using NodeSample = Reference<void(const NodeQuestion&, const AverageAnswer&, NodeNumbers&)>;
 
-// Compute the averages of `pupils` pupils; returns false if the window has no nodes or averages miss the tolerance.
+// Compute the averages of `pupils` pupils; returns false if no nodes suit the window, or if averages miss the tolerance.
 bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils, const AverageAnswer& answer,
                       const NodeSample& sample);
 
@@ -106,14 +106,14 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
     // Factors on the estimated Strehl ratio: `sharp` for ratios above 0.6, `dim` for lower ones, which are often too high.
     constexpr double sharp = 0.87, dim = 0.1;
-    constexpr double of_response = 2e-3;  // allowed error of the frequency response over tolerance and least average
+    constexpr double of_response = 2e-3;  // allowed error of the frequency response, over tolerance * least_average()
     constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio
     constexpr double in_single = 2e-7;  // if the field may have this error or more, samples are in single precision
     const double room = asked.before_storing(), step = asked.step;
     if (!(room > 0.0)) {
         return false;
     }
-    // Estimated largest average: between the peak (small pixels) and the largest average without aberration (large pixels).
+    // Estimated largest average: most * guess / (most + guess), with `most` the one without aberration and `guess` the peak.
     const double lowest = least_average(step), most = std::min(4.0 * lowest, 1.0),
                  guess = light.strehl * (light.strehl > 0.6 ? sharp : dim);
     double err_samples = of_samples * room * most * guess / (most + guess);

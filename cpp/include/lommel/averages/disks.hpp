@@ -29,7 +29,7 @@ class DiskAverages {
     }
     virtual ~DiskAverages() = default;
 
-    // Compute the averages; returns false if the window has no nodes or averages miss the tolerance.
+    // Compute the averages; returns false if no nodes suit the window, or if averages miss the tolerance.
     bool run(const AverageAnswer& answer);
 
    protected:
@@ -43,8 +43,8 @@ class DiskAverages {
    private:
     static constexpr int tries = 3;  // maximum number of boxes for each pupil
     static constexpr double power = 4.0;  // errors fall at least with this power of the side of a box
-    static constexpr double worth = 0.9;  // fraction of the tolerance aimed at with a larger box
-    static constexpr double farthest = 16.0;  // largest ratio of error to tolerance in the choice of the next box
+    static constexpr double worth = 0.9;  // error aimed at with a larger box, as a fraction of the tolerance
+    static constexpr double farthest = 16.0;  // largest ratio of error to tolerance assumed in choosing the next box
 
     bool from_rims(const AverageAnswer& answer);
     // Compute the averages of pupils with boxes of the same side: pixels in the box from nodes, others from the rim. `stack`:

@@ -26,7 +26,7 @@
 
 namespace lommel {
 
-// Eigenvector of a symmetric tridiagonal matrix: of the eigenvalue with `index` smaller ones; `beside`: off-diagonal elements.
+// Eigenvector of a symmetric tridiagonal matrix, for the eigenvalue that exceeds `index` others. beside: off-diagonal elements.
 //
 // Bisection finds the eigenvalue: the number of negative pivots of the shifted matrix is that of eigenvalues below the shift.
 // The vector follows from the pivots of both directions, joined where the residual is smallest (I. S. Dhillon and B. N. Parlett
@@ -56,8 +56,8 @@ class WindowNodes {
     std::size_t bytes() const { return (places.size() + weights.size()) * sizeof(double); }
 
    private:
-    // Waves at several frequencies, cosines in [0] and sines in [1]. nodes: values at the nodes x > 0, [frequency][node]; pixels:
-    // averages over each pixel, [frequency][pixel], which weighted sums over the nodes shall equal.
+    // Waves at several frequencies: nodes[0], pixels[0] for cosines, nodes[1], pixels[1] for sines. Rows of `nodes`, one for each
+    // frequency: values at the nodes x > 0. Rows of `pixels`: averages over each pixel, which weighted sums over nodes shall equal.
     struct Waves {
         std::vector<double> nodes[2], pixels[2];
     };
@@ -85,7 +85,7 @@ class ChosenNodes {
    private:
     static constexpr double largest = 450.0;  // width of windows, in lambda / (2 pi NA), above which filters replace nodes
     static constexpr double enough = 2.0, highest = 5.0;  // gain at which no more nodes are tried; largest accepted gain
-    static constexpr double worth = 0.85;  // two more nodes are used if they reduce the gain by this factor
+    static constexpr double worth = 0.85;  // more nodes are tried while two more multiply the gain by less than this
     static constexpr std::size_t tried = 8;  // maximum number of trials, each with 2 more nodes
 
     double step_;
@@ -289,7 +289,7 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
     const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
     const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
-    // Product of the responses along both axes: one has the mean error `mean`, the other at most the error `largest`.
+    // For products of the responses along both axes: one has the mean error `mean`, the other at most the error `largest`.
     error = (1.0 + 0.5 * largest) * mean;
     spread = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {

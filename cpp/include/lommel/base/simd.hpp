@@ -184,7 +184,7 @@ LOMMEL_INLINE std::size_t high_place(std::uint64_t places) {
 template <class V>
 LOMMEL_INLINE V pairs(const float* c, const std::int32_t* at) {
     typedef double Two __attribute__((vector_size(16)));
-    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // loads at[i] and at[i + 1], not negative, at once
+    const auto two = [&](std::size_t i) LOMMEL_INLINE_LAMBDA {  // loads at[i] and at[i + 1], both >= 0, at once
         std::uint64_t places;
         std::memcpy(&places, at + i, sizeof places);
         typedef double Second __attribute__((aligned(4), may_alias));
@@ -499,7 +499,7 @@ struct Isa {
 using Avx512 = Isa<8, 4>;
 using Avx2 = Isa<4, 4>;
 using Portable = Isa<2, 4>;
-constexpr std::size_t widest_step = 32;  // values that a kernel handles at once, and may access past an array's end, at most
+constexpr std::size_t widest_step = 32;  // most values that a kernel handles at once or accesses past an array's end
 
 enum class Level { portable, avx2, avx512 };
 

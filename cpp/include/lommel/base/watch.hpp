@@ -41,7 +41,7 @@ class Watch {
     }
 
    private:
-    // Time in milliseconds, of the coarse clock where the system has one, as it is read in a tenth of the time.
+    // Time in milliseconds, from the coarse clock where the system has one: reading it takes a tenth of the time.
     static std::int64_t now() {
 #if defined(CLOCK_MONOTONIC_COARSE)
         std::timespec t;

@@ -19,7 +19,7 @@ constexpr std::size_t max_chords = 1024;  // maximum number of chords, and of no
 // The two sums of the chordal rule: over chords, and over the nodes of a chord.
 enum class Sum { chords, nodes };
 
-// Smallest permitted size of a sum, at least `wanted`. Sizes are few, to share tables, and even, for nodes at (+-x, +-y).
+// Smallest permitted size of a sum, at least `wanted`. Permitted sizes are few, to share tables, and even, for nodes at (+-x, +-y).
 inline std::size_t rounded_size(Sum sum, double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
     const std::size_t step = n <= (sum == Sum::chords ? 64 : 24) ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
@@ -39,8 +39,8 @@ struct VBox {
     }
 };
 
-// Error bound of the field from one complex curve at height b: e^{exponent - 2 n b} for a sum over n nodes; for a sum over n chords
-// this times 1 / (1 - e^{-2 (n + 1) b}) (docs/certificate.md, section 8).
+// Error bound of the field, from the integrand on one complex curve, at height b. For a sum over n nodes it is
+// e^{exponent - 2 n b}; for a sum over n chords, this over 1 - e^{-2 (n + 1) b} (docs/certificate.md, section 8).
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
@@ -96,12 +96,12 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // The bound for chords continues x and y to complex values, the bound for nodes only y.
+        // reach_[0] is for the bound for chords, which continues x and y to complex values; reach_[1] for that for nodes: only y.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // On a curve, with phase Phi and v in the window: size(): bound on |Im(Phi + v . rho)|; bend(): bound on its second derivative.
+    // Bounds on a curve, for phase Phi and v in the window. size(): on |Im(Phi + v . rho)|; bend(): on its second derivative there.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -117,11 +117,11 @@ class ChordBound {
         return total;
     }
 
-    // Error bound of a curve on which the integrand is at most e^logarithm.
+    // Error bound from a curve on which the integrand is at most e^logarithm.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Error bound of the curve that needs the fewest chords or nodes for `error`, if log(integrand) on a curve is `share` times
-    // size(). This number is convex in the height of the curve: descent finds the minimum.
+    // Error bound from the curve by which the fewest chords or nodes suffice for `error`, if log(integrand) on a curve is
+    // share * size(). The number of chords or nodes is convex in the height of the curve: descent finds its minimum.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -155,7 +155,7 @@ class ChordBound {
         return unit_roundoff * static_cast<double>(2 * chords + (wider ? 1 : 2) * nodes);
     }
 
-    // Rounding error of the field from sums in single precision. A phase is a sum of `terms` terms, as a multiple of 2^-32 turns.
+    // Rounding error of the field from sums in single precision. A phase is a sum of `terms` terms, in multiples of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
         return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
     }

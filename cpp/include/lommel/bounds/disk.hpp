@@ -86,7 +86,7 @@ LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
 // A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const ChordCurves chord_curves;
 
-// Index of the minimum, which is taken in eight chains that compilers vectorise; its index is then looked up.
+// Index of the minimum. The minimum is taken in eight chains, which compilers vectorise; then its index is searched.
 LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     std::array<double, 8> low;
     std::copy_n(values.begin(), 8, low.begin());
@@ -116,7 +116,7 @@ struct ChordGrowth {
         }
     }
 
-    // Bound on the sum of a series' coefficients k >= n, each at most e^(size - k b) on the curve at height b.
+    // Bound on the sum over m >= n of the coefficients of a series, if coefficient m is at most e^(size[k] - m b[k]) for all k.
     double tail(std::size_t n) const;
 
     // Approximate smallest degree n with log tail(n) <= `logarithm`.
@@ -145,7 +145,7 @@ class DiskBounds {
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // Index of the curve that needs the fewest degrees for an error, if log |pupil function| on it were `share` times its bound.
+    // Index of the curve by which the fewest degrees suffice for an error, if log |pupil function| on it were share * size[k].
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -217,7 +217,7 @@ LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
         }
         least = least_at(exponents);
     });
-    // add() takes a logarithm. It is called only for exponents below the minimum so far, starting with the smallest.
+    // As add() computes a logarithm, it is called only for the smallest exponent, then for those below the minimum so far.
     double best = 1e300;
     const auto add = [&](std::size_t k) {
         best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));

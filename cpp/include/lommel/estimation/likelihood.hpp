@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// Arrays over pixels. counted: electrons; recorded: variance of the read noise; read: the same as weights assume it; valid: 1 or 0.
+// Arrays over pixels. counted: electrons; recorded: variance of the read noise; read: that assumed by the weights; valid: 0 or 1.
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -55,8 +55,7 @@ StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const
                 root[i] = std::sqrt(weight);
                 residual[i] = (counted - mean) * root[i];
                 deviance[i] = valid * (variance - (counted + read) * logarithm(variance));
-                // With mu = light and x = Poisson(mu) + N(0, recorded) - mu, x^2 has the mean v = mu + recorded, the variance mu +
-                // 2 v^2.
+                // x = Poisson(mu) + N(0, recorded) - mu, mu = light: x^2 has the mean v = mu + recorded, the variance mu + 2 v^2.
                 const double exact = light + star.recorded[first + i];
                 expected[i] = weight * exact;
                 spread[i] = weight * weight * (light + 2.0 * exact * exact);

@@ -20,7 +20,7 @@ namespace lommel {
 // v has an error of that times v^2 / 2. Errors of the given values are multiplied by lebesgue().
 class MeanProfile {
    public:
-    // at(v): mean intensity on the circle of radius v <= reach; allowed: interpolation error over half of the peak intensity.
+    // at(v): mean intensity on the circle of radius v <= reach; allowed: interpolation error / (peak / 2).
     template <class At>
     MeanProfile(double reach, double allowed, const At& at) {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
@@ -55,13 +55,13 @@ class MeanProfile {
         const std::size_t s = panel(v);
         return series(&means_[s * points_], points_, place(v, s));
     }
-    // Encircled energy over 2 pi: integral of mean(s) s ds from 0 to v.
+    // Encircled energy divided by 2 pi: integral of mean(s) s ds from 0 to v.
     double energy(double v) const {
         const std::size_t s = panel(v);
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Bound on the error of mean() over the error of the given values at(v).
+    // Largest ratio of the error of mean(), apart from interpolation, to the errors of the given values at(v).
     double magnification() const { return lebesgue(points_); }
 
    private:

@@ -110,7 +110,7 @@ class Overlap {
         shift();
     }
 
-    // Bound on the gradient of the phase D of the integrand, in radians per radius of the aperture.
+    // Larger of the estimated maxima of |dD/du| and |dD/dy|, with D the integrand's phase, in radians per radius of the aperture.
     double run() const { return std::max(across_, down_); }
 
     // Estimated number of nodes of at(f), a measure of its time.
@@ -130,7 +130,7 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Phase of the pupil in the coordinates of face(). powers(): coefficients [power of x][power of y]; slope(): largest gradient.
+    // Phase in the coordinates of face(). powers(): coefficients [power of x][power of y]; slope(): estimated largest gradient.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }
@@ -171,7 +171,7 @@ class Overlap {
         }
     }
 
-    // Add the Zernike term R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j, n the degree.
+    // Add the Zernike term R_n^m(rho) (c cos(m theta) + s sin(m theta)) to the coefficients of x^i y^j; n = degree.
     void add(std::int32_t degree, int m, double c, double s) {
         const int n = degree;
         for (int k = 0; 2 * k <= n - m; ++k) {
@@ -262,7 +262,7 @@ class Overlap {
         if (!(last > first)) {
             return;
         }
-        // Bounds on changes per radian of theta: `move` for the ends of a line of constant y, `rise` for y.
+        // Bounds on derivatives with respect to theta: `move` for the ends of a line of constant y, `rise` for y.
         const double move = radius * (radius == 1.0 ? std::sin(last) : 1.0), rise = radius * std::cos(first);
         pieces((last - first) * (across_ * move + down_ * rise), [&](const Rule& rule, double start, double part) {
             rows(rule, first + start * (last - first), part * (last - first), radius);
@@ -343,7 +343,7 @@ class Overlap {
     std::array<Line, size> powers_{}, shifted_{};  // coefficients of Phi and of D, [power of x or u][power of y]
     bool even_ = true, mirrored_ = true;  // is Phi even under half a turn; is it symmetric in y
     double steepest_ = 0.0, bend_along_ = 0.0, bend_across_ = 0.0;
-    double across_ = 0.0, down_ = 0.0;  // bounds on |dD/du| and |dD/dy|
+    double across_ = 0.0, down_ = 0.0;  // estimated bounds on |dD/du| and |dD/dy|
     double f_ = 0.0, re_ = 0.0, im_ = 0.0;
 };
 

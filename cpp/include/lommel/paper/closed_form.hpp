@@ -1,5 +1,5 @@
-// The paper's closed form, as printed or refined. J0 is a power series up to a transition and an asymptotic form beyond it. On
-// pieces, the phase and the form's amplitude are quadratic; each piece is an elementary end-point term and a Fresnel integral.
+// The paper's closed form, as printed or refined. J0 is a power series up to a transition, and an asymptotic form beyond it. On
+// intervals of the pupil radius, phase and amplitude of that form are quadratic: each gives end-point terms and a Fresnel integral.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ struct FresnelForm {
     FresnelTable table;
 };
 
-// Moments of a chirp, integrals from low to high of R^m exp(i (a R^2 + b R)) dR, for each b, low, high: out[m * count + i].
+// Moments m = 0, 1, 2 of chirps: out[m * count + i] = integral from low[i] to high[i] of R^m exp(i (a R^2 + b[i] R)) dR.
 void chirp_moments(const FresnelForm& form, double a, const double* b, const double* low, const double* high, std::size_t count,
                    std::complex<double>* out);
 
@@ -94,8 +94,7 @@ class ClosedFormField {
             if (phase.edges[i] < inner) {
                 add_series(isa, phase.alpha[i], phase.beta[i], v, low, within(split), a, b);
             }
-            // The lanes (radii v) are on different pieces of J0: go back to the first piece of any lane; the next loop runs to the
-            // last
+            // Lanes (radii v) may need different pieces of J0: go back to the first one needed; the next loop goes on to the last.
             while (piece > 0 && largest_lane(splat<V>(bessel_.starts[piece]) * turn) > phase.edges[i]) {
                 --piece;
             }

@@ -39,7 +39,7 @@ class RimStack {
         bool lone;
         std::size_t lanes() const { return RimKernels::lanes(level); }
     };
-    // Division of pupils into batches that fill vectors; a remainder below a third of a vector is done pupil by pupil.
+    // Division of pupils into batches that fill vectors; the last pupils, if less than a third of a vector, are done one by one.
     struct Batches {
         std::size_t count, together, alone;
         explicit Batches(std::size_t pupils) : count(pupils) {
@@ -55,7 +55,7 @@ class RimStack {
         }
     };
     // Copy the Zernike coefficients of a batch (for the obscuration if `inner`) to scratch.coefficients[term][lane]. With
-    // `line`, also write their sums over each azimuthal order to scratch.phases, in units of ChordKernels::unit.
+    // `line`, also write the sum of those of each azimuthal order, times ChordKernels::unit, to scratch.phases.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
         const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
@@ -79,11 +79,11 @@ class RimStack {
     std::size_t degree_;
 };
 
-// Results of RimAverages, and averages computed elsewhere for pixels in a box around each axis, which may exceed the window.
+// Results of RimAverages; and averages computed elsewhere for the pixels of a box around each axis. Boxes may exceed the window.
 struct RimAnswer {
     const double *remainders, *near;  // RimStack::remainders(), [pupil]; near: averages in boxes, [pupil][row][column]
     const std::int64_t* places;  // [pupil]: index of its image in `images`
-    double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum], outside the box
+    double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum] of averages outside the box
 };
 
 class RimAverages : RimStack {
@@ -122,11 +122,11 @@ class RimAverages : RimStack {
     void render(const Batch& batch, const RimLone* lone) const;
     Around around(const Batch& batch) const;
     std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
-    // Write the image of a pupil; returns the largest average outside its box.
+    // Write the image of a pupil from `averages` and answer_.near; returns the largest average outside the pupil's box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // Bounds for derivatives of order k of the pupil function on a rim, divided by rim_scale(k). each[k]: aliasing error of a
-    // Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: sum of moduli, to which rounding is relative.
+    // For derivatives of order k, over rim_scale(k), of the pupil function with coefficients `own`: each[k] bounds the aliasing
+    // error of a Fourier coefficient (certificate, section 10, "Orders"), rounded[k] the sum of the moduli of a derivative's terms.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 
@@ -164,7 +164,7 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    // e: derivatives of the phase, summed over terms; apart: sums of the moduli of the summands, to which rounding is relative.
+    // e: derivatives of the phase, sums over Zernike terms; apart: sums of the moduli of the summands, for rounding errors.
     std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);
@@ -242,7 +242,7 @@ LOMMEL_ONCE void RimAverages::render(const Batch& batch, const RimLone* lone) co
     const Around pixels = around(batch);
     scratch.out.assign(pixels.size() * lanes, 0.0f);
     RimKernels::light(batch.level, *table_, batch.lone ? lone : nullptr, jobs(pixels, lanes), scratch);
-    if (batch.lone) {  // lanes are radii: sum or maximum over the lanes
+    if (batch.lone) {  // lanes are radii of one pupil: sums of averages, and maxima of the other numbers, over the lanes
         for (std::size_t i = 0; i < scratch.out.size(); i += lanes) {
             scratch.out[i] = std::accumulate(&scratch.out[i], &scratch.out[i] + lanes, 0.0f);
         }
@@ -345,8 +345,8 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
     }
     const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
                  largest = static_cast<double>(scratch.largest[lane]);
-    // Rounding in single precision. units: of sums over radii, angles and channels. waves: of the waves; their number is
-    // `many`, two for each rim, and their moduli sum to at most sqrt(many S), with S the sum of their squares (Schwarz).
+    // Rounding in single precision. units: relative error of sums over radii, angles and channels. waves: error of a wave. There
+    // are `many` waves, two for each rim. By Schwarz, their moduli sum to at most the root of many * (sum of squared moduli).
     const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                  waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                  many = 2.0 * static_cast<double>(table.rims.size());

@@ -16,32 +16,32 @@
 
 namespace lommel {
 
-// Box sizes of the least estimated time. The unit of time is a pair of nodes, one for each axis of a box or of the whole window.
+// Box sizes of the least estimated time. The unit of time is that of one sample: at a node along x and a node along y.
 class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: nodes for the whole window
     std::vector<std::int64_t> most;  // [pupil]: largest allowed side of its box; 0: none
     std::vector<double> remainders, tolerances;  // [pupil]: RimStack::remainders(); tolerances: allowed errors of averages
 
-    // `tol`: tolerance relative to the largest average, which without aberration is at least 4.4 * lowest.
+    // `tol`: tolerance relative to the largest average. `lowest`: lower bound on the largest average over the peak intensity.
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Compute `sides` and `remainders`; returns whether far pixels from the rim are estimated faster than nodes everywhere.
+    // Compute `sides` and `remainders`; returns whether boxes, with other pixels from the rim, are estimated to save time.
     bool choose(int threads);
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Largest window diagonal, in pixels, with far pixels from the rim, for one pupil and a pixel pitch of lambda / (2 pi NA).
-    // It is multiplied by the root of the number of pupils, which share tables, and divided by that of the pitch.
+    // Largest diagonal, in pixels, of windows whose far pixels come from the rim. It is multiplied by the root of the number of
+    // pupils, which share tables, and divided by the root of the pixel pitch in lambda / (2 pi NA).
     static constexpr double reach = 200.0;
-    static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration, for which pixels have 3 times the weights
-    static constexpr double shortest = 48.0;  // lower limit of the window diagonal, in pixels: small windows gain most
-    static constexpr double further = 4.0;  // minimum number of pupils assumed, as small stacks often follow one another
-    // Times in pairs of nodes: `rim` for the far pixels of a pupil, `rims` for those with an obscuration, `call` for each call.
+    static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
+    static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most
+    static constexpr double further = 4.0;  // assumed number if pupils are fewer, as small stacks often follow one another
+    // Times in units of one sample's: `rim` for a pupil's far pixels, `rims` for these with an obscuration, `call` for each call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
-    static constexpr std::int64_t together = 8;  // minimum number of pupils with boxes of one side; fewer get larger boxes
+    static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
-    static constexpr double left = 0.4;  // fraction of the tolerance for the remainder of the field
+    static constexpr double left = 0.4;  // fraction of the tolerance for errors due to RimStack::remainders()
     // Far pixels come from the rim if this takes at most this fraction of the time of nodes for the whole window.
     static constexpr double worth = 0.85;
 
@@ -51,8 +51,8 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Estimated time per pupil; the unit is that of one node along x and y. whole(): nodes for all pixels; with_box(): nodes for a
-    // box, and the rim for the pixels outside.
+    // Estimated time per pupil, in units of one sample's (at a node along x and a node along y). whole(): all pixels from nodes;
+    // with_box(): pixels of a box from nodes, and the pixels outside from the rim.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
@@ -90,7 +90,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // Estimate the largest average from the variance of the phase.
+    // tol_ times the estimated largest average, the smaller of a value for large and one for small pixels.
     const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }
@@ -107,7 +107,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::side_of(std::size_t pupil, double remainder) 
     return 0;
 }
 
-// Compute `sides` and `remainders` of the pupils `which`; returns whether these boxes are faster than nodes everywhere.
+// Compute `sides` and `remainders` of the pupils `which`; returns whether boxes take at most `worth` of the time without boxes.
 LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int threads) {
     remainders.resize(which.size());
     if (which.size() == stack_.count) {
@@ -130,7 +130,7 @@ LOMMEL_ONCE bool RimBoxes::pay(const std::vector<std::size_t>& which, int thread
     return work <= worth * whole() * static_cast<double>(which.size());
 }
 
-// If fewer than `together` pupils have boxes of one side, use the next larger side that others have, if it fits the window.
+// If fewer than `together` pupils have boxes of equal side, they get the next larger side in use, if it fits the window.
 LOMMEL_ONCE void RimBoxes::gather_few() {
     std::vector<std::int64_t> counts(static_cast<std::size_t>(*std::max_element(sides.begin(), sides.end())) + 1, 0);
     for (const std::int64_t side : sides) {

@@ -77,8 +77,8 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Fourier coefficients (order mu) of derivatives dbar^k P (RimSlopes) of the pupil function P on a rim, over rim_scale(k):
-// values[mu - k][k][re, im][lane], 0 for |mu| > rim.orders. The Zernike coefficients are in scratch.
+// Fourier coefficients (order mu) of derivatives dbar^k P / rim_scale(k) (RimSlopes) of the pupil function P on a rim:
+// values[rim.first + mu - k][k][re, im][lane], 0 for |mu| > rim.orders. The Zernike coefficients are in scratch.coefficients.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,
                                     Floats& values, RimSums& of) {
@@ -190,7 +190,7 @@ LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& l
     }
 }
 
-// Pupil function of one pupil at the angles of a rim: out[angle][re, im].
+// Pupil function of one pupil at the angles of a rim, where its amplitude is `edge`: out[angle][re, im].
 template <class I>
 LOMMEL_INLINE void rim_edge(I, const RimLine& line, float edge, RimScratch& scratch, float* out) {
     using Wave = Waves<I, float>;
@@ -436,7 +436,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
 }
 
 // Channels of v^3 I at one polar angle, with v the radius and I the intensity, from the waves x[rim][re X, im X, re Y, im Y].
-// Channel 0 is smooth, the sum of |wave|^2; the others are coefficients of cosine and sine for each ring frequency.
+// Channel 0 is smooth, the sum of |wave|^2; the others, in pairs, are coefficients of cos(f v), sin(f v) for ring frequencies f.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     const auto two = splat<V>(2.0f), four = splat<V>(4.0f), zero = splat<V>(0.0f);

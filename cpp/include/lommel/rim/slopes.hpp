@@ -20,7 +20,7 @@ namespace lommel {
 
 constexpr std::size_t rim_orders = 8;        // K: number of partial integrations by Gauss's theorem
 constexpr std::size_t rim_most_degree = 16;  // largest degree of the phase and of the exponent of the amplitude
-constexpr double rim_unit = 32.0;            // scale of derivatives, so that their powers do not overflow
+constexpr double rim_unit = 32.0;            // factor of rim_scale() for each order, so that derivatives do not overflow
 
 // k! rim_unit^k, by which derivatives of order k are divided when they are stored, to avoid overflow.
 inline double rim_scale(std::size_t k) {
@@ -192,8 +192,8 @@ struct RimTurns {
 };
 
 // Derivatives dbar^k P / rim_scale(k) (RimSlopes), k = 1 .. Last, of the pupil function P = q[point][0] at an angle (point 0)
-// and half a turn further (point 1): q[point][k][re, im]. e: from slopes_of_circle(). Degree: constant bound on the degree of
-// the phase, so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one pupil, with the same e in all lanes.
+// and half a turn further (point 1): q[point][k][re, im]. turns: from RimTurns; e: from slopes_of_circle(). Degree: bound on the
+// degree of the phase, so that loops are unrolled. Lanes are pupils or, if `Lone`, angles of one pupil, with equal e in all lanes.
 template <std::size_t Degree, std::size_t Last, bool Lone, class I, class V>
 LOMMEL_INLINE void rim_powers(I, const RimSlopes& table, const float* turns, const float* e, V (&q)[2][rim_orders + 1][2]) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float);

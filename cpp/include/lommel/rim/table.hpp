@@ -47,8 +47,8 @@ struct RimWaves {
     std::size_t orders = 0;   // largest order |mu| of the Fourier coefficients in use
     std::size_t angles = 0;   // number of equally spaced angles on the rim
     std::size_t first = 0;    // wave i < count() has the azimuthal order i - first
-    // Factors of the Fourier coefficients in X and in Y, v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv), U being the field:
-    // [wave][tile of radii][k][radius in the tile].
+    // real (imaginary): factors of Fourier coefficients in X (Y). Field U: v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv).
+    // Indices: [wave][tile of radii][k][radius in the tile].
     Floats real, imaginary;
     Floats forward[4];  // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
     Floats back[4];  // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
@@ -62,7 +62,7 @@ struct RimWaves {
 // Far pixels with the same weights: those at (+-p, +-q) and (+-q, +-p) pixels from the axis, p >= q >= 0.
 struct RimPixels {
     std::size_t p, q;
-    std::size_t from, used;  // weights[radius][from ..] are [angle][channel]; used: number of channels, 1 .. 9
+    std::size_t from, used;  // weights[radius], from index `from` on: [angle][channel]; used: number of channels
     std::ptrdiff_t begin;  // index of the first angle with a weight
     std::size_t count;  // number of angles with a weight
 };
@@ -132,7 +132,7 @@ class AngleWeights {
     std::size_t taps_;
     double order_, apart_;
     double common_[most_taps * most_taps] = {},
-                               inverse_[most_taps * most_taps] = {};  // Dirichlet kernel between taps; its inverse with `ridge`
+                               inverse_[most_taps * most_taps] = {};  // Dirichlet kernel of taps; inverse of kernel + ridge
     double turns_[4][most_taps] = {};  // cos, sin of (order_ + 1/2) t; cos, sin of t / 2; t: angles of the taps
 };
 
@@ -187,7 +187,7 @@ struct RimTable {
     // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each ellipse.
     std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
-    double off_field = 1.0;  // bound on the mean square of the remaining field in a pixel, over RimStack::remainders()^2
+    double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel over (RimStack::remainders() / v^rim_orders)^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
 
     explicit RimTable(const RimWindow& asked);
@@ -302,7 +302,7 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated squared modulus of waves in the ellipse: `nearest`, more for large phases, which need a large box.
+            // Estimated squared modulus of waves in the ellipse: 1.2 * nearest, and more in large boxes, which large phases need.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;

@@ -128,7 +128,7 @@ class Helpers final : ForkAware {
         return granted;
     }
 
-    // Poll done() for at most 50 us, which is less than a thread needs to fall asleep and wake.
+    // Poll done() for at most 50 us, about the time that a thread needs to fall asleep and wake.
     template <class Done>
     static void await(const Done& done) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(50);
@@ -200,9 +200,9 @@ using Work = Reference<void(std::size_t worker, std::size_t task)>;
 void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
-    // The tasks are cut into `stretches` stretches of one range per worker. In each stretch a worker begins with its own range
-    // and then helps others, so that neighbouring tasks, and the same tasks of the next call, find their data in the cache of
-    // one processor. Worker 0, the caller, takes tasks in ascending order: a task may wait for earlier tasks.
+    // The tasks are cut into `stretches` stretches, each of one range per worker (at most `most` ranges). In each stretch a worker
+    // begins with its own range and then helps others, so that neighbouring tasks, and the same tasks of the next call, find their
+    // data in the cache of one processor. Worker 0, the caller, takes tasks in ascending order: a task may wait for earlier tasks.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;

@@ -11,8 +11,8 @@ namespace lommel {
 
 struct Stopped {};  // exception that look() throws to interrupt a call
 
-// While a Watch exists, the thread that constructed it calls ask() every 50 ms; once ask() has returned true, look() throws in
-// that thread and in all threads that help it.
+// While a Watch exists, the thread that constructed it calls ask() within look(), at most every 50 ms. Once ask() has returned
+// true, look() throws in that thread and in all threads that help it.
 class Watch {
    public:
     using Ask = bool (*)();

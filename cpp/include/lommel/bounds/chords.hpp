@@ -40,7 +40,7 @@ struct VBox {
 };
 
 // Error bound of the field, from the integrand on one complex curve, at height b. For a sum over n nodes it is
-// e^{exponent - 2 n b}; for a sum over n chords, this over 1 - e^{-2 (n + 1) b} (docs/certificate.md, section 8).
+// e^{exponent - 2 n b}; for a sum over n chords, this divided by 1 - e^{-2 (n + 1) b} (docs/certificate.md, section 8).
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;
@@ -96,7 +96,7 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // reach_[0] is for the bound for chords, which continues x and y to complex values; reach_[1] for that for nodes: only y.
+        // reach_[0]: for the bound on sums over chords, x and y complex; reach_[1]: for the bound on sums over nodes, y complex.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }

@@ -56,7 +56,7 @@ LOMMEL_ONCE EllipseGrid::EllipseGrid() {
 // A global object, constructed at load time: a static inside a function could be half built when the process forks.
 inline const EllipseGrid ellipse_grid;
 
-// Imaginary parts of the Legendre polynomials P_1, P_2, ... at the samples of each ellipse: 1 MiB, for more than two terms.
+// Imaginary parts of the Legendre polynomials P_1, P_2, ... at the samples of each ellipse, for phases of more than two terms.
 struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;

@@ -83,7 +83,7 @@ class RimStack {
 struct RimAnswer {
     const double *remainders, *near;  // RimStack::remainders(), [pupil]; near: averages in boxes, [pupil][row][column]
     const std::int64_t* places;  // [pupil]: index of its image in `images`
-    double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum] of averages outside the box
+    double *images, *numbers;  // [image][row][column]; numbers: [pupil][error bound, maximum] of averages outside boxes
 };
 
 class RimAverages : RimStack {

@@ -36,7 +36,7 @@ class RimBoxes {
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most
     static constexpr double further = 4.0;  // assumed number if pupils are fewer, as small stacks often follow one another
-    // Times in units of one sample's: `rim` for a pupil's far pixels, `rims` for these with an obscuration, `call` for each call.
+    // Times (unit: one sample). rim: for a pupil's far pixels; rims: for these with an obscuration; call: for each call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
@@ -51,8 +51,8 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Estimated time per pupil, in units of one sample's (at a node along x and a node along y). whole(): all pixels from nodes;
-    // with_box(): pixels of a box from nodes, and the pixels outside from the rim.
+    // Estimated time per pupil; unit: the time of one sample, at a node along x and a node along y. whole(): all pixels from
+    // nodes; with_box(): pixels of a box from nodes, and the pixels outside from the rim.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();

@@ -74,7 +74,8 @@ constexpr double storing(bool twice) {
 }
 inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
 
-// Error bound, over the peak, of the values returned. `divided`: they are divided by their largest; `after`: only once stored.
+// Bound on error / peak of the values returned, from `relative`, that before storing. `divided`: values are divided by the largest
+// of them; `after`: they are divided after they are stored.
 template <class T>
 double finished_error(double relative, bool divided, bool after) {
     return stored(divided ? normalized_error(relative) : relative, storing<T>(divided && after));

@@ -52,7 +52,7 @@ class DiskAverages {
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
     // Compute averages from nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`:
-    // there are no other results yet, so that a faster series may be used instead (LimitExceeded).
+    // there are no other results yet; it then throws LimitExceeded where a series is faster for all pupils.
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;

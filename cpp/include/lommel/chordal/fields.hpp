@@ -409,7 +409,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // (by_re x re, by_im x im): one parity of a field on a row of one quadrant, with its sign and -i for each odd direction.
+    // (by_re * re, by_im * im): part of one parity of a field on a row of one quadrant. The factors hold its sign in that quadrant,
+    // and -i for each of x and y in which it is odd.
     struct Share {
         const double *re, *im;
         double by_re, by_im;

@@ -205,7 +205,8 @@ class FocalSearch {
         float variance =
             (statistic(ByTexture) * curvature + statistic(ByNoise) * worse) * worse / (curvature * curvature * pixels);
         found.position = static_cast<float>(at) + x;
-        // If the likelihood is several candidates wide, its second moment is the variance: noise makes the curvature too large.
+        // If the likelihood is several candidates wide, take its second moment as the variance instead of the inverse curvature,
+        // which noise makes too small.
         if (variance > wide) {
             float total = 0.0f, moment = 0.0f;
             for (std::size_t c = 0; c < count; ++c) {

@@ -66,7 +66,8 @@ class PixelRenderer {
 
     // Return whether averages by filters of finer samples are faster than by all methods of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Return whether filters of finer samples are faster for derivatives, which the flux through pixel edges does not give.
+    // Return whether derivatives, which the flux through pixel edges does not give, are faster by filters of finer samples than by
+    // tables of weights.
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {

@@ -23,20 +23,20 @@ class RimBoxes {
     std::vector<std::int64_t> most;  // [pupil]: largest allowed side of its box; 0: none
     std::vector<double> remainders, tolerances;  // [pupil]: RimStack::remainders(); tolerances: allowed errors of averages
 
-    // `tol`: tolerance relative to the largest average. `lowest`: lower bound on the largest average over the peak intensity.
+    // `tol`: tolerance relative to the largest average. `lowest`: lower bound on (largest average) / (peak).
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
     // Compute `sides` and `remainders`; returns whether boxes, with other pixels from the rim, are estimated to save time.
     bool choose(int threads);
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Largest diagonal, in pixels, of windows whose far pixels come from the rim. It is multiplied by the root of the number of
+    // Largest diagonal, in pixels, of windows whose far pixels are computed from the waves of the rim. It is multiplied by the root of the number of
     // pupils, which share tables, and divided by the root of the pixel pitch in lambda / (2 pi NA).
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most
     static constexpr double further = 4.0;  // assumed number if pupils are fewer, as small stacks often follow one another
-    // Times (unit: one sample). rim: for a pupil's far pixels; rims: for these with an obscuration; call: for each call.
+    // Times, in units of the time of one sample. rim: far pixels of one pupil without obscuration; rims: with one; call: each call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window

@@ -184,7 +184,8 @@ struct RimTable {
     // Error of averages due to interpolation between angles, relative to the rms over a ring of channel 0 of rim_channels().
     double off_angles = 0.0;
     double gain = 0.0;  // largest sum of the moduli of a pixel's weights, all channels
-    // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each ellipse.
+    // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each of
+    // two Bernstein ellipses of the interpolation.
     std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
     double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel over (RimStack::remainders() / v^rim_orders)^2
@@ -262,7 +263,7 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
 }
 
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // Least bound, over several Bernstein ellipses, for the integrand cos(w step t / 2), t in [-1, 1], frequencies |w| <= 2.
+    // Least bound, over several Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over -1 <= t <= 1, |w| <= 2.
     double least = 1.0;
     for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
         const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));

@@ -38,8 +38,8 @@ struct RingTaps {
     std::size_t terms, count;
 };
 
-// Interpolation from `angles` equidistant angles on each circle to any position: circles are filtered by neighbouring circles,
-// azimuthal orders m = 0, 1, ... multiplied by gains[m], and taps interpolate along the radius and around the circle. The
+// Interpolation from `angles` equidistant angles on each circle to any position: each circle is replaced by a weighted sum
+// of itself and its neighbours, azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius and around. The
 // interpolation error of order m is at most aliases[m] times its modulus.
 struct RingSteps {
     std::size_t angles;
@@ -219,7 +219,7 @@ class Rings {
         }
         const double* orders = fft_.whole(isa, a_.data(), b_.data());
         double* const to = orders == a_.data() ? b_.data() : a_.data();
-        // Zero the elements between the orders, as far as the transform reads them.
+        // Zero the first and the last n / 2 elements, those that the transform reads; orders are then written over them.
         std::fill_n(to, n / 2 * fft_element, 0.0);
         std::fill_n(to + (finer_.n - n / 2) * fft_element, n / 2 * fft_element, 0.0);
         V off[packs] = {}, size[packs] = {};

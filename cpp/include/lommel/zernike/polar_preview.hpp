@@ -55,7 +55,7 @@ class PolarLooks : public Looks {
         bright.resize(v.size());
     }
 
-    // Estimated error contributions of circles at the radii of block b.
+    // out[i]: estimated contributions to the error of U on circle i of block b.
     void rows(std::size_t b, const PolarKernels& kernels, const PolarCircle& circle, PolarRowError* out) const {
         for (std::size_t i = 0; i < block; ++i) {
             out[i] = PolarRowError();

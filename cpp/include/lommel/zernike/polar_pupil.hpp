@@ -81,7 +81,8 @@ struct PolarPupil {
     }
 };
 
-// Kernels between circles for both disks in one style, and their contributions to the error of U.
+// Kernels of the interpolation between circles, for both disks (aperture and obscuration) and one PolarStyle (circles per lambda N,
+// taps, precision), and what they add to the error of U.
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
     double aliasing = 0.0;  // bound on the error of U from aliases

@@ -19,7 +19,8 @@ namespace lommel {
 struct PolarBudget {
     // image: share of the tolerance for the error at the peak; brighter: factor by which |U| may exceed its estimate.
     static constexpr double image = 0.9, brighter = 1.15;
-    // Shares of the allowed error of U. promise: estimated error of a style; orders: omitted azimuthal orders.
+    // Shares of the allowed error of U. promise: largest estimated error of a PolarStyle that is chosen; orders: error
+    // due to omitted azimuthal orders.
     static constexpr double promise = 0.95, orders = 0.05;
     // Factor on the tolerance in a second attempt, in addition to the ratio of the tolerance to the first error bound.
     static constexpr double retry = 0.7;

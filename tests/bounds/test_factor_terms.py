@@ -14,7 +14,7 @@ import lommel as lm
 from core_tests import _core_tests
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import DiskStack, Window, chordal_images
-from lommel.methods.averaging import _shared_by, averaged, averaged_images
+from lommel.methods.averaging import _cheapest_filter, averaged_images, pixel_averages
 from lommel.special import zernike
 
 UNIT, SINGLE = 2.0**-53, 2.0**-24
@@ -117,7 +117,7 @@ def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
         errors = 0.01 * least * np.array([[3.0], [5.0]])
         return Images(values, np.ones(1), np.array([0.01 * least]), Slopes(sizes, errors), np.array([top]))
 
-    made = averaged(sample, pupil, grid, tol, Wanted(terms=terms))
+    made = pixel_averages(sample, pupil, grid, tol, Wanted(terms=terms))
     whole = averaged_images(sample, pupil, grid, tol, Wanted(2.0, np.float32, terms=terms))
     assert whole.slopes.values == pytest.approx(2.0 * made.values[1:], rel=1e-6)
     assert made.values[1:, 0] == pytest.approx(
@@ -128,7 +128,7 @@ def test_averages_of_derivatives_claim_twice_what_those_of_the_intensity_do():
         aim = tol - (1 + tol) * storing
         lowest = float(made.peak[0]) * 0 + _lowest(grid.step(pupil))
         easier = 2.0 ** math.floor(math.log2(64.0 * pupil.amplitude**2))
-        taps = _shared_by(grid.step(pupil), easier * 2e-3 * aim * lowest, (3, 3), in_disc=True)
+        taps = _cheapest_filter(grid.step(pupil), easier * 2e-3 * aim * lowest, (3, 3), in_disc=True)
         finer = 0.5 * aim * min(4 * lowest, 1.0) / taps.gain**2
         rounding = (2 * taps.weights.shape[-1] + 8) * UNIT * taps.gain**2 * pupil.amplitude**2
         own = (2 + taps.error) * taps.error + rounding

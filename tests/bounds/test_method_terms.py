@@ -16,7 +16,7 @@ from digits import same
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import hankel
-from lommel.methods.averaging import _shared_by, averaged, filtered_by
+from lommel.methods.averaging import _cheapest_filter, averaging_filter, pixel_averages
 from lommel.methods.matrix_fourier import gauss_pixel, pixel_error, pixel_nodes
 from lommel.methods.method import stored
 from lommel.optics.aperture.opening import degree_needed
@@ -219,7 +219,7 @@ def test_the_least_average_around_a_peak(step):
 @few
 @given(st.floats(0.05, 20.0), st.sampled_from([1e-3, 1e-6, 1e-9]))
 def test_the_response_of_a_filter_errs_by_what_is_claimed_and_not_much_less(step, error):
-    taps = filtered_by(step, error)
+    taps = averaging_filter(step, error)
     k = np.arange(len(taps.weights)) - len(taps.weights) // 2
     assert np.array_equal(taps.weights, taps.weights[::-1])
     assert taps.gain == pytest.approx(np.abs(taps.weights).sum(), rel=1e-12)
@@ -253,13 +253,13 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
         asked.append(0.01 * least)
         return Images(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), None, np.array([top]))
 
-    made = averaged(sample, pupil, grid, tol, Wanted(scale=None if normalize else 1.0))
+    made = pixel_averages(sample, pupil, grid, tol, Wanted(scale=None if normalize else 1.0))
     lowest = least_average(step)
     error = 2e-3 * (0.4 if normalize else 1.0) * tol * lowest
     ceiling = pupil.amplitude**2
     if in_disc:
         error, ceiling = 2.0 ** math.floor(math.log2(64.0 * ceiling)) * error, 1.0
-    taps = _shared_by(grid.step(pupil), error, (3, 3), in_disc=in_disc)
+    taps = _cheapest_filter(grid.step(pupil), error, (3, 3), in_disc=in_disc)
     own = (2 + taps.error) * taps.error * ceiling
     own += (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])
     if asked[-1] >= 0.01 * 2e-7:

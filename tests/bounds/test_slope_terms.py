@@ -11,7 +11,7 @@ import lommel as lm
 from lommel.core.answers import Images, Slopes, Wanted
 from lommel.core.engine import least_average
 from lommel.methods import derivatives
-from lommel.methods.averaging import averaged, filtered_by, sloping
+from lommel.methods.averaging import averaging_filter, pixel_averages, slope_filter
 from lommel.methods.derivative_names import Parts
 from lommel.methods.derivatives import Piece, Slope
 
@@ -113,7 +113,7 @@ def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
     expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
     if integrate:
         aim = 1e-3 * 1e-6 * least_average(step)
-        plain, growing = filtered_by(step, aim), filtered_by(step, aim, growing=True)
+        plain, growing = averaging_filter(step, aim), averaging_filter(step, aim, growing=True)
         bright = PUPIL.amplitude**2
         expected += 2.0 * (2.0 * plain.error + (1.0 + plain.error) * growing.error) * bright
         expected += math.sqrt(8.0) * step * E * (2.0 + E) * bright
@@ -129,12 +129,12 @@ def test_gradients_of_averages_are_off_by_what_their_filters_and_the_samples_are
     def sample(pupil, fine, tol, wanted):
         return Images(np.ones((2, *fine.shape)), np.ones(2), off / [1.5, 2.0], None, np.array([1.5, 2.0]))
 
-    found = averaged(sample, PUPIL, grid, tol, Wanted(), gradients=True)
+    found = pixel_averages(sample, PUPIL, grid, tol, Wanted(), gradients=True)
     assert found.values.shape == (3, 2, 3, 5)
     assert np.abs(found.values[1:]).max() < 1e-6
     step = grid.step(PUPIL)
     aim = 2e-3 * (tol - (1.0 + tol) * STORED[np.float64]) * least_average(step)
-    plain, slope = filtered_by(step, aim), sloping(step, 10.0 * aim, averages=True)
+    plain, slope = averaging_filter(step, aim), slope_filter(step, 10.0 * aim, averages=True)
     size = max(plain.weights.size, slope.weights.size)
     expected = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * PUPIL.amplitude**2
     expected += plain.gain * slope.gain * (off + (4 * size + 16) * U * (np.array([1.5, 2.0]) + off))
@@ -150,8 +150,8 @@ def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
     light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
     step, fine = 0.5 * math.pi, grid
     if integrate:
-        taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
-        fine = derivatives.finer(grid, taps)
+        taps = averaging_filter(step, max(0.1 * error * least_average(step), 1e-13))
+        fine = derivatives.sample_grid(grid, taps)
         error = 0.3 * error
     aim = max(0.1 * error / (a + light), 1e-15)
     v = fine.step(PUPIL) / fine.pixel * math.hypot(np.abs(fine.x).max(), np.abs(fine.y).max())

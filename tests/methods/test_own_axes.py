@@ -299,7 +299,7 @@ def test_pieces_of_a_stack_of_averages_keep_their_axes(monkeypatch):
     from lommel.methods import averaging
 
     expected = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
-    monkeypatch.setattr(averaging, "_VALUES", 600)
+    monkeypatch.setattr(averaging, "_BLOCK_SAMPLES", 600)
     found = lm.psf(PUPILS["coma"][:5], 6, 0.8, center=([3, 3.2, 2.7, 3, 2], 2.5), integrate=True)
     np.testing.assert_allclose(found.values, expected.values, atol=2e-6 * expected.values.max())
 

@@ -154,10 +154,10 @@ class ChordalIfCheaper(ChordalGauss):
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if grid.integrate and not wanted.terms:
-            from lommel.methods.averaging import nearest
+            from lommel.methods.averaging import estimate_far_start
 
             # Far from the axis averages have a closed form: the series needs samples near it only.
-            if nearest(pupil, grid, self.tol) > _CHORDS:
+            if estimate_far_start(pupil, grid, self.tol) > _CHORDS:
                 raise Declined("so many samples near the axis take less time by the series")
         return super().images(pupil, grid, wanted)
 

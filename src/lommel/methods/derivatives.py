@@ -20,12 +20,12 @@ from lommel.core.answers import Images, Pixels, Wanted
 from lommel.core.engine import least_average
 from lommel.methods.averaging import (
     Taps,
-    as_long,
+    averaging_filter,
     blocks,
-    filtered_by,
-    finer,
-    sloping,
-    weighed,
+    filter_axes,
+    pad_filters,
+    sample_grid,
+    slope_filter,
 )
 from lommel.methods.choice import first_within_tolerance
 from lommel.methods.chordal_gauss import ChordalGauss
@@ -86,7 +86,7 @@ def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask
     step = grid.step(pupil)
     # The filter may add a thousandth of the tolerance; below 1e-13 rounding prevails.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
-    plain, growing = as_long(filtered_by(step, response), filtered_by(step, response, growing=True))
+    plain, growing = pad_filters(averaging_filter(step, response), averaging_filter(step, response, growing=True))
     # 2 (2 eps + (1 + eps) eps_T) A^2 for both terms: certificate, section 12, "Growth".
     # Neither response is larger than 2.
     missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
@@ -97,8 +97,8 @@ def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)
     for part, values, off in _sampled(engine, pupil, grid, plain, threads, ask):
-        total[part] = weighed(values, plain, growing, threads)
-        total[part] += weighed(values, growing, plain, threads)
+        total[part] = filter_axes(values, plain, growing, threads)
+        total[part] += filter_axes(values, growing, plain, threads)
         error[part] = 2.0 * plain.gain * growing.gain * off + missed
     return total, error
 
@@ -109,15 +109,18 @@ def tilted(
     """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone."""
     step = grid.step(pupil)
     response = max(1e-3 * engine.tol * (least_average(step) if grid.integrate else 1.0), 1e-13)
-    slope = sloping(step, response, averages=grid.integrate)
-    plain = filtered_by(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
-    slope, plain = as_long(slope, plain)
+    slope = slope_filter(step, response, averages=grid.integrate)
+    plain = averaging_filter(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
+    slope, plain = pad_filters(slope, plain)
     # The response to slopes is at most 2 within the band, that of averages 1: section 12, "Shifts".
     missed = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     (across, down), error = np.empty((2, count, *grid.shape)), np.empty(count)
     for part, values, off in _sampled(engine, pupil, grid, plain, threads, ask):
-        across[part], down[part] = weighed(values, plain, slope, threads), weighed(values, slope, plain, threads)
+        across[part], down[part] = (
+            filter_axes(values, plain, slope, threads),
+            filter_axes(values, slope, plain, threads),
+        )
         error[part] = plain.gain * slope.gain * off + missed
     return [(-across, error), (-down, error)]
 
@@ -128,7 +131,7 @@ def _sampled(
     """Yield samples of I for these filters, a few pupils at a time, and bounds with the rounding errors of sums."""
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
     for part, one, pixels in blocks(pupil, grid, taps):
-        question = one, finer(pixels, taps), Wanted(threads=threads)
+        question = one, sample_grid(pixels, taps), Wanted(threads=threads)
         # If the finer tolerance is beyond double precision, the method's own is used.
         _, made = first_within_tolerance((fine, engine), lambda way: ask(way, *question))  # noqa: B023
         yield part, made.values, made.brightest * (made.bound + rounded)
@@ -155,13 +158,13 @@ def obscuration_derivative(pupil: Pupil, grid: Grid, error: float) -> tuple[Arra
     if not grid.integrate:
         return _samples(pupil, grid, error)
     step = grid.step(pupil)
-    taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
+    taps = averaging_filter(step, max(0.1 * error * least_average(step), 1e-13))
     total, off = np.empty((count, *grid.shape)), np.empty(count)
     # Bound on the integral of the modulus of the transfer function of the product of two fields.
     most = 2.0 * pupil.amplitude * _light(pupil)
     for part, one, pixels in blocks(pupil, grid, taps):
-        values, wrong = _samples(one, finer(pixels, taps), 0.3 * error)
-        total[part] = weighed(values, taps, taps)
+        values, wrong = _samples(one, sample_grid(pixels, taps), 0.3 * error)
+        total[part] = filter_axes(values, taps, taps)
         off[part] = taps.gain**2 * (wrong + (2 * taps.weights.size + 8) * _UNIT * most)
     return total, off + (2.0 + taps.error) * taps.error * most
 

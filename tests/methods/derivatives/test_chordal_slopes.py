@@ -14,7 +14,7 @@ import lommel as lm
 from lommel import _core
 from lommel.core.answers import Wanted
 from lommel.core.engine import DiskStack, Window, chordal_gradient, chordal_images
-from lommel.methods.averaging import filtered_by, spread_out
+from lommel.methods.averaging import averaging_filter, spread_out
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from rendering import grouped
@@ -172,7 +172,7 @@ def test_the_gradient_of_averages_is_the_sum_over_derivatives_too(integrate):
 
 
 def test_weights_of_samples_are_the_filter_transposed():
-    taps, rng = filtered_by(2.7, 1e-6), np.random.default_rng(0)
+    taps, rng = averaging_filter(2.7, 1e-6), np.random.default_rng(0)
     tall, wide = 4 * taps.stride + taps.weights.size, 2 * taps.stride + taps.weights.size
     samples, weights = rng.normal(size=(2, tall, wide)), rng.normal(size=(2, 5, 3))
     averages = np.empty((2, 5, 3))

@@ -10,7 +10,7 @@ import pytest
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel.core.answers import Images, Wanted
-from lommel.methods.averaging import filtered_by, sloping
+from lommel.methods.averaging import averaging_filter, slope_filter
 from lommel.methods.derivatives import TILTS, scaling_derivative, tilted
 
 PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), obscuration=0.25, apodization=0.4)
@@ -19,7 +19,7 @@ PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), 
 @pytest.mark.parametrize("step", [0.05, 0.785, 1.6, 3.0, 11.0, 60.0])
 @pytest.mark.parametrize("error", [1e-5, 1e-9, 1e-12])
 def test_the_response_of_a_growing_pixel_is_the_derivative_of_that_of_a_pixel(step, error):
-    taps = filtered_by(step, error, growing=True)
+    taps = averaging_filter(step, error, growing=True)
     k = np.arange(taps.weights.size) - taps.weights.size // 2
     w = np.linspace(0.0, 2.0, 8001)
     response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
@@ -34,7 +34,7 @@ def test_the_response_of_a_growing_pixel_is_the_derivative_of_that_of_a_pixel(st
 @pytest.mark.parametrize("error", [1e-5, 1e-9, 1e-12])
 @pytest.mark.parametrize("averages", [False, True])
 def test_the_response_to_slopes_is_odd_and_that_of_a_derivative(step, error, averages):
-    taps = sloping(step, error, averages=averages)
+    taps = slope_filter(step, error, averages=averages)
     k = np.arange(taps.weights.size) - taps.weights.size // 2
     w = np.linspace(0.0, 2.0, 4001)
     wave = np.exp(1j * np.outer(w, k * step / taps.stride)) @ taps.weights

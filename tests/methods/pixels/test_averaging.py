@@ -16,13 +16,13 @@ from lommel._core import average_samples, limit_instructions
 from lommel.core.answers import Wanted
 from lommel.core.engine import least_average
 from lommel.methods import averaging, chordal_gauss
-from lommel.methods.averaging import filtered_by, paired
+from lommel.methods.averaging import averaging_filter, fit_pair_weights
 
 
 @given(st.floats(-2.0, 2.3), st.floats(-12.0, -2.0))
 def test_the_response_of_a_filter_agrees_with_the_pixel_over_the_whole_band(pitch, digits):
     step, error = 10.0**pitch, 10.0**digits
-    taps = filtered_by(step, error)
+    taps = averaging_filter(step, error)
     k = np.arange(taps.weights.size) - taps.weights.size // 2
     w = np.linspace(0.0, 2.0, 4001)
     response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
@@ -33,7 +33,7 @@ def test_the_response_of_a_filter_agrees_with_the_pixel_over_the_whole_band(pitc
 
 @pytest.mark.parametrize("step", [0.1, 0.785, 1.6, 3.0, 11.0])
 def test_the_bound_on_a_response_is_nearly_reached(step):
-    taps = filtered_by(step, 1e-7)
+    taps = averaging_filter(step, 1e-7)
     k = np.arange(taps.weights.size) - taps.weights.size // 2
     w = np.linspace(0.0, 2.0, 20001)
     response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
@@ -43,7 +43,7 @@ def test_the_bound_on_a_response_is_nearly_reached(step):
 @pytest.mark.parametrize("wave", [0.0, 0.3, 1.1, 2.0])
 def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
     grid, step = lm.Grid((5, 4), 1.0, center=(1.3, 2.2)), 3.7
-    taps = filtered_by(step, 1e-9)
+    taps = averaging_filter(step, 1e-9)
     sizes = []
 
     def samples(fine: lm.Grid) -> list[np.ndarray]:
@@ -51,7 +51,7 @@ def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
         return [1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]]
 
     found = np.empty(grid.shape)
-    averaging.filtered(samples, found[None, None], grid, taps)
+    averaging.average_strips(samples, found[None, None], grid, taps)
     across = np.sinc(0.5 * wave * step / math.pi) * np.cos(wave * step * grid.x + 0.4)
     down = np.sinc(0.35 * wave * step / math.pi) * np.cos(0.7 * wave * step * grid.y)
     assert found == pytest.approx(1.0 + down[:, None] * across, abs=6e-9)
@@ -147,7 +147,7 @@ def _peak(pupil: lm.Pupil) -> float:
 def test_the_responses_of_two_pixels_that_share_samples_agree_with_the_pixel(pitch, digits, more):
     step, error = 10.0**pitch, 10.0**digits
     s = math.ceil(2.0 * step / 1.27) // 2 * 2 + 1 + 2 * more
-    weights, claimed, gain = paired(lambda w: np.sinc(0.5 * step / math.pi * w), step, error, s)
+    weights, claimed, gain = fit_pair_weights(lambda w: np.sinc(0.5 * step / math.pi * w), step, error, s)
     middle = (weights.shape[1] - s // 2 - 1) // 2
     w = np.linspace(0.0, 2.0, 4001)
     for k, of in enumerate(weights):
@@ -169,7 +169,7 @@ def _transfer(w: np.ndarray) -> np.ndarray:
 @settings(max_examples=20)
 def test_what_a_filter_makes_of_the_light_of_a_disc_is_off_by_less_than_it_claims(step, digits, side):
     """In the mean over the transfer function, by a sum over a lattice of frequencies."""
-    taps = averaging._shared_by(step, 10.0**digits, (side, side), in_disc=True)
+    taps = averaging._cheapest_filter(step, 10.0**digits, (side, side), in_disc=True)
     one = np.linspace(-2.0, 2.0, 401)
     weigh = _transfer(np.hypot(one[:, None], one)) * (one[1] - one[0]) ** 2
     assert weigh.sum() == pytest.approx(1.0, rel=1e-4)
@@ -194,10 +194,10 @@ def test_windows_take_few_samples(pixel):
     step, error = math.pi * pixel, 1e-9
 
     def side(n):
-        taps = averaging._shared_by(step, error, (n, n))
-        return averaging.finer(lm.Grid(n, pixel), taps).height
+        taps = averaging._cheapest_filter(step, error, (n, n))
+        return averaging.sample_grid(lm.Grid(n, pixel), taps).height
 
-    whole = filtered_by(step, error)
+    whole = averaging_filter(step, error)
     for n in (5, 40, 300):
         fewest = (n - 1) * whole.stride + whole.weights.size
         assert side(n) <= 1.05 * fewest
@@ -216,7 +216,7 @@ def test_averages_of_pixels_that_share_samples_agree_with_quadrature(s, h, sizes
     step, (tol, dtype) = 0.5 * s * h, asked
     pupil = lm.Pupil(lm.Wavefront(sizes[0], nonradial=dict(zip([(3, 1), (2, -2), (3, 3)], sizes[1:], strict=True))))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(averaging, "shared", lambda *_, **__: s)
+        patch.setattr(averaging, "pair_stride", lambda *_, **__: s)
         found = lm.psf(
             pupil, (5, 6), step / math.pi, center=center, integrate=True, tol=tol, dtype=dtype, normalize="strehl"
         )
@@ -244,9 +244,9 @@ def test_no_average_is_negative(method):
 def test_tiles_change_nothing(monkeypatch, s):
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
     monkeypatch.setattr(chordal_gauss, "disk_averages", lambda *_, **__: None)  # as of windows that have no nodes
-    monkeypatch.setattr(averaging, "shared", lambda *_, **__: s)
+    monkeypatch.setattr(averaging, "pair_stride", lambda *_, **__: s)
     whole = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
-    monkeypatch.setattr(averaging, "_VALUES", 1)
+    monkeypatch.setattr(averaging, "_BLOCK_SAMPLES", 1)
     tiled = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
     assert tiled.values == pytest.approx(whole.values, abs=2e-6 * whole.values.max())
     assert tiled.error_bound <= 1e-6

@@ -107,7 +107,7 @@ def without_far(monkeypatch):
 
     def psf(*args, **options):
         with monkeypatch.context() as patch:
-            patch.setattr(averaging, "farthest", lambda *_: 0.0)
+            patch.setattr(averaging, "largest_far_start", lambda *_: 0.0)
             return lm.psf(*args, **options)
 
     return psf
@@ -157,13 +157,13 @@ def test_windows_beside_the_light_take_samples(without_far):
 
 
 def test_where_too_few_samples_are_spared_there_are_samples():
-    assert averaging.farthest(math.pi, (129, 129)) == 0.0
-    assert averaging.farthest(4.0 * math.pi, (33, 33)) == 0.0
-    most = averaging.farthest(4.0 * math.pi, (129, 129))
+    assert averaging.largest_far_start(math.pi, (129, 129)) == 0.0
+    assert averaging.largest_far_start(4.0 * math.pi, (33, 33)) == 0.0
+    most = averaging.largest_far_start(4.0 * math.pi, (129, 129))
     inside = (2.0 * most / (4.0 * math.pi)) ** 2
     assert (129**2 - inside) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
     # A narrow window's box is as long as that leaves room for.
-    most = averaging.farthest(4.0 * math.pi, (9, 2000))
+    most = averaging.largest_far_start(4.0 * math.pi, (9, 2000))
     assert (9 * 2000 - 9 * 2.0 * most / (4.0 * math.pi)) * (4.0 * math.pi / 1.27) ** 2 == pytest.approx(250000)
     pupil = lm.Pupil(lm.Wavefront.zernike({(3, 1): 0.1}))
     grid = lm.Grid(129, 4.0, integrate=True)
@@ -186,11 +186,11 @@ def test_where_many_samples_are_near_the_axis_the_chordal_rule_is_not_asked_firs
     # Nowhere nearer than it is likely.
     grid = lm.Grid(129, 4.0, integrate=True)
     for tol in (1e-4, 1e-6):
-        assert averaging.nearest(pupil, grid, tol) < 4.0 * math.pi * far(pupil, grid, tol).nearest[0]
-    assert averaging.nearest(pupil, grid, 1e-6) == pytest.approx(
-        10.0 ** (1 / 3) * averaging.nearest(pupil, grid, 1e-5)
+        assert averaging.estimate_far_start(pupil, grid, tol) < 4.0 * math.pi * far(pupil, grid, tol).nearest[0]
+    assert averaging.estimate_far_start(pupil, grid, 1e-6) == pytest.approx(
+        10.0 ** (1 / 3) * averaging.estimate_far_start(pupil, grid, 1e-5)
     )
-    assert averaging.nearest(pupil, lm.Grid(33, 4.0, integrate=True), 1e-6) == 0.0
+    assert averaging.estimate_far_start(pupil, lm.Grid(33, 4.0, integrate=True), 1e-6) == 0.0
 
 
 def test_windows_of_more_samples_than_an_image_may_have_are_averaged():

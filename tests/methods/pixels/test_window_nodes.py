@@ -142,7 +142,7 @@ def test_sums_are_those_of_samples_in_either_precision(count, tol, off):
 
 
 def test_windows_that_have_nodes_take_no_filter(monkeypatch):
-    monkeypatch.setattr(averaging, "averaged", None)
+    monkeypatch.setattr(averaging, "pixel_averages", None)
     pupil = lm.Pupil(lm.Wavefront.zernike({8: np.ones(3)}, order="noll"))
     for tol in (1e-3, 1e-8):
         assert lm.psf(pupil, 9, 2.65, integrate=True, tol=tol).error_bound <= tol

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
-from lommel.methods.averaging import Taps, finer, fitted, samples_across, weighed
+from lommel.methods.averaging import Taps, filter_axes, fit_taps, sample_grid, samples_across
 from lommel.methods.choice import candidates, first_within_tolerance
 from lommel.methods.layers.chordal_debye import chords_for
 from lommel.methods.method import Method
@@ -198,11 +198,11 @@ class DiscFilter(NamedTuple):
 
     def samples(self, grid: Grid) -> Grid:
         """Return the grid of samples for means around pixel centres."""
-        return finer(grid, self.taps)
+        return sample_grid(grid, self.taps)
 
     def of(self, given: SampledLight, threads: int = 0) -> SampledLight:
         """Return means of samples of light whose transfer function has a modulus of integral at most 1."""
-        total = sum((weighed(given.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
+        total = sum((filter_axes(given.values, rows, columns, threads) for rows, columns in self.parts), np.zeros(()))
         rounded = (4.0 * self.taps.weights.size + len(self.parts) + 16.0) * 2.0**-53 * given.most
         return SampledLight(np.asarray(total), self.error + self.gain * (given.error + rounded))
 
@@ -242,7 +242,7 @@ def _response(half: int, h: float, error: float, length: float, *, mean: bool) -
     """Return weights from the middle on with the response ``cos(length w)``, or its mean over smaller lengths."""
     most = half + 60
     while True:
-        weights, off, gain = fitted(
+        weights, off, gain = fit_taps(
             lambda w: np.sinc(length / math.pi * w) if mean else np.cos(length * w), np.cos, h * np.arange(half + 1)
         )
         if off <= error or half >= most:

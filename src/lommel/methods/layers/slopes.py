@@ -18,7 +18,7 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Declined, Images, Slopes, Wanted
-from lommel.methods.averaging import averaged, averaged_images, finished
+from lommel.methods.averaging import averaged_images, pixel_averages, to_images
 from lommel.methods.derivative_names import SHIFTS, Term, term_of
 from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers import chordal_debye
@@ -83,7 +83,7 @@ def sampled_slopes(
 
     question = wanted._replace(terms=((0, 0),) * len(sizes))  # placeholders, of which only the number counts
     if moved:
-        made = finished(averaged(sample, pupil, grid, method.tol, question, gradients=True), question)
+        made = to_images(pixel_averages(sample, pupil, grid, method.tol, question, gradients=True), question)
         sizes += [-grid.step(pupil)] * 2
     else:
         made = averaged_images(sample, pupil, grid, method.tol, question)

@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Intensities
 from lommel.core.engine import huygens_sum
-from lommel.methods.averaging import filtered, filtered_by
+from lommel.methods.averaging import average_strips, averaging_filter
 from lommel.methods.method import FieldMethod
 from lommel.optics.base_pupil import Geometry
 from lommel.optics.grid import Grid
@@ -100,9 +100,9 @@ class HuygensFresnel(FieldMethod[Pupil]):
         if self.symmetry:
             return super().intensity(pupil, grid, threads)
         if grid.integrate:
-            taps = filtered_by(grid.step(pupil), 1e-9)
+            taps = averaging_filter(grid.step(pupil), 1e-9)
             values = np.empty((math.prod(pupil.shape), *grid.shape))
-            filtered(lambda fine: [self._samples(pupil, fine)], values[None], grid, taps, threads)
+            average_strips(lambda fine: [self._samples(pupil, fine)], values[None], grid, taps, threads)
             return Intensities(values, None)
         return Intensities(self._samples(pupil, grid), None)
 

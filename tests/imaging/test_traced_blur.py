@@ -310,9 +310,9 @@ def test_beyond_the_valid_range_is_an_error_or_nan_and_far_away_is_within():
         ({"zernike": np.zeros(2)}, ValueError, "zernike is fixed"),
         ({"focus_distance": 3.0}, ValueError, "distance must be within|made for focus_distance within"),
         ({"f_number": np.ones(3)}, ValueError, r"f_number must have the shape \(\), got \(3,\)"),
-        ({"f_number": "x"}, TypeError, "f_number must hold real floats, got 'x'"),
+        ({"f_number": "x"}, TypeError, "f_number must hold real numbers, got 'x'"),
         ({"focus_distance": 0.0}, ValueError, "focus_distance must be above 0, got 0"),
-        ({"zernike": {(4, 0): 1.0}}, TypeError, "zernike must hold real floats, got"),
+        ({"zernike": {(4, 0): 1.0}}, TypeError, "zernike must hold real numbers, got"),
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(learned, change, error, message):
@@ -347,7 +347,7 @@ def test_the_defocus_of_what_is_no_lens_is_refused():
     blur = lm.imaging.traced_blur(LENS, [1.5, 4.0], PIXEL)
     with pytest.raises(ValueError, match="f_number must be above 0, got 0"):
         blur.defocus(2.0, f_number=0.0)
-    with pytest.raises(TypeError, match="focus_distance must hold real floats, got 'near'"):
+    with pytest.raises(TypeError, match="focus_distance must hold real numbers, got 'near'"):
         blur.defocus(2.0, focus_distance="near")
     with pytest.raises(TypeError, match="zernike must map terms"):
         lm.imaging.traced_blur(LENS, [1.5, 4.0], PIXEL, zernike="x")

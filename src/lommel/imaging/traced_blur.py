@@ -31,50 +31,49 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
-_SCALES = (4, 6, 8, 12, 16, 24, 32)  # tried numbers of sizes of windows
-_SCREENS = 16  # largest number of layers of occlusion
-_TRACE = 1e-6  # coverage added to denominators, so that they are never 0
-# Relative; rounding of C_d in float32 must not put the ends of the stated range outside it.
-_SLACK = 1e-5
-_WIDTH = 36.0  # width of layers, radians of C_d
-_BLOCK = 2**14  # points whose polynomials are computed together
-_TOGETHER = 2**25  # values of windows computed together
-_CACHED = 2**19  # values convolved together where each operation is a pass over memory
+_WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of sets of windows, one for each PSF size, tried in turn
+_MAX_SCREENS = 16  # largest number of occlusion layers
+_MIN_COVERAGE = 1e-6  # coverage added to denominators to avoid division by 0
+_SLACK = 1e-5  # margin relative to a valid range, for rounding to float32 at its ends
+_LAYER_WIDTH = 36.0  # width of a defocus layer: C_d in radians at the shortest wavelength
+_BLOCK_POINTS = 2**14  # largest number of points whose polynomials are computed together
+_MAX_VALUES = 2**25  # largest number of values of windows computed together
+_CACHED_VALUES = 2**19  # largest number of values convolved together outside JAX, so that they stay in the CPU cache
 _OF_NUMPY = (np.ndarray, np.generic)
 _OPTICS = ("focus_distance", "f_number", "defocus", "zernike")
 
 
 class Optics(NamedTuple):
-    """Numbers of a paraxial lens, metres and radians: as stated, and the ranges that can be learned."""
+    """Parameters of the given paraxial lens (m, rad), and the valid ranges of its learnable parameters."""
 
     focal_length: float
     sensor_distance: float
     f_number: float
-    waves: float  # C_d = waves (vergence + 1 / distance)
+    rad_per_dioptre: float  # C_d = rad_per_dioptre (vergence + 1 / distance), with a vergence in 1/m
     focus: tuple[float, float] | None
     stops: tuple[float, float] | None
     defocus: float
     zernike: tuple[tuple[Term, float], ...]
 
     def at(self, focus_distance: Operand, f_number: Operand) -> tuple[Operand, Operand, Operand]:
-        """Return the vergence, the waves, and the size of PSFs over that of the stated lens (None: the same)."""
+        """Return the vergence (1/m), `rad_per_dioptre`, and the ratio of PSF sizes to the given lens (None: 1)."""
         inverse = 1.0 / self.sensor_distance
         vergence: Operand = inverse - 1.0 / self.focal_length
-        scale: Operand = None
+        size_ratio: Operand = None
         if focus_distance is not None:
-            # Focused at a distance, the lens has the vergence -1 / distance: C_d is 0 there.
+            # C_d is 0 at the focus distance if the vergence is -1 / focus_distance.
             vergence = -1.0 / focus_distance
-            # Sensor distance over that of the stated lens: PSFs grow with lambda times the working f-number.
-            scale = inverse / (1.0 / self.focal_length + vergence)
+            # PSF size is proportional to the working f-number, hence to the sensor distance.
+            size_ratio = inverse / (1.0 / self.focal_length + vergence)
         if f_number is None:
-            return vergence, self.waves, scale
+            return vergence, self.rad_per_dioptre, size_ratio
         ratio = f_number / self.f_number
-        # Defocus goes with the square of the aperture's radius at a given distance.
-        return vergence, self.waves / ratio**2, ratio if scale is None else ratio * scale
+        # C_d is proportional to the square of the aperture radius, hence to 1 / f_number^2.
+        return vergence, self.rad_per_dioptre / ratio**2, ratio if size_ratio is None else ratio * size_ratio
 
 
 class Blur(NamedTuple):
-    """The part of a blur that holds no arrays.
+    """Settings of a blur: everything except its arrays.
 
     Attributes
     ----------
@@ -85,13 +84,13 @@ class Blur(NamedTuple):
     half : int
         Half width of windows, pixels.
     edges : tuple of float
-        C_d at which layers begin, and the last ends.
+        C_d (rad) at the boundaries of the defocus layers.
     ranks, degrees : tuple of int
-        Windows of each layer, and the Chebyshev polynomials that their weights are made of.
-    scales : tuple of float
-        Least and largest logarithm of the size of PSFs over that of the lens as given.
+        For each layer, the number of windows, and of the Chebyshev polynomials whose sums are their weights.
+    log_ratios : tuple of float
+        Least and largest natural logarithm of the ratio of PSF sizes to the given lens.
     screens : tuple of float
-        C_d of the layers of occlusion, from the front.
+        C_d (rad) of the occlusion layers, nearest first.
     aberrated : AberratedWindows or None
     error : float
     precision : str
@@ -105,7 +104,7 @@ class Blur(NamedTuple):
     edges: tuple[float, ...]
     ranks: tuple[int, ...]
     degrees: tuple[int, ...]
-    scales: tuple[float, float]
+    log_ratios: tuple[float, float]
     screens: tuple[float, ...]
     aberrated: AberratedWindows | None
     error: float
@@ -115,16 +114,16 @@ class Blur(NamedTuple):
 class TracedBlur:
     """Depth-dependent blur as a differentiable function, linear in the image: ``out = blur(image, distance)``.
 
-    ``out[q] = sum_p image[p] K(q - p; C_d(distance[p]))``. Made by :func:`lommel.imaging.traced_blur`. It works with
+    ``out[q] = sum_p image[p] K(q - p; C_d(distance[p]))``. Returned by :func:`lommel.imaging.traced_blur`. Works with
     ``jit``, ``vmap``, ``scan`` and ``grad``, can be an argument of such functions (a pytree in JAX), and can be
     pickled. The derivative with respect to the image is the adjoint.
 
     Parameters
     ----------
     static : Blur
-        All but the arrays.
+        Settings.
     tables : dict of array
-        By name.
+        Arrays by name.
 
     Attributes
     ----------
@@ -133,7 +132,7 @@ class TracedBlur:
     half : int
         Half width of the windows, pixels.
     error : float
-        Largest error found of a window, each of sum 1, relative to its peak.
+        Largest error measured at 12 random C_d: of a window of sum 1, relative to its peak.
     """
 
     def __init__(self, static: Blur, tables: Tables) -> None:
@@ -151,18 +150,18 @@ class TracedBlur:
         distance : array
             Metres from the lens, may be infinite.
         focus_distance, f_number : array, shape (), optional
-            Of the lens, metres and a number; by default as given.
+            Focus distance (m) and f-number; by default those of the given lens.
 
         Returns
         -------
         array
-            Of the shape of `distance`.
+            C_d (rad), in the shape of `distance`.
         """
         for name, value in (("distance", distance), ("focus_distance", focus_distance), ("f_number", f_number)):
             if value is not None and not hasattr(value, "dtype"):
-                _numbers(name, value)
-        vergence, waves, _ = self._static.optics.at(focus_distance, f_number)
-        return waves * (vergence + 1.0 / distance)
+                _real_values(name, value)
+        vergence, rad_per_dioptre, _ = self._static.optics.at(focus_distance, f_number)
+        return rad_per_dioptre * (vergence + 1.0 / distance)
 
     def __call__(
         self,
@@ -187,32 +186,32 @@ class TracedBlur:
             Metres from the lens; may be infinite. A single number, or an array of the shape (..., 1, 1), is the
             distance of all points of an image.
         focus_distance, f_number : array, shape () or (n,), optional
-            Of the lens, within the ranges that the blur was made for; by default as given. The sensor moves with the
-            focus, and the size of the diffraction pattern with both. Of the shape (n,), the first of a batch of
-            images, each has its own lens.
+            Focus distance (m) and f-number, within the ranges given to :func:`traced_blur`; by default those of the
+            given lens. The sensor distance follows the focus distance, and the diffraction pattern scales with both.
+            With the shape (n,), n being the batch size (first axis of `image`), each image has its own lens.
         defocus : array, optional
-            C_d that is added, radians; broadcasts with `distance`.
+            Additional C_d, radians; broadcasts with `distance`.
         zernike : array, shape (k,) or (n, k), or (rows, columns, k) or (n, rows, columns, k), optional
-            Zernike coefficients that are added to the wavefront, radians at the edge of the pupil and the wavelength
-            of the lens, in the order of the terms that the blur was made with; with n as above. Of rows and columns,
-            they are those of a lens over its field, at nodes that are spaced equally from the first pixel to the last
-            one: PSFs are interpolated linearly between the nodes, each of which takes the time of a blur.
+            Zernike coefficients added to the wavefront, radians at the edge of the pupil and the wavelength of the
+            lens, in the order of the terms given to :func:`traced_blur`; n is the batch size. With axes of rows and
+            columns, aberrations vary over the field: coefficients are given at nodes with equal spacing from the
+            first pixel to the last. PSFs are interpolated linearly between nodes; each node takes the time of a blur.
         occlusion : bool, default False
-            Whether near objects occlude far ones, in at most 16 layers: the difference between layers that are
-            composited, as by :class:`lommel.imaging.Occlusion` but for hidden points, and layers that are added, is
-            added to the blur. All parts are differentiable almost everywhere. About five times the time.
+            Whether near objects occlude far ones, in at most 16 layers. Layers are composited as by
+            :class:`lommel.imaging.Occlusion`, except for hidden points; the blur is corrected by the difference
+            between composited and added layers. Differentiable almost everywhere. Takes about five times as long.
         check : bool, default True
-            Whether to check values, which waits for a device; not while tracing.
+            Whether to check values, which waits for the device. Values are never checked during tracing.
 
         Returns
         -------
         array
-            Of the shape of `image`. NaN where a value is out of range and was not checked.
+            Blurred image in the shape of `image`. NaN where an unchecked value is out of range.
 
         Raises
         ------
         TypeError, ValueError
-            If an array is of another type or shape than above, if it holds NaN, or is out of range.
+            If an array has another type or shape than above, contains NaN, or is out of range.
         """
         static = self._static
         xp = static.namespace.xp
@@ -234,13 +233,13 @@ class TracedBlur:
             )
         if check:
             self._require_values(image, distance, lens)
-        if static.namespace.name == "jax":  # operation by operation takes seconds
-            return xp.reshape(_of_jax()(self, image, distance, lens, bool(occlusion)), shape)
+        if static.namespace.name == "jax":  # without compilation a call takes seconds
+            return xp.reshape(_jitted_blur()(self, image, distance, lens, bool(occlusion)), shape)
         return xp.reshape(self._by_lens(image, distance, lens, occlusion=occlusion), shape)
 
     def _by_lens(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
-        """Return the blurred images, each of a batch with its own lens where there are several."""
-        along = {"image", "distance", *_several(lens)}
+        """Return the blurred images; the images of a batch may have different lenses."""
+        along = {"image", "distance", *_batched_operands(lens)}
         if len(along) == 2:
             return self._over_field(image, distance, lens, occlusion=occlusion)
         given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
@@ -248,7 +247,7 @@ class TracedBlur:
             along.add("defocus")
         # Operands with one element along the batch are shared, not mapped.
         axes = {name: 0 if name in along and given[name].shape[0] > 1 else None for name in given}
-        # What there is one of is that of all.
+        # Operands of batch length 1 apply to all images.
         given |= {name: given[name][0, ...] for name in along if axes[name] is None}
 
         def one(of: Mapping[str, Operand]) -> Tensor:
@@ -262,42 +261,42 @@ class TracedBlur:
             mapped: Tensor = jax.vmap(one, in_axes=(axes,))(given)
             return mapped
         parts = [{n: value if axes[n] is None else value[k, ...] for n, value in given.items()} for k in range(count)]
-        made: Tensor = xp.stack([one(part) for part in parts], axis=0)
-        return made
+        images: Tensor = xp.stack([one(part) for part in parts], axis=0)
+        return images
 
     def _over_field(
         self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool
     ) -> Tensor:
-        """Return the blurred image; PSFs between nodes over the field are weighted sums of those of the nodes."""
+        """Return the blurred image, with PSFs interpolated linearly between the nodes of the field."""
         static = self._static
         xp, nodes = static.namespace.xp, lens["zernike"]
         if nodes is None or len(nodes.shape) < 3:
             return self._blurred(image, distance, lens, occlusion=occlusion)
         count, across = math.prod(nodes.shape[:2]), nodes.shape[1]
-        down, along = (self._hats(image, axis, nodes.shape[axis]) for axis in (0, 1))
+        down, along = (self._node_weights(image, axis, nodes.shape[axis]) for axis in (0, 1))
         nodes = xp.reshape(nodes, (count, nodes.shape[-1]))
 
         def one(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
-            share = xp.expand_dims(row, axis=-1) * column
-            # Linear weights commute with the blur: each node's PSF blurs the image times the node's weight.
-            return self._blurred(image * share, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
+            weight = xp.expand_dims(row, axis=-1) * column
+            # The PSF of a source point is a weighted sum of the PSFs of the nodes: blur the weighted image by each.
+            return self._blurred(image * weight, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
 
         if static.namespace.name == "jax":
             import jax
 
             given = xp.repeat(down, across, axis=0), xp.tile(along, (count // across, 1)), nodes
             start = xp.zeros(image.shape, dtype=image.dtype)
-            # A scan holds the images of one node at a time.
+            # A scan keeps the intermediate images of one node only.
             total: Tensor = jax.lax.scan(lambda before, of: (before + one(*of), None), start, given)[0]
             return total
-        made: Operand = 0.0
+        summed: Operand = 0.0
         for k in range(count):
-            made = made + one(down[k // across, ...], along[k % across, ...], nodes[k, ...])
-        whole: Tensor = made
+            summed = summed + one(down[k // across, ...], along[k % across, ...], nodes[k, ...])
+        whole: Tensor = summed
         return whole
 
-    def _hats(self, image: Operand, axis: int, count: int) -> Tensor:
-        """Return the weights of nodes along an axis of the image, shape (count, points): linear between them."""
+    def _node_weights(self, image: Operand, axis: int, count: int) -> Tensor:
+        """Return linear interpolation weights of `count` nodes along an axis of the image, shape (count, points)."""
         xp, side = self._static.namespace.xp, image.shape[axis - 2]
         where = {} if self._static.namespace.name in ("jax", "numpy") else {"device": image.device}
         at = xp.astype(xp.arange(side, **where), image.dtype) * ((count - 1) / max(1, side - 1))
@@ -306,11 +305,11 @@ class TracedBlur:
         return hats
 
     def _blurred(self, image: Operand, distance: Operand, lens: Mapping[str, Operand], *, occlusion: bool) -> Tensor:
-        """Return the blurred image (..., channels, height, width) from checked arrays."""
+        """Return the blurred image (..., channels, height, width) from arrays of checked shape."""
         static = self._static
         xp, shape = static.namespace.xp, tuple(image.shape)
-        c, scale = self._focus(distance, lens)
-        # NaN is added, lest it have a part in gradients.
+        c, size_ratio = self._focus(distance, lens)
+        # Adding NaN, instead of selecting it, keeps it out of the gradients of other pixels.
         low, high = static.edges[0], static.edges[-1]
         slack = _SLACK * (high - low)
         bad = (c < low - slack) | (c > high + slack) | xp.isnan(c)
@@ -320,47 +319,47 @@ class TracedBlur:
         image = xp.take(xp.take(image, rows[0], axis=-2), columns[0], axis=-1)
         if static.border == "zero":
             image = image * xp.expand_dims(rows[1], axis=-1) * columns[1]
-        size = tuple(_fast(side) for side in c.shape[-2:])
-        kernels = self._kernels(size, scale, lens["zernike"])
-        made = self._cropped(self._mixed(image, c, size, kernels), shape, size)
-        return made + self._occlusion(image, c, size, kernels, shape) if occlusion else made
+        fft_shape = tuple(_fft_length(side) for side in c.shape[-2:])
+        kernels = self._kernels(fft_shape, size_ratio, lens["zernike"])
+        blurred = self._cropped(self._spectrum(image, c, fft_shape, kernels), shape, fft_shape)
+        return blurred + self._occlusion(image, c, fft_shape, kernels, shape) if occlusion else blurred
 
     def _focus(self, distance: Operand, lens: Mapping[str, Operand]) -> tuple[Operand, Operand]:
-        """Return C_d, and the size of PSFs over that of the stated lens (None: the same)."""
-        vergence, waves, scale = self._static.optics.at(lens["focus_distance"], lens["f_number"])
-        c = waves * (vergence + 1.0 / distance)
-        return (c if lens["defocus"] is None else c + lens["defocus"]), scale
+        """Return C_d (rad), and the ratio of PSF sizes to the given lens (None: 1)."""
+        vergence, rad_per_dioptre, size_ratio = self._static.optics.at(lens["focus_distance"], lens["f_number"])
+        c = rad_per_dioptre * (vergence + 1.0 / distance)
+        return (c if lens["defocus"] is None else c + lens["defocus"]), size_ratio
 
     def torch_module(self, **learned: Operand) -> Any:
-        """Return a ``torch.nn.Module`` with the tables as buffers, whose ``forward`` takes what the blur takes.
+        """Return a ``torch.nn.Module`` with the tables as buffers; ``forward`` has the arguments of the blur.
 
         It can be pickled, moved between devices and compiled.
 
         Parameters
         ----------
         **learned : float or sequence, optional
-            Initial values of `focus_distance`, `f_number`, `defocus` or `zernike`, which become parameters of that
-            name; arguments of `forward` replace them.
+            Initial values of `focus_distance`, `f_number`, `defocus` or `zernike`, which become parameters of the
+            module. Arguments of `forward` with the same name replace them.
 
         Raises
         ------
         TypeError
-            If the blur was made for another framework, or cannot take such an argument.
+            If the blur was created for another framework, or another parameter is named.
         """
         if self._static.namespace.name != "torch":
-            raise TypeError(f"a torch module needs a blur made for torch, got one for {self._static.namespace.name}")
+            raise TypeError(f"a torch module needs a blur with xp=torch, got one for {self._static.namespace.name}")
         if unknown := set(learned) - set(_OPTICS):
             raise TypeError(f"learned parameters are {', '.join(_OPTICS)}, got {', '.join(sorted(unknown))}")
         return _module(self, {name: np.asarray(value, dtype=np.float64) for name, value in learned.items()})
 
     def _array(self, name: str, values: Operand) -> Operand:
-        """Return values as an array of the framework, of the type of the tables."""
+        """Return values as an array of the framework, with the data type of the tables."""
         static, like = self._static, self.tables["middles"]
         ns, xp = static.namespace, static.namespace.xp
         if ns.name == "numpy" or isinstance(values, _OF_NUMPY):
             validation.refuse_masked(name, values)
         if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
-            values = ns.put(_numbers(name, values), getattr(like, "device", None) if ns.name != "jax" else None)
+            values = ns.put(_real_values(name, values), getattr(like, "device", None) if ns.name != "jax" else None)
             if name in _OPTICS or (name == "distance" and not values.shape):
                 return xp.astype(values, like.dtype)
         if not hasattr(values, "shape") or not xp.isdtype(values.dtype, "real floating"):
@@ -369,12 +368,12 @@ class TracedBlur:
         return xp.astype(values, like.dtype, copy=False)
 
     def _require_shapes(self, given: tuple[int, ...], image: tuple[int, ...], distance: tuple[int, ...]) -> None:
-        """Raise ValueError unless shapes are those of images with channels, and of their depth."""
+        """Raise ValueError unless image and depth have matching shapes and the image has all channels."""
         channels = self._static.channels
         good = len(distance) >= 2 and len(image) == len(distance) + 1 and image[-2:] == distance[-2:]
         if good and image[-3] == channels and 0 not in image:
             lead = zip(image[:-3], distance[:-2], strict=True)
-            if all(there in (1, here) for here, there in lead):
+            if all(depths in (1, images) for images, depths in lead):
                 return
         wanted = (
             "(..., height, width) or (..., 1, height, width)"
@@ -382,12 +381,12 @@ class TracedBlur:
             else f"(..., {channels}, height, width)"
         )
         raise ValueError(
-            f"image must have the shape {wanted} and distance (..., height, width) of the same sides, got {given} "
+            f"image must have the shape {wanted} and distance (..., height, width) with equal sides, got {given} "
             f"and {distance}"
         )
 
     def _require_optics(self, lens: Mapping[str, Operand], image: tuple[int, ...]) -> None:
-        """Raise ValueError for a part of the lens that the blur was not made for."""
+        """Raise ValueError if a lens parameter is fixed in this blur, has a wrong shape, or is out of range."""
         optics = self._static.optics
         ranges = {
             "focus_distance": ("focus_distances", optics.focus is not None),
@@ -395,8 +394,8 @@ class TracedBlur:
             "defocus": ("defocus", optics.defocus > 0.0),
             "zernike": ("zernike", bool(optics.zernike)),
         }
-        for name, (option, there) in ranges.items():
-            if lens[name] is not None and not there:
+        for name, (option, learnable) in ranges.items():
+            if lens[name] is not None and not learnable:
                 raise ValueError(f"{name} is fixed in this blur; give its range, {option}=, to traced_blur")
         count, batch = len(optics.zernike), image[:-3][:1]
         for name, shape in (("focus_distance", ()), ("f_number", ()), ("zernike", (count,))):
@@ -413,14 +412,14 @@ class TracedBlur:
                     raise ValueError(f"zernike of the term {term} must be at most {most:g} rad, got {value:.4g}")
 
     def _require_values(self, image: Operand, distance: Operand, lens: Mapping[str, Operand]) -> None:
-        """Raise ValueError if values that are known now are NaN or out of range."""
+        """Raise ValueError if concrete values are NaN or out of range; values being traced are not checked."""
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
-        if _several(lens):
+        if _batched_operands(lens):
             ones = (1,) * (len(distance.shape) - 1)
             shapes = {n: (-1, *ones) for n in ("focus_distance", "f_number") if lens[n] is not None and lens[n].shape}
             lens = dict(lens) | {name: xp.reshape(lens[name], shape) for name, shape in shapes.items()}
-        c, scale = self._focus(distance, lens)
+        c, size_ratio = self._focus(distance, lens)
         if not ns.concrete(image) or not ns.concrete(c):
             return
         if not bool(xp.all(xp.isfinite(image))):
@@ -433,25 +432,23 @@ class TracedBlur:
             if unknown := int(np.isnan(metres).sum()):
                 raise ValueError(f"distance must not be NaN, got NaN at {unknown} of {metres.size} points")
             optics = static.optics
-            near, far = (
-                1.0 / max(c / optics.waves - 1.0 / optics.sensor_distance + 1.0 / optics.focal_length, 1e-12)
-                for c in (high, low)
-            )
+            vergence = 1.0 / optics.sensor_distance - 1.0 / optics.focal_length
+            near, far = (1.0 / max(c / optics.rad_per_dioptre - vergence, 1e-12) for c in (high, low))
             raise ValueError(
-                f"distance must be within the range that the blur was made for, C_d from {low:.4g} to {high:.4g} rad "
-                f"({near:.4g} to {far:.4g} m with the lens as given), got C_d from {least:.4g} to {most:.4g} rad "
+                f"distance must be within the range given to traced_blur, C_d from {low:.4g} to {high:.4g} rad "
+                f"({near:.4g} to {far:.4g} m with the given lens), got C_d from {least:.4g} to {most:.4g} rad "
                 f"({metres.min():.4g} to {metres.max():.4g} m)"
             )
-        if scale is not None and ns.concrete(scale):
-            size = np.log(ns.to_numpy(ns.stop(scale)).astype(np.float64))
-            if not (static.scales[0] - _SLACK <= size.min() and size.max() <= static.scales[1] + _SLACK):
-                made = {"focus_distance": static.optics.focus, "f_number": static.optics.stops}
-                given = {n: ns.to_numpy(ns.stop(lens[n])) for n in made if lens[n] is not None}
-                told = (f"{n} within {made[n]}, got {v.min():.6g} to {v.max():.6g}" for n, v in given.items())
-                raise ValueError(f"the blur was made for {' and '.join(told)}; clamp what is learned to its range")
+        if size_ratio is not None and ns.concrete(size_ratio):
+            logs = np.log(ns.to_numpy(ns.stop(size_ratio)).astype(np.float64))
+            if not (static.log_ratios[0] - _SLACK <= logs.min() and logs.max() <= static.log_ratios[1] + _SLACK):
+                valid = {"focus_distance": static.optics.focus, "f_number": static.optics.stops}
+                given = {n: ns.to_numpy(ns.stop(lens[n])) for n in valid if lens[n] is not None}
+                listed = (f"{n} within {valid[n]}, got {v.min():.6g} to {v.max():.6g}" for n, v in given.items())
+                raise ValueError(f"the blur was made for {' and '.join(listed)}; clamp parameters to these ranges")
 
     def _padding(self, c: Operand, axis: int) -> tuple[Tensor, Tensor]:
-        """Return source indices for positions up to a window beyond the image, and 1 inside the image, else 0."""
+        """Return source indices of an axis padded by half a window on both sides, and 1 inside the image, else 0."""
         static = self._static
         xp, count, half = static.namespace.xp, c.shape[axis], static.half
         where = {} if static.namespace.name in ("jax", "numpy") else {"device": c.device}
@@ -467,25 +464,25 @@ class TracedBlur:
         """Return the weights of the windows of each layer, shape (rank, points), for C_d (points,)."""
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
-        if ns.name != "jax" and c.shape[0] > 2 * _BLOCK:  # polynomials of a block stay in the cache
-            blocks = [self._weights(part) for part in _pieces(ns, c, _BLOCK)]
+        if ns.name != "jax" and c.shape[0] > 2 * _BLOCK_POINTS:  # polynomials of a block fit into the cache
+            blocks = [self._weights(part) for part in _pieces(ns, c, _BLOCK_POINTS)]
             return [xp.concat(list(parts), axis=1) for parts in zip(*blocks, strict=True)]
         layer: Operand = None
         middle, reach = self.tables["middles"][0], self.tables["reaches"][0]
         if len(static.ranks) > 1:
-            # The layer is an index, without derivative.
+            # The index of the layer has no derivative.
             layer = xp.searchsorted(self.tables["edges"], ns.stop(c))
             middle, reach = (xp.take(self.tables[name], layer, axis=0) for name in ("middles", "reaches"))
         x = xp.clip((c - middle) / reach, -1.0, 1.0)
         polynomials = _polynomials(ns, x, max(static.degrees))
-        made = []
+        by_layer = []
         for k, degrees in enumerate(static.degrees):
             weights = ns.matmul(self.tables[f"weights_{k}"], polynomials[:degrees, ...])
-            # Each point takes the weights of its own layer alone.
-            made.append(weights if layer is None else xp.where(layer == k, weights, xp.zeros_like(weights)))
-        return made
+            # Points outside layer k have weight 0.
+            by_layer.append(weights if layer is None else xp.where(layer == k, weights, xp.zeros_like(weights)))
+        return by_layer
 
-    def _kernels(self, size: tuple[int, ...], scale: Operand, coefficients: Operand) -> list[Tensor]:
+    def _kernels(self, fft_shape: tuple[int, ...], size_ratio: Operand, coefficients: Operand) -> list[Tensor]:
         """Return the spectra of the windows of each layer, shape (rank, channels, rows, columns)."""
         static = self._static
         ns, xp, tables = static.namespace, static.namespace.xp, self.tables
@@ -493,23 +490,23 @@ class TracedBlur:
         parts = [slice(end - rank, end) for end, rank in zip(ends, static.ranks, strict=True)]
         if coefficients is not None:
             assert static.aberrated is not None
-            one = xp.ones_like(tables["nodes"][0]) if scale is None else scale
+            one = xp.ones_like(tables["nodes"][0]) if size_ratio is None else size_ratio
             made = []
             for part in parts:
                 whole = static.aberrated(ns, tables, tables["nodes"][part], coefficients, one)
-                made.append(xp.fft.rfftn(_centred(xp, whole, static.half, size), axes=(-2, -1)))
+                made.append(xp.fft.rfftn(_with_centre_first(xp, whole, static.half, fft_shape), axes=(-2, -1)))
             return made
-        if scale is None:
+        if size_ratio is None:
             windows = xp.sum(tables["windows"] * tables["as given"], axis=0)
         else:
-            low, high = static.scales
-            # Position from -1 to 1 among the known sizes, on a logarithmic scale.
-            x = xp.clip((xp.log(scale) - 0.5 * (low + high)) * (2.0 / (high - low)), -1.0, 1.0)
+            low, high = static.log_ratios
+            # Position from -1 to 1 in the range of PSF sizes, on a logarithmic scale.
+            x = xp.clip((xp.log(size_ratio) - 0.5 * (low + high)) * (2.0 / (high - low)), -1.0, 1.0)
             basis = _polynomials(ns, xp.reshape(x, (1,)), tables["transform"].shape[0])
-            shares = ns.matmul(xp.permute_dims(basis, (1, 0)), tables["transform"])
-            windows = xp.sum(tables["windows"] * xp.reshape(shares, (-1, 1, 1, 1)), axis=0)
-        # Windows are symmetric: a quarter and cosines give the whole spectrum, which is real.
-        down, across = (_cosines(ns, side, tables, every) for side, every in zip(size, (True, False), strict=True))
+            weights = ns.matmul(xp.permute_dims(basis, (1, 0)), tables["transform"])
+            windows = xp.sum(tables["windows"] * xp.reshape(weights, (-1, 1, 1, 1)), axis=0)
+        # Windows are symmetric: their spectra are real cosine transforms of one quadrant.
+        down, across = (_cosines(ns, n, tables, every) for n, every in zip(fft_shape, (True, False), strict=True))
         made = []
         for part in parts:
             octants = windows[part, ...]
@@ -519,75 +516,74 @@ class TracedBlur:
             made.append(ns.matmul(ns.matmul(down, quarter), xp.permute_dims(across, (1, 0))))
         return made
 
-    def _mixed(self, image: Operand, c: Operand, size: tuple[int, ...], kernels: list[Tensor]) -> Tensor:
+    def _spectrum(self, image: Operand, c: Operand, fft_shape: tuple[int, ...], kernels: list[Tensor]) -> Tensor:
         """Return the spectrum of the blurred image (..., channels, rows, columns)."""
         ns, xp, shape = self._static.namespace, self._static.namespace.xp, tuple(c.shape)
         total: Operand = 0.0
         lead = (1,) * (len(image.shape) - 3)
-        several = max(1, _CACHED // math.prod(image.shape))
+        batch = max(1, _CACHED_VALUES // math.prod(image.shape))
         for weights, kernel in zip(self._weights(xp.reshape(c, (-1,))), kernels, strict=True):
             weights = xp.reshape(weights, (-1, *shape[:-2], 1, *shape[-2:]))
             kernel = xp.reshape(kernel, (kernel.shape[0], *lead, *kernel.shape[1:]))
-            each = weights.shape[0] if ns.name == "jax" else several
+            each = weights.shape[0] if ns.name == "jax" else batch
             pieces = (_pieces(ns, part, each) for part in (weights, kernel))
             for part, spectrum in zip(*pieces, strict=True):
-                found = xp.fft.rfftn(part * image, s=size, axes=(-2, -1)) * spectrum
-                total = total + (xp.sum(found, axis=0) if found.shape[0] > 1 else found[0, ...])
+                products = xp.fft.rfftn(part * image, s=fft_shape, axes=(-2, -1)) * spectrum
+                total = total + (xp.sum(products, axis=0) if products.shape[0] > 1 else products[0, ...])
         spectrum_of_image: Tensor = total
         return spectrum_of_image
 
-    def _cropped(self, spectrum: Operand, shape: tuple[int, ...], size: tuple[int, ...]) -> Tensor:
-        """Return the image of a spectrum without what is beyond its edges."""
+    def _cropped(self, spectrum: Operand, shape: tuple[int, ...], fft_shape: tuple[int, ...]) -> Tensor:
+        """Return the image of a spectrum, cropped to `shape`."""
         half, (height, width) = self._static.half, shape[-2:]
-        whole = self._static.namespace.xp.fft.irfftn(spectrum, s=size, axes=(-2, -1))
-        made: Tensor = whole[..., half : half + height, half : half + width]
-        return made if len(made.shape) == len(shape) else self._static.namespace.xp.reshape(made, shape)
+        whole = self._static.namespace.xp.fft.irfftn(spectrum, s=fft_shape, axes=(-2, -1))
+        image: Tensor = whole[..., half : half + height, half : half + width]
+        return image if len(image.shape) == len(shape) else self._static.namespace.xp.reshape(image, shape)
 
     def _occlusion(
-        self, image: Operand, c: Operand, size: tuple[int, ...], kernels: list[Tensor], shape: tuple[int, ...]
+        self, image: Operand, c: Operand, fft_shape: tuple[int, ...], kernels: list[Tensor], shape: tuple[int, ...]
     ) -> Operand:
-        """Return the change of the image by occlusion."""
-        # Layers from the front to the back, each blurred by one PSF.
+        """Return the composited image minus the image without occlusion, from layers blurred by one PSF each."""
         static = self._static
         xp, screens = static.namespace.xp, static.screens
-        cover = xp.ones_like(image)
+        opaque = xp.ones_like(image)
         covered: Operand = 0.0
-        out: Operand = 0.0
-        plain: Operand = 0.0
-        for k, here in enumerate(screens):
-            # Each point is in two layers, in shares that change linearly with C_d.
-            share: Operand = 1.0
+        composited: Operand = 0.0
+        added: Operand = 0.0
+        for k, middle in enumerate(screens):
+            # Each point belongs to two adjacent layers, with weights linear in C_d; the nearest layer is first.
+            weight: Operand = 1.0
             if k > 0:
-                share = xp.clip((screens[k - 1] - c) / (screens[k - 1] - here), 0.0, 1.0)
+                weight = xp.clip((screens[k - 1] - c) / (screens[k - 1] - middle), 0.0, 1.0)
             if k + 1 < len(screens):
-                share = share * xp.clip((c - screens[k + 1]) / (here - screens[k + 1]), 0.0, 1.0)
-            share = xp.expand_dims(share * xp.ones_like(c), axis=-3)
+                weight = weight * xp.clip((c - screens[k + 1]) / (middle - screens[k + 1]), 0.0, 1.0)
+            weight = xp.expand_dims(weight * xp.ones_like(c), axis=-3)
             kernel: Operand = 0.0
             for layer, spectrum in enumerate(kernels):
                 mixture = self.tables[f"screens_{layer}"][k, ...]
                 kernel = kernel + xp.sum(spectrum * xp.reshape(mixture, (-1, 1, 1, 1)), axis=0)
-            light, part = (
-                self._cropped(xp.fft.rfftn(share * each, s=size, axes=(-2, -1)) * kernel, shape, size)
-                for each in (image, cover)
+            light, coverage = (
+                self._cropped(xp.fft.rfftn(weight * each, s=fft_shape, axes=(-2, -1)) * kernel, shape, fft_shape)
+                for each in (image, opaque)
             )
-            part = xp.clip(part, 0.0, 1.0)
-            # Light of a layer is let through where nearer ones leave room: coverage adds up to at most 1.
-            seen = part if k == 0 else xp.minimum(part, 1.0 - covered)
-            out, plain = out + light * (seen / (part + _TRACE)), plain + light
-            covered = covered + seen
-        # Divided by the coverage, so that a surface hidden nowhere keeps its brightness.
-        return out / (covered + _TRACE) - plain
+            coverage = xp.clip(coverage, 0.0, 1.0)
+            # Nearer layers occlude: the visible coverages of all layers add up to at most 1.
+            visible = coverage if k == 0 else xp.minimum(coverage, 1.0 - covered)
+            composited, added = composited + light * (visible / (coverage + _MIN_COVERAGE)), added + light
+            covered = covered + visible
+        # Division by the total coverage preserves the brightness of surfaces that are not occluded.
+        return composited / (covered + _MIN_COVERAGE) - added
 
     def __repr__(self) -> str:
         static = self._static
         optics = [
             name
-            for name, there in zip(
+            for name, learnable in zip(
                 _OPTICS,
                 (static.optics.focus, static.optics.stops, static.optics.defocus, static.optics.zernike),
                 strict=True,
             )
-            if there
+            if learnable
         ]
         also = f"; {', '.join(optics)} can be learned" if optics else ""
         return (
@@ -597,27 +593,26 @@ class TracedBlur:
 
     def __reduce__(self) -> tuple[Any, ...]:
         ns = self._static.namespace
-        return _placed, (self._static, {name: ns.to_numpy(table) for name, table in self.tables.items()})
+        return _blur_on_device, (self._static, {name: ns.to_numpy(table) for name, table in self.tables.items()})
 
 
-def _several(lens: Mapping[str, Operand]) -> list[str]:
-    """Return the operands of the lens that differ between the images of a batch."""
-    several = {"focus_distance": (1,), "f_number": (1,), "zernike": (2, 4)}
-    return [name for name, axes in several.items() if lens[name] is not None and len(lens[name].shape) in axes]
+def _batched_operands(lens: Mapping[str, Operand]) -> list[str]:
+    """Return the names of lens parameters given for each image of a batch."""
+    batched_axes = {"focus_distance": (1,), "f_number": (1,), "zernike": (2, 4)}
+    return [name for name, axes in batched_axes.items() if lens[name] is not None and len(lens[name].shape) in axes]
 
 
-def _pieces(ns: Namespace, x: Operand, size: int) -> list[Operand]:
-    """Return pieces of `size` along the first axis."""
-    if ns.name == "torch":  # derivatives of slices would each be as large as the whole
-        return list(x.split(size, dim=0))
+def _pieces(ns: Namespace, x: Operand, length: int) -> list[Operand]:
+    """Return pieces of at most `length` along the first axis."""
+    if ns.name == "torch":  # each derivative of a slice would be as large as x
+        return list(x.split(length, dim=0))
     count = x.shape[0]
-    return [x[k : min(k + size, count), ...] for k in range(0, count, size)]
+    return [x[k : min(k + length, count), ...] for k in range(0, count, length)]
 
 
 def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
     """Return the Chebyshev polynomials of degrees below `count` at x (n,), shape (count, n)."""
-    # T_(m+j) = 2 T_m T_j - T_(m-j)
-    # Each turn of the loop doubles the number of polynomials.
+    # T_(m+j) = 2 T_m T_j - T_(m-j): each iteration adds m polynomials to m + 1.
     xp = ns.xp
     made: Operand = xp.stack([xp.ones_like(x), x], axis=0)
     while made.shape[0] < count:
@@ -627,7 +622,7 @@ def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
     return made[:count, ...]
 
 
-def _fast(side: int) -> int:
+def _fft_length(side: int) -> int:
     """Return the least number at or above `side` without prime factors above 5, for fast Fourier transforms."""
     while True:
         rest = side
@@ -640,18 +635,18 @@ def _fast(side: int) -> int:
 
 
 def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
-    """Return the cosine transform of half a symmetric row, to all frequencies or to those of real rows."""
+    """Return the cosine transform of half a symmetric row to `every` frequency, or to the side // 2 + 1 of rfft."""
     xp, at = ns.xp, tables["at"]
     where = {} if ns.name in ("jax", "numpy") else {"device": at.device}  # type: ignore[attr-defined]
     frequency = xp.arange(side if every else side // 2 + 1, **where)
-    # Whole turns are removed in integers: exact for large products, which float32 would round.
+    # Integer arithmetic reduces the phase by whole turns without the rounding of float32.
     turns = (xp.reshape(frequency, (-1, 1)) * at) % side  # type: ignore[operator]
     return xp.cos(xp.astype(turns, tables["once"].dtype) * (math.tau / side)) * tables["once"]
 
 
-def _centred(xp: ArrayFunctions, windows: Operand, half: int, size: tuple[int, ...]) -> Operand:
-    """Return windows (..., side, side) in arrays of `size`, their centre at the first element."""
-    for axis, length in ((-2, size[0]), (-1, size[1])):
+def _with_centre_first(xp: ArrayFunctions, windows: Operand, half: int, fft_shape: tuple[int, ...]) -> Operand:
+    """Return windows (..., side, side) padded to `fft_shape`, with the centre moved to the first element."""
+    for axis, length in ((-2, fft_shape[0]), (-1, fft_shape[1])):
         first = (Ellipsis, slice(half, None), slice(None)) if axis == -2 else (Ellipsis, slice(half, None))
         last = (Ellipsis, slice(0, half), slice(None)) if axis == -2 else (Ellipsis, slice(0, half))
         shape = list(windows.shape)
@@ -684,16 +679,16 @@ def traced_blur(
 ) -> TracedBlur:
     r"""Return the blur of a lens as a differentiable function of an image, its depth and the lens.
 
-    The range of C_d is divided into layers. Within one, all pixel-integrated PSFs are sums of few, with polynomials
-    of C_d as weights; so the blur is a few convolutions for each layer. All defocus has one size of window, and is
-    divided by the light within it, so that derivatives by depth are those of the image. See docs/certificate.md.
+    The range of C_d is divided into layers. Within a layer, each pixel-integrated PSF is a weighted sum of a few PSFs
+    (windows), with polynomials of C_d as weights; the blur is then a few convolutions per layer. All windows have
+    equal sides and are divided by their sum, so that cropping adds no derivative by depth. See docs/certificate.md.
 
     Parameters
     ----------
     lens : Lens
         Paraxial, with a round aperture and radially symmetric aberrations.
     distances : array_like
-        Metres; the valid range is from the least to the largest.
+        Object distances, metres; their least and largest define the valid range.
     pixel : float
         Pixel pitch, metres.
     xp, device
@@ -702,23 +697,23 @@ def traced_blur(
         :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel, such as
         ``lommel.imaging.RED_GREEN_BLUE``. By default one channel, at the wavelength of the lens.
     focus_distances, f_numbers : (float, float), optional
-        Ranges of `focus_distance` (metres) and `f_number` that the blur then takes as arguments. The f-number needs a
-        lens without aberrations, obscuration and apodization.
+        Valid ranges of the arguments `focus_distance` (metres) and `f_number` of the blur, which are fixed by
+        default. `f_numbers` needs a lens without aberrations, obscuration and apodization.
     defocus : float, default 0
         Largest magnitude of the argument `defocus`, radians.
     zernike : mapping of (n, m) to float, optional
-        Zernike terms whose coefficients are then an argument, each with its largest magnitude: radians at the edge of
-        the pupil and the wavelength of the lens. Windows are computed in the framework at each call with them.
+        Terms of the argument `zernike` of the blur, each with the largest magnitude of its coefficient: radians at
+        the edge of the pupil and the wavelength of the lens. Calls with `zernike` compute the windows anew.
     border : {"reflect", "extend", "zero"}, default "reflect"
         Continuation of image and depth beyond the edges: mirrored, the last pixels repeated, or dark.
     precision : {"float32", "float64"}, default "float32"
-        Of the tables, and what is computed.
+        Precision of the tables and of the computation.
     tol : float, default 1e-4
-        Tolerance of each pixel of a PSF, relative to its peak, at any defocus of the range.
+        Tolerance of each pixel of a PSF, relative to the peak of the PSF, at any defocus in the valid range.
     energy : float, default 0.98
-        Share of the light that every window holds at least, before it is divided by that.
+        Least fraction of the light of a PSF within its window, before windows are divided by their sum.
     largest : int, default 256
-        Pixels from the middle of a window to its edge, at most.
+        Largest half width of windows, pixels.
 
     Returns
     -------
@@ -727,7 +722,7 @@ def traced_blur(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or the blur exceeds `largest`.
+        If an argument is out of range, or windows exceed `largest`.
 
     References
     ----------
@@ -739,56 +734,56 @@ def traced_blur(
     if lens.model != "paraxial":
         raise ValueError(f'lens must be paraxial, with model="paraxial", got {lens.model!r}')
     pitch = validation.pixel(pixel, metric=True)
-    share = validation.real("energy", energy, above=0.0, below=1.0)
+    fraction = validation.real("energy", energy, above=0.0, below=1.0)
     allowed = validation.real("tol", tol, least=1e-9, below=1e-1)
     ns = _namespace(xp, device, precision)
     validation.choice("border", border, BORDERS)
     colours = spectra("wavelengths", [lens.wavelength] if wavelengths is None else wavelengths)
     optics = _optics(lens, focus_distances, f_numbers, defocus, zernike)
-    low, high, scales = _ranges(lens, optics, distances)
-    # At the largest scale the PSF spans most pixels: its window holds all others.
+    low, high, log_ratios = _ranges(lens, optics, distances)
+    # The largest PSF determines the half width of all windows.
     lights = [SensorLight.of(lens, colour, pitch) for colour in colours]
-    widest = [replace(light, pixel=pitch / math.exp(scales[1])) for light in lights]
+    widest = [replace(light, pixel=pitch / math.exp(log_ratios[1])) for light in lights]
     most = validation.integer("largest", largest, least=1, most=4096)
-    half = max(light.enough((low, high), share, most)[0] for light in widest)
-    exact = _Exact(lights, half)
-    sizes = chebyshev_nodes(3)[0] if scales[1] > scales[0] else np.zeros(1)
-    sizes = 0.5 * (scales[0] + scales[1]) + 0.5 * (scales[1] - scales[0]) * sizes
+    half = max(light.enough((low, high), fraction, most)[0] for light in widest)
+    exact = _ExactWindows(lights, half)
+    logs = chebyshev_nodes(3)[0] if log_ratios[1] > log_ratios[0] else np.zeros(1)
+    logs = 0.5 * (log_ratios[0] + log_ratios[1]) + 0.5 * (log_ratios[1] - log_ratios[0]) * logs
     step = math.pi * pitch / (lens.wavelength * lens.working_f_number)
     aberrated: AberratedWindows | None = None
     of_zernike: dict[str, Operand] = {}
     if optics.zernike:
-        window = half, step / math.exp(scales[0])
+        window = half, step / math.exp(log_ratios[0])
         aberrated, of_zernike = traced_windows.make(lens, dict(optics.zernike), (low, high), colours, window, allowed)
-        of_zernike["lattice"] = of_zernike["lattice"] * math.exp(scales[0])
+        of_zernike["lattice"] = of_zernike["lattice"] * math.exp(log_ratios[0])
     numpy, draw = Namespace.of(None), np.random.default_rng(0)
 
     def with_terms(c: Array, coefficients: Array) -> Array:
         assert aberrated is not None
-        # A size of 1: windows of the stated lens.
-        made = numpy.to_numpy(aberrated(numpy, of_zernike, c, coefficients, np.float64(1.0)))
-        return np.reshape(made, (len(c), len(colours), -1))
+        size_ratio = np.float64(1.0)
+        exact_windows = numpy.to_numpy(aberrated(numpy, of_zernike, c, coefficients, size_ratio))
+        return np.reshape(exact_windows, (len(c), len(colours), -1))
 
     limits = np.array([most for _, most in optics.zernike])
-    # Corners of the range of coefficients, and points inside it, stand for all of it.
-    members = [limits * draw.choice([-1.0, 1.0], limits.size) * share for share in (1.0, 0.6)] if limits.size else []
+    # Layers are fitted at one random corner of the range of coefficients, and at one point inside.
+    samples = [limits * draw.choice([-1.0, 1.0], limits.size) * part for part in (1.0, 0.6)] if limits.size else []
 
     def windows(c: Array) -> Array:
-        together = np.concatenate([exact(c, float(size)) for size in sizes], axis=1)
-        return _joined(together, [with_terms(c, each) for each in members])
+        unaberrated = np.concatenate([exact(c, float(log)) for log in logs], axis=1)
+        return _side_by_side(unaberrated, [with_terms(c, each) for each in samples])
 
-    values = exact.cells * len(colours) * len(sizes)
+    values = exact.cells * len(colours) * len(logs)
     rate = lens.wavelength / min(wavelength for colour in colours for wavelength, _ in colour)
-    layers = defocus_layers(windows, low, high, allowed, _WIDTH, rate, max(1, _TOGETHER // values))
+    layers = defocus_layers(windows, low, high, allowed, _LAYER_WIDTH, rate, max(1, _MAX_VALUES // values))
     nodes = np.concatenate([layer.nodes for layer in layers])
-    known = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
-    table, transform = _sizes(exact, nodes, known, scales, allowed)
-    # The marginal ray moves by 4 lambda N / pi a radian, step / 4 radians a pixel: about a pixel a screen.
-    screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _SCREENS)))
+    given_windows = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
+    table, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, allowed)
+    # The marginal ray moves 4 lambda N / pi per radian of C_d: a step of step / 4 radians is about one pixel.
+    screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _MAX_SCREENS)))
     tables: dict[str, Values] = {
         "windows": table,
         "transform": transform,
-        "as given": _as_given(scales, transform).reshape(-1, 1, 1, 1),
+        "as given": _given_lens_weights(log_ratios, transform).reshape(-1, 1, 1, 1),
         "nodes": nodes,
         "at": np.arange(half + 1, dtype=np.int32),
         "once": np.where(np.arange(half + 1) == 0, 1.0, 2.0),
@@ -800,17 +795,17 @@ def traced_blur(
     ranks, degrees = (tuple(layer.weights.shape[axis] for layer in layers) for axis in (0, 1))
     static = Blur(
         namespace=ns, optics=optics, border=border, channels=len(colours), half=half, edges=edges, ranks=ranks,
-        degrees=degrees, scales=scales, screens=tuple(screens.tolist()), aberrated=aberrated, error=0.0,
+        degrees=degrees, log_ratios=log_ratios, screens=tuple(screens.tolist()), aberrated=aberrated, error=0.0,
         precision=precision,
     )  # fmt: skip
     static = static._replace(
-        error=_found_error(TracedBlur(static._replace(namespace=numpy), dict(tables)), exact, draw)
+        error=_measured_error(TracedBlur(static._replace(namespace=numpy), dict(tables)), exact, draw)
     )
-    return _placed(static, tables, device)
+    return _blur_on_device(static, tables, device)
 
 
 def _namespace(xp: object, device: object, precision: str) -> Namespace:
-    """Return the namespace of a framework; ValueError if it lacks the precision."""
+    """Return the namespace of a framework; ValueError if the framework lacks the precision."""
     ns = Namespace.of(xp)
     validation.choice("precision", precision, ("float32", "float64"))
     if precision == "float64" and not ns.has_double(device):
@@ -818,18 +813,18 @@ def _namespace(xp: object, device: object, precision: str) -> Namespace:
     return ns
 
 
-def _joined(windows: Array, others: list[Array]) -> Array:
-    """Return windows (n, parts, cells) and others of more cells side by side, padded with zeros."""
+def _side_by_side(windows: Array, others: list[Array]) -> Array:
+    """Return windows (n, parts, cells) and `others` along axis 1, padded with zeros to the cells of `others`."""
     if not others:
         return windows
-    more = np.concatenate(others, axis=1)
-    padded = np.zeros((*windows.shape[:2], more.shape[2]))
+    other = np.concatenate(others, axis=1)
+    padded = np.zeros((*windows.shape[:2], other.shape[2]))
     padded[..., : windows.shape[2]] = windows
-    return np.concatenate([padded, more], axis=1)
+    return np.concatenate([padded, other], axis=1)
 
 
 def _layer_tables(layers: Sequence[DefocusLayer], screens: Array) -> dict[str, Values]:
-    """Return the tables of layers by name, with the weights of their windows at the C_d of occlusion layers."""
+    """Return the tables of defocus layers by name, with the weights of windows at the C_d of occlusion layers."""
     tables: dict[str, Values] = {
         "edges": np.array([layer.high for layer in layers[:-1]]),
         "middles": np.array([0.5 * (layer.low + layer.high) for layer in layers]),
@@ -843,22 +838,22 @@ def _layer_tables(layers: Sequence[DefocusLayer], screens: Array) -> dict[str, V
     return tables
 
 
-class _Exact:
-    """Exact windows, of sum 1, of each channel."""
+class _ExactWindows:
+    """Windows of each channel computed without interpolation, of sum 1."""
 
     def __init__(self, lights: list[SensorLight], half: int) -> None:
-        self._lights, self._half, self._alike = lights, half, cells_alike(half)
-        self.cells = self._alike.size
+        self._lights, self._half, self._multiplicity = lights, half, cells_alike(half)
+        self.cells = self._multiplicity.size
 
-    def __call__(self, c: Array, size: float) -> Array:
-        """Return windows (n, channels, cells) at C_d, for the logarithm of the size of PSFs over the stated lens."""
-        made = []
+    def __call__(self, c: Array, log_ratio: float) -> Array:
+        """Return windows (n, channels, cells) at C_d `c`, for PSFs larger than the given lens's by exp(log_ratio)."""
+        by_channel = []
         for light in self._lights:
-            # A PSF larger by exp(size) on the pixel is the stated one on a smaller pixel.
-            scaled = light if size == 0.0 else replace(light, pixel=light.pixel / math.exp(size))
-            shares = scaled.shares(scaled.defocused(c), self._half)
-            made.append(shares / (shares @ self._alike)[:, None])
-        return np.stack(made, axis=1)
+            # Enlarging the PSF is equivalent to reducing the pixel pitch.
+            scaled = light if log_ratio == 0.0 else replace(light, pixel=light.pixel / math.exp(log_ratio))
+            light_in_cells = scaled.shares(scaled.defocused(c), self._half)
+            by_channel.append(light_in_cells / (light_in_cells @ self._multiplicity)[:, None])
+        return np.stack(by_channel, axis=1)
 
 
 def _optics(
@@ -868,16 +863,16 @@ def _optics(
     defocus: float,
     terms: Mapping[Term, float] | None,
 ) -> Optics:
-    """Return the checked optics of a lens; TypeError or ValueError."""
-    # C_d = pi a^2 / (2 lambda) times the error of vergence, a the radius of the aperture.
-    waves = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
+    """Return the optics of a lens, checked; TypeError or ValueError."""
+    # C_d = pi a^2 / (2 lambda) times the vergence error (1/m), a being the aperture radius.
+    rad_per_dioptre = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
     if focus is not None:
         focus = _pair("focus_distances", focus, lens.focal_length)
     if stops is not None:
         stops = _pair("f_numbers", stops, 0.0)
         if not lens.aberrations.flat or lens.obscuration or not lens.illumination.uniform:
             raise ValueError("f_numbers need a lens without aberrations, obscuration and apodization")
-    found: list[tuple[Term, float]] = []
+    limits: list[tuple[Term, float]] = []
     if not isinstance(terms, Mapping | None):
         raise TypeError(f"zernike must map terms (n, m) to their largest coefficients, got {validation.shown(terms)}")
     for term, most in (terms or {}).items():
@@ -887,98 +882,98 @@ def _optics(
             raise TypeError(f"a Zernike term must be a pair (n, m), got {validation.shown(term)}") from None
         if not (0 < n <= 20 and abs(m) <= n and (n - m) % 2 == 0):
             raise ValueError(f"a Zernike term must have 0 < n <= 20, |m| <= n and n - m even, got {(n, m)}")
-        found.append(((n, m), validation.real(f"zernike of {(n, m)}", most, above=0.0, most=100.0)))
-    # A wavefront that depends on the wavelength by itself scales otherwise than the learned terms.
-    if found and lens.colour is not None:
-        raise ValueError("zernike needs a lens without colour")
+        limits.append(((n, m), validation.real(f"zernike of {(n, m)}", most, above=0.0, most=100.0)))
+    # Aberrations of such a lens vary with the wavelength otherwise than the `zernike` terms.
+    if limits and lens.colour is not None:
+        raise ValueError("zernike needs a lens without chromatic aberration; leave out its `colour`")
     most = validation.real("defocus", defocus, least=0.0)
-    return Optics(lens.focal_length, lens.sensor_distance, lens.f_number, waves, focus, stops, most, tuple(found))
+    ranges = focus, stops, most, tuple(limits)
+    return Optics(lens.focal_length, lens.sensor_distance, lens.f_number, rad_per_dioptre, *ranges)
 
 
-def _numbers(name: str, values: object) -> Values:
-    """Return values that are no array of a framework as a NumPy array; TypeError or ValueError."""
-    made = np.asarray(values)
-    if made.dtype.kind not in "fiu":
-        raise TypeError(f"{name} must hold real floats, got {validation.shown(values)}")
-    if name in ("focus_distance", "f_number") and not (made > 0.0).all():
+def _real_values(name: str, values: object) -> Values:
+    """Return numbers or nested sequences as a NumPy array; TypeError unless real, ValueError unless in range."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must hold real numbers, got {validation.shown(values)}")
+    if name in ("focus_distance", "f_number") and not (array > 0.0).all():
         raise ValueError(f"{name} must be above 0, got {validation.shown(values)}")
-    return made
+    return array
 
 
 def _pair(name: str, values: ArrayLike, least: float) -> tuple[float, float]:
-    found = np.sort(validation.real_array(name, values).ravel())
-    if found.size != 2 or not least < found[0] < found[1]:
+    ends = np.sort(validation.real_array(name, values).ravel())
+    if ends.size != 2 or not least < ends[0] < ends[1]:
         raise ValueError(f"{name} must be two different numbers above {least:g}, got {validation.shown(values)}")
-    return float(found[0]), float(found[1])
+    return float(ends[0]), float(ends[1])
 
 
 def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, float, tuple[float, float]]:
-    """Return the least and largest C_d, and logarithms of the size of PSFs over the stated lens."""
-    lens.defocus(distances)  # checks them
+    """Return the ranges of C_d (rad), and of the logarithm of the ratio of PSF sizes to the given lens."""
+    lens.defocus(distances)  # raises if distances are invalid
     given = np.asarray(distances, dtype=np.float64)
-    c, sizes = [], [0.0]
+    c, logs = [], [0.0]
     for focus in optics.focus or (None,):
         for stop in optics.stops or (None,):
-            vergence, waves, scale = optics.at(focus, stop)
-            c += [waves * (vergence + 1.0 / given.min()), waves * (vergence + 1.0 / given.max())]
-            sizes.append(0.0 if scale is None else math.log(scale))
+            vergence, rad_per_dioptre, size_ratio = optics.at(focus, stop)
+            c += [rad_per_dioptre * (vergence + 1.0 / given.min()), rad_per_dioptre * (vergence + 1.0 / given.max())]
+            logs.append(0.0 if size_ratio is None else math.log(size_ratio))
     c += [float(value) for value in lens.defocus([given.min(), given.max()])]
     low, high = min(c) - optics.defocus, max(c) + optics.defocus
-    # A range of no width would divide by 0.
+    # A narrow range is widened, to avoid division by a width near 0.
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)
-    return low, high, (min(sizes), max(sizes))
+    return low, high, (min(logs), max(logs))
 
 
-def _sizes(exact: _Exact, nodes: Array, known: Array, scales: tuple[float, float], tol: float) -> tuple[Array, Array]:
-    """Return windows of several sizes, and the matrix from these to Chebyshev coefficients; or ValueError.
-
-    `known` are the windows of the lens as given.
-    """
-    low, high = scales
+def _windows_by_size(
+    exact: _ExactWindows, nodes: Array, given_windows: Array, log_ratios: tuple[float, float], tol: float
+) -> tuple[Array, Array]:
+    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients; or ValueError."""
+    low, high = log_ratios
     if high == low:
-        return known[None], np.ones((1, 1))
-    # The ends of the range, where PSFs are largest, and focus, where they are sharpest.
-    some = np.unique([nodes.min(), nodes.max(), nodes[np.abs(nodes).argmin()]])
-    for count in _SCALES:
+        return given_windows[None], np.ones((1, 1))
+    # Tested at both ends of the defocus range, where PSFs are largest, and nearest to focus.
+    tested = np.unique([nodes.min(), nodes.max(), nodes[np.abs(nodes).argmin()]])
+    for count in _WINDOW_SETS:
         x, transform = chebyshev_nodes(count)
-        at = 0.5 * (low + high) + 0.5 * (high - low) * x
-        known = np.stack([exact(some, float(size)) for size in at])
-        # Half-way between neighbouring nodes, where interpolation errs most.
+        logs = 0.5 * (low + high) + 0.5 * (high - low) * x
+        at_nodes = np.stack([exact(tested, float(log)) for log in logs])
+        # Half-way between adjacent nodes, where interpolation errors are largest.
         between = np.array([-0.97, 0.5 * (x[0] + x[1]), 0.5 * (x[count // 2] + x[count // 2 - 1])])
-        truth = np.stack([exact(some, 0.5 * (low + high) + 0.5 * (high - low) * float(b)) for b in between])
-        made = np.tensordot(chebyshev(between, count) @ transform, known, 1)
-        if (np.abs(made - truth).max(axis=-1) / truth.max(axis=-1)).max() <= 0.3 * tol:
-            return np.stack([exact(nodes, float(size)) for size in at]), transform
+        truth = np.stack([exact(tested, 0.5 * (low + high) + 0.5 * (high - low) * float(b)) for b in between])
+        interpolated = np.tensordot(chebyshev(between, count) @ transform, at_nodes, 1)
+        if (np.abs(interpolated - truth).max(axis=-1) / truth.max(axis=-1)).max() <= 0.3 * tol:
+            return np.stack([exact(nodes, float(log)) for log in logs]), transform
     raise ValueError(
         f"focus_distances and f_numbers change the size of PSFs by a factor of {math.exp(high - low):.4g}, which "
-        f"takes more than {_SCALES[-1]} sets of windows; ask for smaller ranges, or for a larger tol"
+        f"needs more than {_WINDOW_SETS[-1]} sets of windows; choose narrower ranges, or a larger tol"
     )
 
 
-def _as_given(scales: tuple[float, float], transform: Array) -> Array:
-    """Return the weights of the windows of known sizes for the lens as given, whose size is 0."""
-    low, high = scales
+def _given_lens_weights(log_ratios: tuple[float, float], transform: Array) -> Array:
+    """Return the weights of the sets of windows for the given lens, whose log_ratio is 0."""
+    low, high = log_ratios
     x = 0.0 if high == low else -(low + high) / (high - low)
     return np.asarray((chebyshev(np.array([x]), len(transform)) @ transform)[0])
 
 
-def _found_error(blur: TracedBlur, exact: _Exact, draw: np.random.Generator) -> float:
-    """Return the largest error of windows between known ones, over their peaks, at 12 random C_d."""
+def _measured_error(blur: TracedBlur, exact: _ExactWindows, draw: np.random.Generator) -> float:
+    """Return the largest error of interpolated windows at 12 random C_d, relative to their peaks."""
     edges, tables = np.array(blur._static.edges), blur.tables
     c = np.sort(draw.uniform(edges[0], edges[-1], 12))
     windows = np.asarray(tables["windows"] * tables["as given"]).sum(axis=0)
     weights = np.concatenate([np.asarray(part) for part in blur._weights(c)])
     truth = exact(c, 0.0)
-    off = np.tensordot(weights.T, windows, 1) - truth
-    return float((np.abs(off).max(axis=-1) / truth.max(axis=-1)).max())
+    error = np.tensordot(weights.T, windows, 1) - truth
+    return float((np.abs(error).max(axis=-1) / truth.max(axis=-1)).max())
 
 
-def _placed(static: Blur, tables: Mapping[str, Values], device: object = None) -> TracedBlur:
-    """Return a blur with its NumPy tables on a device, in its precision."""
+def _blur_on_device(static: Blur, tables: Mapping[str, Values], device: object = None) -> TracedBlur:
+    """Return a blur with its tables moved from NumPy to a device, in the precision of the blur."""
     ns = static.namespace
     kind = getattr(ns.xp, static.precision)
     if ns.name == "jax":
-        _of_jax()
+        _jitted_blur()
     return TracedBlur(
         static,
         {name: ns.put(table, device, kind if table.dtype.kind == "f" else None) for name, table in tables.items()},
@@ -986,8 +981,8 @@ def _placed(static: Blur, tables: Mapping[str, Values], device: object = None) -
 
 
 @cache
-def _of_jax() -> Any:
-    """Register the class with JAX as a tree of its tables; return the compiled blur."""
+def _jitted_blur() -> Any:
+    """Register TracedBlur as a pytree with JAX, and return the compiled blur."""
     import jax
 
     jax.tree_util.register_pytree_node(
@@ -996,10 +991,10 @@ def _of_jax() -> Any:
         lambda static, parts: TracedBlur(static, *parts),
     )
 
-    def made(blur: TracedBlur, image: Tensor, distance: Tensor, lens: dict[str, Tensor], occlusion: bool) -> Tensor:
+    def call(blur: TracedBlur, image: Tensor, distance: Tensor, lens: dict[str, Tensor], occlusion: bool) -> Tensor:
         return blur._by_lens(image, distance, lens, occlusion=occlusion)
 
-    return jax.jit(made, static_argnums=4)
+    return jax.jit(call, static_argnums=4)
 
 
 @cache
@@ -1007,7 +1002,7 @@ def _module_class() -> Any:
     torch = library("torch", "modules need", "torch")
 
     class BlurModule(torch.nn.Module):  # type: ignore[misc,name-defined]
-        """A blur as a layer."""
+        """Blur as a PyTorch module."""
 
         def __init__(self, blur: TracedBlur, learned: dict[str, Array]) -> None:
             super().__init__()
@@ -1021,7 +1016,7 @@ def _module_class() -> Any:
                 self.register_parameter(name, torch.nn.Parameter(start))
 
         def blur(self) -> TracedBlur:
-            """Return the function with the tables in their present place."""
+            """Return the blur with the tables on their current device."""
             return TracedBlur(self._static, {name: getattr(self, f"table_{k}") for k, name in enumerate(self._names)})
 
         def forward(self, image: Operand, distance: Operand, **options: Operand) -> Operand:
@@ -1037,5 +1032,5 @@ def _module_class() -> Any:
 
 
 def _module(blur: TracedBlur, learned: dict[str, Array]) -> Any:
-    """Return a blur as a PyTorch module whose parameters start at the `learned` values."""
+    """Return a blur as a PyTorch module whose parameters have the initial values `learned`."""
     return _module_class()(blur, learned)

@@ -27,30 +27,30 @@ from lommel.traced.chordal import UNIT, Chordal, Radial
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _OF_NUMPY = (np.ndarray, np.generic)
-_FINER = 0.1  # factor of the error of quadrature from one trial to the next
-_LEAST = 2.0**-52  # least error of quadrature that is tried: below it rounding is all
-# Bounds are checked again for every pupil that is evaluated: trials only find numbers of nodes that are enough.
-_MEMBERS, _BETWEEN = 128, 48  # pupils of the stack, and between them, that a tolerance is tried with
-_BLOCK = 2**21  # values held at once in trials
-_RULE_ERROR = 1e-11  # of PixelRule over the largest intensity: ten times the largest measured
-_MOST_SAMPLES = 24  # largest number of samples along a side of a pixel
+_ERROR_REDUCTION = 0.1  # quadrature error of a trial relative to the trial before
+_MIN_ERROR = 2.0**-52  # least quadrature error tried: below it rounding dominates
+# Trials only choose numbers of nodes: the bound of each evaluated pupil is checked again.
+_TESTED_MEMBERS, _TESTED_BETWEEN = 128, 48  # pupils in a trial: members of the stack, and pupils between them
+_BLOCK_VALUES = 2**21  # largest number of values in memory during trials
+_RULE_ERROR = 1e-11  # error of PixelRule relative to the largest intensity: ten times the largest measured error
+_MAX_SAMPLES = 24  # largest number of samples along a side of a pixel
 _X64 = '; call jax.config.update("jax_enable_x64", True) first, or give the plan a tolerance that float32 can prove'
 
 
 class Pixels(NamedTuple):
-    """Pixel averages and mirrored quadrants: the way from intensities to images.
+    """Conversion of intensity samples to images: pixel averages, and mirroring of quadrants.
 
     Attributes
     ----------
     height, width : int
     mirrored : bool
-        Whether values are those of a quadrant, each at an indexed radius.
+        Whether values are given for one quadrant of the image, which is then mirrored.
     growth : float
-        Largest factor by which averages multiply errors; 0 for point samples.
+        Largest factor by which averaging multiplies errors of samples; 0 for point samples.
     added : float
-        Error of the averages: over the largest intensity of a radial pupil, absolute of any other.
+        Error of averaging: relative to the largest intensity if `samples` is 0, otherwise absolute.
     samples : int
-        A side of each pixel, of pupils that are not radial, and of averages off the axis; else 0.
+        Samples along a side of each pixel if they form a lattice (pupil not radial, or off-axis averages); else 0.
     """
 
     height: int
@@ -63,25 +63,25 @@ class Pixels(NamedTuple):
     def means(
         self, ns: Namespace, tables: Tables, values: Tensor, error: Tensor, unit: float
     ) -> tuple[Tensor, Tensor]:
-        """Return averages of intensities over pixels, and bounds on their errors."""
+        """Return averages of intensities over pixels (point samples unchanged), and bounds on their errors."""
         xp = ns.xp
         if self.samples > 1:
             if "index" in tables:
                 values = xp.take(values, tables["index"], axis=-1)
             shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
             values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
-            # A sum of samples^2 products, each of which rounds twice.
+            # A sum of samples^2 products: two roundings per product.
             error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
             return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
         if self.growth:
-            most = xp.max(ns.stop(values), axis=-1)
-            lost = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
-            # Averages are sums of errors times the weights: at most `growth` times the largest.
-            return ns.matmul(values, tables["matrix"]), self.growth * (error + lost * most) + self.added * most
+            peak = xp.max(ns.stop(values), axis=-1)
+            rounding = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
+            # Weighted sums multiply errors by at most the sum of the moduli of their weights: `growth`.
+            return ns.matmul(values, tables["matrix"]), self.growth * (error + rounding * peak) + self.added * peak
         return values, error
 
     def unfold(self, ns: Namespace, tables: Tables, values: Tensor) -> Tensor:
-        """Return images ``(n, height, width)`` from values at distinct radii, of cells, or of pixels by column."""
+        """Return images (n, height, width) from values at distinct radii, of octant cells, or of pixels by column."""
         xp = ns.xp
         if self.samples:
             by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
@@ -91,7 +91,7 @@ class Pixels(NamedTuple):
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
-        # The middle row and column belong to one side only.
+        # The middle row and column are not mirrored.
         right = quarter[..., : across + 1 - (self.width + 1) % 2]
         half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
         lower = half[..., : down + 1 - (self.height + 1) % 2, :]
@@ -99,14 +99,14 @@ class Pixels(NamedTuple):
 
 
 class Distances(NamedTuple):
-    """Coefficients of ``C_d = waves (vergence + 1 / distance)``; metres."""
+    """Coefficients of ``C_d = rad_per_dioptre (vergence + 1 / distance)``, with the distance in metres."""
 
-    vergence: float
-    waves: float
+    vergence: float  # 1/m
+    rad_per_dioptre: float  # rad m
 
 
 class Static(NamedTuple):
-    """The part of a traced plan without arrays: hashable, so that compiled programs can depend on it.
+    """Settings of a traced plan without arrays: hashable, as JAX requires of static data.
 
     Attributes
     ----------
@@ -114,14 +114,14 @@ class Static(NamedTuple):
     terms : tuple
         Names of the columns of coefficients.
     kept : tuple of int
-        The columns that the field depends on.
+        Indices of the columns that the field depends on.
     ranges : tuple of (float, float)
-        Least and largest coefficients of the stack.
+        Least and largest coefficient of each column in the stack of pupils.
     lights : tuple of (float, Radial or Chordal)
         Weight and field of each wavelength.
     pixels : Pixels
     scale : float or None
-        Factor of intensities; None divides by the largest value.
+        Factor of intensities; None for division by the largest value of each image.
     tol : float
     precision, dtype : str
     distances : Distances or None
@@ -143,30 +143,30 @@ class Static(NamedTuple):
 class TracedPSF:
     """PSFs as a differentiable function of wavefront coefficients: ``images = f(c)``.
 
-    Made by :meth:`lommel.Plan.traced`. It works with ``jit``, ``vmap`` and ``grad`` (of any order), can be an
-    argument of such functions (a pytree in JAX), and can be pickled. Concrete coefficients are checked; under
-    tracing, images are NaN where the tolerance is not proven, without effect on others and their gradients.
+    Returned by :meth:`lommel.Plan.traced`. Works with ``jit``, ``vmap`` and ``grad`` (of any order), can be an
+    argument of such functions (a pytree in JAX), and can be pickled. Concrete coefficients are checked. During
+    tracing, an image is NaN where the tolerance is not proven; other images and their gradients are not affected.
 
     Parameters
     ----------
     static : Static
-        All but the tables.
+        Settings.
     tables : tuple of dict of array
-        Of each wavelength, by name.
+        Arrays of each wavelength, by name.
 
     Attributes
     ----------
     terms : tuple
-        Columns of the coefficients, in radians: "defocus" (C_d), "spherical" (C_s), "rho^6", ... if the wavefront was
-        given by these, else Zernike terms (n, m) at the edge.
+        Columns of the coefficients, in radians at the pupil edge: "defocus" (C_d), "spherical" (C_s), "rho^6", ... if
+        the wavefront was given by these, else Zernike terms (n, m).
     shape : (int, int)
-        Of images.
+        Height and width of images.
     tol : float
-        Tolerance of the bounds.
+        Largest allowed error, relative to the largest value of an image.
     precision : str
-        "float64" or "float32": of the computation.
+        Precision of the computation, "float64" or "float32".
     dtype : str
-        Of images.
+        Data type of images.
     tables : tuple of dict of array
     """
 
@@ -180,14 +180,14 @@ class TracedPSF:
     dtype = property(lambda self: self._static.dtype)
 
     def __call__(self, c: Operand, *, check: bool = True) -> Operand:
-        """Return images.
+        """Return images for coefficients `c`.
 
         Parameters
         ----------
         c : array, shape (..., k)
-            Radians, a column for each of ``terms``; on the device of the tables.
+            Coefficients in radians, a column for each of ``terms``; on the device of the tables.
         check : bool, default True
-            False: do not compare the bounds with the tolerance, which waits for a device; images beyond it are NaN.
+            Whether to raise ToleranceError, which waits for the device. Images above the tolerance are NaN otherwise.
 
         Returns
         -------
@@ -196,7 +196,7 @@ class TracedPSF:
         Raises
         ------
         TypeError, ValueError
-            If coefficients are of another framework, device or number.
+            If coefficients have another framework, device or number of columns.
         ToleranceError
             If the error of an image is not proven to be at most `tol` of its largest value; not while tracing.
         """
@@ -208,31 +208,31 @@ class TracedPSF:
         Parameters
         ----------
         c, check
-            As above.
+            As for a call of the plan.
 
         Returns
         -------
         images : array, shape (..., height, width)
             NaN where the bound exceeds `tol`.
         bound : array, shape (...)
-            inf if there is none. No gradient passes through it.
+            inf if no bound is known. Its gradient is zero.
 
         Raises
         ------
         TypeError, ValueError, ToleranceError
-            As above.
+            As for a call of the plan.
         """
-        images, bound = self._answer(c)
+        images, bound = self._evaluate(c)
         if check:
-            self._require(c, bound)
+            self._require_tolerance(c, bound)
         return images, bound
 
     def error(self, c: Operand) -> Operand:
         """Return the error bounds for coefficients `c`, shape (...), without comparing them with the tolerance."""
-        return self._answer(c)[1]
+        return self._evaluate(c)[1]
 
     def defocus(self, distance: Operand) -> Operand:
-        """Return C_d in radians of objects, as :meth:`lommel.Lens.defocus`; differentiable.
+        """Return C_d in radians of objects at a `distance`, differentiable; see :meth:`lommel.Lens.defocus`.
 
         Parameters
         ----------
@@ -242,23 +242,23 @@ class TracedPSF:
         Returns
         -------
         array
-            C_d, of the same shape: the column "defocus", or an addition to the term (2, 0).
+            C_d in the shape of `distance`: for the column "defocus", or to be added to the Zernike term (2, 0).
 
         Raises
         ------
         ValueError
-            If the pupils are not those of a paraxial lens.
+            If the plan was not traced with pupils of a paraxial lens.
         """
-        there = self._static.distances
-        if there is None:
+        conversion = self._static.distances
+        if conversion is None:
             raise ValueError("distances need a plan traced with pupils of a paraxial lens, from Lens.pupil(...)")
-        return there.waves * (there.vergence + 1.0 / self._array(distance))
+        return conversion.rad_per_dioptre * (conversion.vergence + 1.0 / self._array(distance))
 
     def torch_module(self) -> Any:
         """Return a ``torch.nn.Module`` with the tables as buffers.
 
-        Its ``forward(c)`` and ``certified(c)`` are those of this function. It has no parameters, and its precision
-        cannot be changed.
+        ``forward(c)`` returns images, and ``certified(c)`` images and bounds. The module has no parameters, and its
+        precision cannot be changed.
 
         Raises
         ------
@@ -270,7 +270,7 @@ class TracedPSF:
         torch, traced = library("torch", "modules need", "torch"), self
 
         class Module(torch.nn.Module):  # type: ignore[misc,name-defined]
-            """A PSF as a layer."""
+            """PSF as a PyTorch module."""
 
             def __init__(self) -> None:
                 super().__init__()
@@ -279,7 +279,7 @@ class TracedPSF:
                         self.register_buffer(f"{name}_{k}", table, persistent=False)
 
             def traced(self) -> TracedPSF:
-                """Return the function with the tables in their present place."""
+                """Return the traced plan with the tables on their current device."""
                 return TracedPSF(
                     traced._static,
                     tuple(
@@ -296,7 +296,7 @@ class TracedPSF:
         return Module()
 
     def _array(self, values: Operand) -> Tensor:
-        """Return values as a floating array of the framework, on their own device."""
+        """Return values as a floating-point array of the framework; arrays stay on their device."""
         ns, like = self._static.namespace, cast("Operand", self.tables[0]["size"])
         xp = ns.xp
         if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
@@ -309,13 +309,13 @@ class TracedPSF:
             raise ValueError(f"coefficients must be on the device of the tables, {like.device}, got {values.device}")
         return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
 
-    def _answer(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return images and bounds; in JAX always compiled, as operation by operation takes seconds."""
+    def _evaluate(self, c: Operand) -> tuple[Tensor, Tensor]:
+        """Return images and bounds; compiled in JAX, where single operations would take seconds."""
         if self._static.namespace.name == "jax":
-            return _of_jax()(self, self._array(c))
-        return self._images_and_bounds(c)
+            return _jitted_evaluation()(self, self._array(c))
+        return self._evaluate_uncompiled(c)
 
-    def _images_and_bounds(self, c: Operand) -> tuple[Tensor, Tensor]:
+    def _evaluate_uncompiled(self, c: Operand) -> tuple[Tensor, Tensor]:
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
         kind = str(self.tables[0]["size"].dtype).rpartition(".")[2]
@@ -335,7 +335,7 @@ class TracedPSF:
             flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
         values, bound = self.evaluated(flat)
         zero = xp.zeros_like(bound)
-        # NaN is added, lest it have a part in gradients.
+        # Adding NaN, instead of selecting it, keeps it out of the gradients of other images.
         poison = xp.reshape(xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan"))), (-1, 1))
         if ns.in_place(values):
             values += poison
@@ -352,7 +352,7 @@ class TracedPSF:
         unit, parts = UNIT[static.precision], []
         for (weight, light), tables in zip(static.lights, self.tables, strict=True):
             intensity, of_field = light.intensity(ns, tables, c)
-            # Errors of white light add.
+            # Wavelengths are incoherent: intensities and their error bounds add.
             slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
             parts.append((intensity if weight == 1.0 else weight * intensity, slack))
         values, error = parts[0]
@@ -360,7 +360,7 @@ class TracedPSF:
             values, error = values + intensity, error + slack
         values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
         still = ns.stop(values)
-        # Scaling, squares and sums, and a rounding to float32 of what was float64.
+        # Rounding in squares, sums and scaling, and in the conversion of float64 to float32.
         stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
         bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
         if static.scale is None:
@@ -370,21 +370,21 @@ class TracedPSF:
             return values, bound
         return values * static.scale, bound
 
-    def _require(self, c: Operand, bound: Tensor) -> None:
-        """Raise ToleranceError where a bound exceeds the tolerance, if it has a value now."""
+    def _require_tolerance(self, c: Operand, bound: Tensor) -> None:
+        """Raise ToleranceError if a bound exceeds the tolerance; bounds being traced are not checked."""
         static = self._static
         if not static.namespace.concrete(bound):
             return
-        found = static.namespace.to_numpy(bound)
-        if not np.any(bad := ~(found <= static.tol)):
+        bounds = static.namespace.to_numpy(bound)
+        if not np.any(bad := ~(bounds <= static.tol)):
             return
         index = tuple(int(k) for k in np.argwhere(bad)[0])
-        here = np.asarray(static.namespace.to_numpy(self._array(c)))[index]
-        parts = zip(static.terms, here.tolist(), static.ranges, strict=True)
+        row = np.asarray(static.namespace.to_numpy(self._array(c)))[index]
+        parts = zip(static.terms, row.tolist(), static.ranges, strict=True)
         listed = ", ".join(f"{term} = {value:.5g} (traced for {a:.5g} to {b:.5g})" for term, value, (a, b) in parts)
         raise ToleranceError(
             f"tol={static.tol:g} is not proven for the coefficients at {index}, {listed}: the error is bounded by "
-            f"{found[index]:.3g} of the largest value; trace the plan for a larger range, or choose a larger tol"
+            f"{bounds[index]:.3g} of the largest value; trace the plan for a larger range, or choose a larger tol"
         )
 
     def __repr__(self) -> str:
@@ -396,11 +396,12 @@ class TracedPSF:
 
     def __reduce__(self) -> tuple[object, ...]:
         ns = self._static.namespace
-        return placed, (self._static, tuple({k: ns.to_numpy(v) for k, v in one.items()} for one in self.tables))
+        tables = tuple({name: ns.to_numpy(table) for name, table in one.items()} for one in self.tables)
+        return move_to_device, (self._static, tables)
 
 
-def placed(static: Static, tables: tuple[Tables, ...], device: object = None) -> TracedPSF:
-    """Return a traced plan with its NumPy tables on a device, in its precision."""
+def move_to_device(static: Static, tables: tuple[Tables, ...], device: object = None) -> TracedPSF:
+    """Return a traced plan with its tables moved from NumPy to a device, in the precision of the plan."""
     ns = static.namespace
     kind = getattr(ns.xp, static.precision)
 
@@ -408,13 +409,13 @@ def placed(static: Static, tables: tuple[Tables, ...], device: object = None) ->
         return ns.put(values, device, kind if values.dtype.kind == "f" else None)
 
     if ns.name == "jax":
-        _of_jax()
+        _jitted_evaluation()
     return TracedPSF(static, tuple({name: put(values) for name, values in one.items()} for one in tables))
 
 
 @cache
-def _of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
-    """Register the class with JAX as a tree of its tables; return the compiled evaluation."""
+def _jitted_evaluation() -> Callable[..., tuple[Tensor, Tensor]]:
+    """Register TracedPSF as a pytree with JAX, and return the compiled evaluation."""
     import jax
 
     jax.tree_util.register_pytree_node(
@@ -422,7 +423,7 @@ def _of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
         lambda traced: ((traced.tables,), traced._static),
         lambda static, parts: TracedPSF(static, *parts),
     )
-    return jax.jit(TracedPSF._images_and_bounds)
+    return jax.jit(TracedPSF._evaluate_uncompiled)
 
 
 def traced(
@@ -432,7 +433,7 @@ def traced(
     values: tuple[float, str, str],
     where: tuple[object, object, str],
 ) -> TracedPSF:
-    """Return a traced plan for `values` tolerance, normalisation, type and `where` framework, device, precision."""
+    """Return a traced plan; `values` are tol, normalize and dtype, `where` is framework, device and precision."""
     tol, normalize, dtype = values
     ns, device = Namespace.of(where[0]), where[1]
     precision = _precision(ns, device, where[2], dtype)
@@ -440,7 +441,7 @@ def traced(
         raise ValueError("traced plans need a pupil with a round aperture, without spider, vignetting, mask and stop")
     if normalize == "emitted":
         raise ValueError('normalize must be "energy", "strehl" or "peak" for a traced plan, got "emitted"')
-    lights = _components(pupil, method)
+    lights = _spectral_components(pupil, method)
     validation.pixel_on(grid.side, pupil.scale, metric=pupil.wavelength is not None)
     grid.require_reach(pupil)
     terms, c = chordal.columns(pupil)
@@ -450,28 +451,28 @@ def traced(
         "energy": grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission),
         "strehl": 1.0 / (pupil.amplitude**2 * sum(part.weight for part in lights)),
     }.get(normalize)
-    # The peak of a defocused pupil falls about as its phase rises; that of small aberrations of all kinds does not.
-    size = float(np.abs(c).sum(axis=1).max())
-    error = tol * pupil.amplitude * (0.04 / (2.0 * size + 1.0) if pupil.radial else 0.15)
-    distances = _distances(pupil)
+    # Defocus lowers the peak about inversely to the phase; for other pupils the first trial assumes no such loss.
+    largest_phase = float(np.abs(c).sum(axis=1).max())
+    error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.15)
+    distances = _defocus_by_distance(pupil)
     while True:
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
         static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
-        # Nodes are added until the bounds of the stack, and of pupils between, leave some room.
-        worst, most = _tried(static, tables, c)
-        if most <= 0.6 * tol or error <= _LEAST:
+        # Nodes are added until all bounds are at most 0.6 tol, for the stack and for pupils between its members.
+        worst, most = _largest_bounds(static, tables, c)
+        if most <= 0.6 * tol or error <= _MIN_ERROR:
             break
-        error = max(_LEAST, _FINER * error)
+        error = max(_MIN_ERROR, _ERROR_REDUCTION * error)
     if not worst <= tol:
         raise ToleranceError(
             f"tol={tol:g} cannot be proven in {precision} for the stack that the plan was traced with: the bound is "
             f"{worst:.2g} of the largest value{_X64 if ns.name == 'jax' and precision == 'float32' else ''}"
         )
-    return placed(static, tables, device)
+    return move_to_device(static, tables, device)
 
 
 def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str:
-    """Return the type of the computation on a device, "float64" or "float32"; ValueError if it has none."""
+    """Return the precision of the computation, "float64" or "float32"; ValueError if unavailable on the device."""
     double = ns.has_double(device)
     if precision == "float64" and not double:
         raise ValueError(
@@ -488,16 +489,16 @@ def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str
     return precision
 
 
-def _distances(pupil: Pupil) -> Distances | None:
-    """Return the coefficients of the defocus of objects of a paraxial lens, the paper's Eq. 3; None for others."""
+def _defocus_by_distance(pupil: Pupil) -> Distances | None:
+    """Return the coefficients of C_d by object distance (Eq. 3 of the paper), or None unless the lens is paraxial."""
     lens = pupil.geometry
     if lens is None or lens.model != "paraxial" or pupil.wavelength is None:
         return None
-    # C_d = pi a^2 / (2 lambda) times the error of vergence.
+    # C_d = pi a^2 / (2 lambda) times the vergence error (1/m), a being the aperture radius.
     return Distances(-lens.in_focus, math.pi / (2.0 * pupil.wavelength) * lens.aperture_radius**2)
 
 
-def _components(pupil: Pupil, method: Method | None) -> list[Component]:
+def _spectral_components(pupil: Pupil, method: Method | None) -> list[Component]:
     if isinstance(method, Polychromatic):
         method.require(pupil)
         parts, method = method.components(pupil), method.method
@@ -514,19 +515,19 @@ def _components(pupil: Pupil, method: Method | None) -> list[Component]:
 def _fields(
     pupil: Pupil, grid: Grid, lights: list[Component], error: float, precision: str
 ) -> tuple[tuple[tuple[float, Radial | Chordal], ...], Pixels, tuple[Tables, ...]]:
-    """Return weight and field of each wavelength, the pixels, and the tables of each wavelength."""
+    """Return the weight and field of each wavelength, the pixels, and the tables of each wavelength."""
     step, stretch = grid.step(pupil), max(part.stretch for part in lights)
     fields: list[tuple[float, Radial | Chordal]] = []
     tables: list[Tables] = []
-    # Radial pupils need radii alone: fewer samples than a lattice.
+    # Radial pupils are sampled at distinct radii, fewer than the points of a lattice.
     if pupil.radial:
-        image, v, shared = of_radii(grid, step, stretch, error * pupil.amplitude)
+        image, v, shared = at_radii(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             field, table = chordal.make_radial(pupil, part.stretch, part.stretch * v, error, precision)
             fields.append((part.weight, field))
             tables.append({**table})
     else:
-        image, lattice, shared = of_lattice(grid, step, stretch, error * pupil.amplitude)
+        image, lattice, shared = on_lattice(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             window = (part.stretch * lattice[0], part.stretch * lattice[1])
             chords, arrays = chordal.make_chordal(pupil, grid, part.stretch, window, error, precision)
@@ -536,89 +537,89 @@ def _fields(
     return tuple(fields), image, tuple(tables)
 
 
-def _tried(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
-    """Return the largest bound of the stack, and of it together with other pupils in the valid range."""
+def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
+    """Return the largest bound of the stack, and of stack and intermediate pupils in the valid range together."""
     numpy = Namespace.of(None)
     plan = TracedPSF(static._replace(namespace=numpy), tables)
     boxed = isinstance(static.lights[0][1], Radial)
     points = max(table.shape[-1] for table in tables[0].values())
-    rows = max(1, _BLOCK // points)
+    rows = max(1, _BLOCK_VALUES // points)
 
     def largest(many: Array) -> float:
         parts = (many[k : k + rows, static.kept] for k in range(0, len(many), rows))
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
-    # Of many pupils those with the largest phases and a few others.
-    # Bounds rise with the phase.
+    # Tests the pupils with the largest phases, where bounds are largest, and a regular selection of the others.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
-    some = np.concatenate([order[:_MEMBERS], order[_MEMBERS :: max(1, len(c) // _MEMBERS)]])
-    worst = largest(c[some])
-    return worst, max(worst, largest(_between(c, boxed=boxed)))
+    tested = np.concatenate([order[:_TESTED_MEMBERS], order[_TESTED_MEMBERS :: max(1, len(c) // _TESTED_MEMBERS)]])
+    worst = largest(c[tested])
+    return worst, max(worst, largest(_pupils_between(c, boxed=boxed)))
 
 
-def _between(c: Array, *, boxed: bool) -> Array:
-    """Return coefficients within the box of a stack, with some of its corners, or between two members."""
-    # The same pupils each time, so that plans are reproducible.
+def _pupils_between(c: Array, *, boxed: bool) -> Array:
+    """Return random coefficients between two members of a stack or, if `boxed`, in its box and at corners."""
+    # A fixed seed makes plans reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
-        one, other = c[draw.integers(len(c), size=(2, _BETWEEN // 2))]
-        part = draw.random((len(one), 1))
-        return np.asarray(part * one + (1.0 - part) * other)
+        one, other = c[draw.integers(len(c), size=(2, _TESTED_BETWEEN // 2))]
+        weight = draw.random((len(one), 1))
+        return np.asarray(weight * one + (1.0 - weight) * other)
     low, high = c.min(axis=0), c.max(axis=0)
-    inside = draw.random((_BETWEEN, c.shape[1]))
-    # Corners: bounds are largest there.
-    inside[: _BETWEEN // 2] = np.round(inside[: _BETWEEN // 2])
+    inside = draw.random((_TESTED_BETWEEN, c.shape[1]))
+    # Half of the pupils at corners, where bounds are largest.
+    inside[: _TESTED_BETWEEN // 2] = np.round(inside[: _TESTED_BETWEEN // 2])
     return np.asarray(low + inside * (high - low))
 
 
-def of_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
+def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
     """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
 
-    `step` is the pitch in v, `stretch` its factor at the shortest wavelength, `allowed` the error of averages.
+    `step` is the pixel pitch in v, `stretch` its factor at the shortest wavelength, `allowed` the error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:
-        pixels, (rows, cols), shared = of_lattice(grid, step, stretch, allowed)
+        pixels, (rows, cols), shared = on_lattice(grid, step, stretch, allowed)
         radii, index = np.unique(np.hypot(cols[:, None], rows), return_inverse=True)
-        return pixels, radii, shared | {"index": _places(index)}
+        return pixels, radii, shared | {"index": _flat_indices(index)}
     if grid.integrate:
         half = max(1, height // 2, width // 2)
         rule = pixel_rule(half, step * stretch)
-        # Each cell of the octant once, for windows that are not square.
+        # Oblong windows need only some cells of the octant.
         used, index = np.unique(
             cells_of_quarter(half)[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True
         )
         matrix = np.ascontiguousarray(rule.matrix[:, used])
         pixels = Pixels(height, width, True, float(np.abs(matrix).sum(axis=0).max()), _RULE_ERROR)
-        return pixels, step * rule.radii, {"matrix": matrix, "index": _places(index)}
+        return pixels, step * rule.radii, {"matrix": matrix, "index": _flat_indices(index)}
     middle = grid.axis
     down, across = np.arange(height) - middle[0], np.arange(width) - middle[1]
     if grid.centered:
         # A centred window is symmetric: one quadrant holds all distinct radii.
         down, across = down[height // 2 :: -1], across[width // 2 :: -1]
-    # Squares of whole numbers are exact: equal radii are found as equal.
+    # For a centred window the squares are exact in floating point, so that equal radii compare equal.
     squares, index = np.unique(down[:, None] ** 2 + across**2, return_inverse=True)
-    return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _places(index)}
+    return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _flat_indices(index)}
 
 
-def _places(index: Values) -> NDArray[np.int32]:
+def _flat_indices(index: Values) -> NDArray[np.int32]:
     return index.ravel().astype(np.int32)
 
 
-def of_lattice(
+def on_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, tuple[Array, Array], dict[str, Values]]:
-    """Return the pixels of any pupil, the rows and columns in v of its samples, and tables."""
+    """Return pixels, rows and columns of samples (v) and tables for any pupil; arguments as at_radii()."""
     grid.require_one_axis()
     rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
     if not grid.integrate:
         return Pixels(grid.height, grid.width, False, 0.0, 0.0, 1), (rows, cols), {}
-    for count in range(2, _MOST_SAMPLES + 1):
+    for count in range(2, _MAX_SAMPLES + 1):
         if (error := averaging_error(stretch * step, count)) <= allowed:
             break
     else:
         raise ValueError(
-            f"pixel must be smaller where wavefronts depend on the direction: {stretch * step:g} in v is too large"
+            "pixel is too large for a wavefront without radial symmetry, got "
+            f"{stretch * step / math.pi:.4g} lambda*N; take smaller pixels"
         )
     nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
     share = (weights[:, None, None, None] * weights[:, None]) / step**2

@@ -13,7 +13,7 @@ from lommel.special import interpolation
 @pytest.mark.parametrize("band", [0.7, 1.1, 1.6])
 @pytest.mark.parametrize("error", [1e-3, 1e-6, 1e-10])
 def test_each_wave_of_the_band_is_within_the_error(band, error):
-    steps = interpolation.steps(band, error)
+    steps = interpolation.filtered_taps(band, error)
     rng = np.random.default_rng(3)
     t = np.append([0.0, 1.0, 0.5], rng.random(200))
     w = np.append([band, -band, 0.0], band * rng.uniform(-1.0, 1.0, 400))
@@ -43,7 +43,7 @@ def test_each_wave_of_the_band_is_within_the_error(band, error):
 @pytest.mark.parametrize("error", [1e-3, 1e-6, 1e-9, 1e-12])
 def test_each_order_of_a_circle_is_within_its_error(error):
     most, count = 20, 96
-    made = interpolation.orders(most, count, error)
+    made = interpolation.circular_taps(most, count, error)
     t = np.append([0.0, 1.0], np.random.default_rng(1).random(300))
     waves = np.exp(2j * np.pi / count * np.outer(np.arange(most + 1), made.taps.places))
     exact = np.exp(2j * np.pi / count * np.outer(np.arange(most + 1), t))
@@ -54,20 +54,20 @@ def test_each_order_of_a_circle_is_within_its_error(error):
 
 
 def test_taps_and_neighbours_are_the_fewest():
-    found = interpolation.steps(1.2, 1e-8)
-    fewer = interpolation._filtered(found.taps.size - 2, 1.2, interpolation.NEIGHBOURS_MOST)
+    found = interpolation.filtered_taps(1.2, 1e-8)
+    fewer = interpolation._fit_filter(found.taps.size - 2, 1.2, interpolation.MAX_NEIGHBOURS)
     assert fewer.error > 1e-8 >= found.error
-    assert interpolation._filtered(found.taps.size, 1.2, found.filter.size - 5).error > 1e-8
-    around = interpolation.orders(20, 96, 1e-8)
-    assert interpolation.orders(20, 96, around.errors.max()).taps.size == around.taps.size
-    assert interpolation.orders(20, 96, 0.9 * around.errors.max()).taps.size == around.taps.size + 2
+    assert interpolation._fit_filter(found.taps.size, 1.2, found.filter.size - 5).error > 1e-8
+    around = interpolation.circular_taps(20, 96, 1e-8)
+    assert interpolation.circular_taps(20, 96, around.errors.max()).taps.size == around.taps.size
+    assert interpolation.circular_taps(20, 96, 0.9 * around.errors.max()).taps.size == around.taps.size + 2
 
 
 def test_what_few_neighbours_cannot_tell_is_said():
     with pytest.raises(ValueError, match=r"no 16 taps are off by at most 1e-08: the band 3 is too wide"):
-        interpolation.steps(3.0, 1e-8)
+        interpolation.filtered_taps(3.0, 1e-8)
     with pytest.raises(ValueError, match=r"no 16 taps are off by at most 1e-08 of the order 45 on 96 steps"):
-        interpolation.orders(45, 96, 1e-8)
+        interpolation.circular_taps(45, 96, 1e-8)
 
 
 @pytest.mark.parametrize("level", ["portable", "avx2"])

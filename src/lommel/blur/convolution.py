@@ -30,7 +30,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.blur.blurs import Blur, Seeing
 from lommel.core.engine import distinct_radii, product
-from lommel.special.interpolation import steps
+from lommel.special.interpolation import filtered_taps
 from lommel.special.legendre import gauss_legendre
 
 if TYPE_CHECKING:
@@ -409,7 +409,7 @@ def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
     """Return the kernel at equal steps of r to beyond `far`, the step, and what of ``c(0)`` is off between."""
     w, weight = _rule(halo, far)
     step = _BAND / float(w.max())
-    rule = steps(_BAND, error)
+    rule = filtered_taps(_BAND, error)
     beyond = rule.filter.size - 1
     count = math.ceil(far / step) + rule.taps.size + 1 + beyond
     if count * w.size <= _KEPT:
@@ -423,7 +423,7 @@ def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
 
 def between(known: Array, step: float, error: float, r: Array) -> Array:
     """Return the kernel at radii within a :func:`table`."""
-    taps = steps(_BAND, error).taps
+    taps = filtered_taps(_BAND, error).taps
     half = taps.size // 2
     mirrored = np.concatenate([known[half:0:-1], known])
     cell = np.minimum((r / step).astype(np.int64), known.size - half - 1)

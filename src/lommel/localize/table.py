@@ -210,7 +210,7 @@ class _Sampling(NamedTuple):
     """Sampling: waves along z, taps along rows and columns, planes, v of a pixel, samples in a pixel."""
 
     waves: Waves
-    taps: interpolation.Steps
+    taps: interpolation.FilteredTaps
     planes: Pieces
     step: float
     per: int
@@ -335,7 +335,7 @@ class Table:
             # Shares of the kernel twice, of the planes, and of samples; what is stored has the rest.
             allowed = self.tol * peak
             try:
-                taps = interpolation.steps(2.0 * step / per, 0.2 * allowed, per)
+                taps = interpolation.filtered_taps(2.0 * step / per, 0.2 * allowed, per)
                 planes = pieces(waves, *self.z, 0.15 * allowed / taps.gain**2)
             except ValueError as failure:
                 raise ValueError(f"tol={self.tol:g} cannot be met: {failure}") from None

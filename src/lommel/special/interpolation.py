@@ -1,8 +1,8 @@
-"""Interpolation of band-limited functions between equal steps, by Kaiser-Bessel kernels with proven errors.
+"""Interpolation of band-limited samples at equal steps, by Kaiser-Bessel kernels with proven error bounds.
 
-A sum of ``exp(i w x)``, ``abs(w) <= band``, is interpolated by few taps of a kernel after division by the transform
-of the kernel: exactly for known frequencies around a circle, by a filter of neighbours elsewhere. An error eps of
-each frequency is eps times the sum of the moduli.
+A sum of waves ``a exp(i w x)``, ``abs(w) <= band``, is interpolated by a few taps of a kernel after division of each
+wave by the transform of the kernel at w: exactly for the orders of a circle, elsewhere approximately by a filter of
+neighbouring samples. If the relative error of each wave is at most eps, the error of the sum is at most eps sum |a|.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 
-TAPS_MOST = 16
-NEIGHBOURS_MOST = 30
-_DEGREE = 16
-_TURN = 2.0 * math.pi
-_ROOT = math.sqrt(2.0)
-_PLACES = 80  # Chebyshev points between two taps, at which errors and gains are evaluated
-_BETWEEN = 1.0 / math.cos(0.5 * math.pi * _DEGREE / _PLACES)  # largest value of such a polynomial over that there
-# Ehlich and Zeller, Math. Z. 86, 41 (1964): degree d at n Chebyshev points, 1 / cos(pi d / 2n).
+MAX_TAPS, MAX_NEIGHBOURS = 16, 30  # largest numbers of taps, and of neighbours on each side in the filter
+_DEGREE = 16  # degree of the polynomials of taps
+_TWO_PI = 2.0 * math.pi
+_SQRT_2 = math.sqrt(2.0)
+_CHECK_POINTS = 80  # number of Chebyshev points between two samples at which errors and gains are evaluated
+# A polynomial of degree d is at most 1 / cos(pi d / 2n) times its largest modulus at n Chebyshev points: Ehlich and
+# Zeller, Math. Z. 86, 41 (1964).
+_BETWEEN_POINTS = 1.0 / math.cos(0.5 * math.pi * _DEGREE / _CHECK_POINTS)
 
 
 class Taps(NamedTuple):
-    """Interpolation kernel: an even number of taps, polynomials of ``2 t - 1`` (highest power first).
+    """Interpolation kernel: an even number `size` of taps, each a polynomial of ``2 t - 1`` (highest power first).
 
-    t from 0 to 1 is the position between the two middle taps; columns beyond `size` are zero. `gain` and `slope_gain`
-    bound the sums of moduli of the taps and of their slopes.
+    t from 0 to 1 is the position between the two middle samples. Columns of `polynomials` beyond `size` are zero.
+    `gain` and `slope_gain` bound the sum of the moduli of the weights, and of their derivatives by t.
     """
 
     polynomials: Array
@@ -39,27 +39,28 @@ class Taps(NamedTuple):
     slope_gain: float
 
     def at(self, t: Array) -> Array:
-        """Return the weights at positions t, shape ``(len(t), size)``."""
-        return _values(self.polynomials[::-1, : self.size], t)
+        """Return the weights of the samples for positions t, shape ``(len(t), size)``."""
+        return _evaluate(self.polynomials[::-1, : self.size], t)
 
     def slopes(self, t: Array) -> Array:
-        """Return their derivatives by t."""
-        return _values(np.asarray(2.0 * np.polynomial.polynomial.polyder(self.polynomials[::-1, : self.size])), t)
+        """Return the derivatives of the weights by t, shape ``(len(t), size)``."""
+        return _evaluate(np.asarray(2.0 * np.polynomial.polynomial.polyder(self.polynomials[::-1, : self.size])), t)
 
     def weighted(self, times: Array) -> float:
-        """Bound the sum of the moduli of the taps, each multiplied by its entry of `times`."""
-        return _BETWEEN * float((np.abs(self.at(_places())) * times).sum(axis=1).max())
+        """Return a bound, for all t, on the sum of the moduli of the weights multiplied by `times`, shape (size,)."""
+        return _BETWEEN_POINTS * float((np.abs(self.at(_check_positions())) * times).sum(axis=1).max())
 
     @property
     def places(self) -> Array:
-        """Positions of the taps, in steps."""
+        """Positions of the samples of the taps, in steps."""
         return np.arange(1.0 - self.size // 2, self.size // 2 + 1)
 
 
-class Steps(NamedTuple):
-    """Taps after a symmetric filter, with bounds on the error of ``exp(i w t)`` and on the sum of moduli.
+class FilteredTaps(NamedTuple):
+    """Taps applied after a symmetric `filter`, its weights from the middle outwards.
 
-    `slope_error` and `slope_gain` are those of the derivatives by t.
+    `error` bounds the error of ``exp(i w t)`` in the band; `gain` bounds the sum of the moduli of the weights of taps
+    and filter together. `slope_error` and `slope_gain` are the corresponding bounds for derivatives by t.
     """
 
     taps: Taps
@@ -70,8 +71,8 @@ class Steps(NamedTuple):
     slope_gain: float
 
 
-class Orders(NamedTuple):
-    """Taps around a circle, with factors and error bounds of orders 0, 1, ..."""
+class CircularTaps(NamedTuple):
+    """Taps around a circle, with the factor (`gains`) and the error bound of each order 0, 1, ..."""
 
     taps: Taps
     gains: Array
@@ -79,113 +80,113 @@ class Orders(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def steps(band: float, error: float, width: int = 0) -> Steps:
-    """Return the fewest taps within `error` for a `band` below pi radians a step; ValueError if there are none.
+def filtered_taps(band: float, error: float, width: int = 0) -> FilteredTaps:
+    """Return the fewest taps within `error` for a `band` below pi radians per step; ValueError if there are none.
 
-    With `width` they interpolate averages over that many steps, whose response the filter includes.
+    If `width` is not 0, the taps interpolate averages over `width` steps instead of point values.
     """
-    # The error is bounded by sqrt(2) times its values at enough Chebyshev points: it is a polynomial of degree 40 in
-    # t and, within 1e-17, of degree ``1.18 n band + 48`` in w, n being the number of neighbours. Sums of moduli are,
-    # for given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
-    # Taps cost time at every interpolated value, the filter only once: the most neighbours are tried for each number
-    # of taps, then the fewest that suffice.
-    for count in range(4, TAPS_MOST + 1, 2):
-        if _filtered(count, band, NEIGHBOURS_MOST, width).error <= error:
-            for neighbours in range(2, NEIGHBOURS_MOST + 1, 4):
-                if (made := _filtered(count, band, neighbours, width)).error <= error:
-                    return made
-    raise ValueError(f"no {TAPS_MOST} taps are off by at most {error:.2g}: the band {band:.3g} is too wide")
+    # The error is, within 1e-17, a polynomial of degree 40 in t and ``1.18 n band + 48`` in w, n being the number of
+    # samples used. At twice as many Chebyshev points its maximum is at most sqrt(2) too small, in t and in w. Sums of
+    # moduli are, for given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
+    # Taps take time for every interpolated value, the filter only once. The number of taps is therefore minimized
+    # first, with the largest filter, then the number of neighbours in the filter.
+    for count in range(4, MAX_TAPS + 1, 2):
+        if _fit_filter(count, band, MAX_NEIGHBOURS, width).error <= error:
+            for neighbours in range(2, MAX_NEIGHBOURS + 1, 4):
+                if (fit := _fit_filter(count, band, neighbours, width)).error <= error:
+                    return fit
+    raise ValueError(f"no {MAX_TAPS} taps are off by at most {error:.2g}: the band {band:.3g} is too wide")
 
 
 @lru_cache(maxsize=64)
-def orders(most: int, steps: int, error: float) -> Orders:
-    """Return the fewest taps on `steps` of a circle within `error` for orders up to `most`; ValueError if none."""
-    frequencies: Array = np.arange(most + 1, dtype=np.float64) * (_TURN / steps)
-    for count in range(4, TAPS_MOST + 1, 2):
-        taps = _kernel(count, max(float(frequencies[-1]), 0.1))
-        gains = 1.0 / _transform(taps, frequencies)
-        errors = _off(taps, frequencies, gains, taps.at(_places()), np.ones(1)).max(axis=1)
+def circular_taps(most: int, steps: int, error: float) -> CircularTaps:
+    """Return the fewest taps within `error` for orders up to `most` at `steps` samples of a circle, or ValueError."""
+    frequencies: Array = np.arange(most + 1, dtype=np.float64) * (_TWO_PI / steps)
+    for count in range(4, MAX_TAPS + 1, 2):
+        taps = _kaiser_bessel(count, max(float(frequencies[-1]), 0.1))
+        gains = 1.0 / _mean_response(taps, frequencies)
+        errors = _wave_errors(taps, frequencies, gains, taps.at(_check_positions()), np.ones(1)).max(axis=1)
         if errors.max() <= error:
-            return Orders(taps, gains, errors)
-    raise ValueError(f"no {TAPS_MOST} taps are off by at most {error:.2g} of the order {most} on {steps} steps")
+            return CircularTaps(taps, gains, errors)
+    raise ValueError(f"no {MAX_TAPS} taps are off by at most {error:.2g} of the order {most} on {steps} steps")
 
 
 @lru_cache(maxsize=256)
-def _filtered(count: int, band: float, neighbours: int, width: int = 0) -> Steps:
-    """Return the least-squares filter of a kernel, fitted at Chebyshev points of the band."""
-    taps, each = _kernel(count, band), np.arange(neighbours + 1)
-    twice, reach = np.where(each > 0, 2.0, 1.0), count + 2 * neighbours + width
+def _fit_filter(count: int, band: float, neighbours: int, width: int = 0) -> FilteredTaps:
+    """Return the kernel of `count` taps with a filter of `neighbours` on each side, fitted by least squares."""
+    taps, distance = _kaiser_bessel(count, band), np.arange(neighbours + 1)
+    times, reach = np.where(distance > 0, 2.0, 1.0), count + 2 * neighbours + width
 
     def response(w: Array) -> Array:
-        return np.sinc(w * (width / _TURN))
+        return np.sinc(w * (width / _TWO_PI))
 
     fit = _chebyshev(4 * reach, band)[: 2 * reach]
-    # Even filters have real responses: cosines of the distance of neighbours.
-    factors = np.cos(np.outer(fit, each)) * twice
-    weights, *_ = np.linalg.lstsq(factors * _transform(taps, fit)[:, None], response(fit), rcond=1e-15)
-    # Points at which the error is evaluated, independent of those of the fit.
+    # The response of an even filter is a sum of cosines of w times the distance.
+    factors = np.cos(np.outer(fit, distance)) * times
+    weights, *_ = np.linalg.lstsq(factors * _mean_response(taps, fit)[:, None], response(fit), rcond=1e-15)
+    # The error is evaluated at frequencies other than those of the fit.
     w = _chebyshev(2 * math.ceil(1.18 * reach * band + 48), band)
-    gains = np.cos(np.outer(w, each)) @ (weights * twice)
-    whole, places = np.concatenate([weights[:0:-1], weights]), _places()
+    gains = np.cos(np.outer(w, distance)) @ (weights * times)
+    whole, positions = np.concatenate([weights[:0:-1], weights]), _check_positions()
 
-    def judged(of: Array, wanted: Array | NDArray[np.complex128]) -> tuple[float, float]:
-        sums = max(np.abs(np.convolve(row, whole)).sum() for row in of)
-        rounding = 2.0**-53 * (2 * neighbours + 8) * _ROOT * np.abs(of).sum(axis=1).max() * np.abs(whole).sum()
-        return _ROOT * float(_off(taps, w, gains, of, wanted).max() + rounding), _BETWEEN * float(sums)
+    def bounds(rows: Array, target: Array | NDArray[np.complex128]) -> tuple[float, float]:
+        sums = max(np.abs(np.convolve(row, whole)).sum() for row in rows)
+        rounding = 2.0**-53 * (2 * neighbours + 8) * _SQRT_2 * np.abs(rows).sum(axis=1).max() * np.abs(whole).sum()
+        error = _wave_errors(taps, w, gains, rows, target).max() + rounding
+        return _SQRT_2 * float(error), _BETWEEN_POINTS * float(sums)
 
-    # Errors are judged, not derived: certificate, section 16, "Between circles".
-    error, gain = judged(taps.at(places), response(w))
-    return Steps(taps, weights, error, gain, *judged(taps.slopes(places), np.asarray(1j * w * response(w))))
+    # Errors are bounded from their values at points: certificate, section 16, "Between circles".
+    error, gain = bounds(taps.at(positions), response(w))
+    return FilteredTaps(taps, weights, error, gain, *bounds(taps.slopes(positions), np.asarray(1j * w * response(w))))
 
 
-def _kernel(count: int, band: float) -> Taps:
-    """Return the Kaiser-Bessel kernel for a band, as polynomials."""
+def _kaiser_bessel(count: int, band: float) -> Taps:
+    """Return a Kaiser-Bessel kernel of `count` taps for a band (radians per step), as polynomials."""
     t = 0.5 * (1.0 + _chebyshev(_DEGREE + 1))
-    # The main lobe of the window's transform ends near the copy of the band, at 2 pi - band.
+    # The main lobe of the kernel's transform ends near 2 pi - band, where the first copy of the band begins.
     beta = 0.975 * math.pi * count * (1.0 - 0.5 * band / math.pi)
     z = (t[:, None] - np.arange(1.0 - count // 2, count // 2 + 1)) * (2.0 / count)
-    # The Kaiser-Bessel window.
     values = np.i0(beta * np.sqrt(np.maximum(0.0, 1.0 - z * z))) / np.i0(beta)
-    # Between two taps each weight is close to a polynomial: products of a few powers, without Bessel functions.
+    # Polynomials in t approximate the weights, so that interpolation evaluates no Bessel functions.
     series = np.linalg.solve(np.polynomial.chebyshev.chebvander(2.0 * t - 1.0, _DEGREE), values)
-    powers = np.zeros((_DEGREE + 1, TAPS_MOST))
+    powers = np.zeros((_DEGREE + 1, MAX_TAPS))
     powers[:, :count] = (chebyshev_powers(_DEGREE + 1) @ series)[::-1]
-    made = Taps(powers, count, 0.0, 0.0)
-    gains = (_BETWEEN * float(np.abs(of(_places())).sum(axis=1).max()) for of in (made.at, made.slopes))
+    taps = Taps(powers, count, 0.0, 0.0)
+    gains = (_BETWEEN_POINTS * float(np.abs(f(_check_positions())).sum(axis=1).max()) for f in (taps.at, taps.slopes))
     return Taps(powers, count, *gains)
 
 
 @lru_cache(maxsize=4)
 def chebyshev_powers(count: int) -> Array:
     """Return the power coefficients of the first `count` Chebyshev polynomials, shape ``(powers, polynomials)``."""
-    each = [np.polynomial.chebyshev.cheb2poly(row[: k + 1]) for k, row in enumerate(np.eye(count))]
-    return np.stack([np.pad(row, (0, count - 1 - k)) for k, row in enumerate(each)], axis=1)
+    rows = [np.polynomial.chebyshev.cheb2poly(row[: k + 1]) for k, row in enumerate(np.eye(count))]
+    return np.stack([np.pad(row, (0, count - 1 - k)) for k, row in enumerate(rows)], axis=1)
 
 
-def _transform(taps: Taps, w: Array) -> Array:
-    """Return the response of a kernel to frequencies `w`, averaged over all positions."""
+def _mean_response(taps: Taps, w: Array) -> Array:
+    """Return the response of a kernel to frequencies `w`, averaged over positions t: the transform of the kernel."""
     t = 0.5 * (1.0 + _chebyshev(9))
-    turned = np.exp(1j * w[:, None, None] * (taps.places - t[:, None]))
-    return np.asarray(np.einsum("wtk,tk->w", turned.real, taps.at(t)) / t.size)
+    waves = np.exp(1j * w[:, None, None] * (taps.places - t[:, None]))
+    return np.asarray(np.einsum("wtk,tk->w", waves.real, taps.at(t)) / t.size)
 
 
-def _off(taps: Taps, w: Array, gains: Array, weights: Array, wanted: Array | NDArray[np.complex128]) -> Array:
-    """Return the error bound of each frequency, shape ``(len(w), positions)``, for a `wanted` response."""
-    turned = np.exp(1j * np.outer(w, _places()))
-    off = np.abs(wanted[:, None] * turned - gains[:, None] * (np.exp(1j * np.outer(w, taps.places)) @ weights.T))
-    # Weights are sums of 16 powers, with one rounding each.
-    rounding = 2.0**-53 * (taps.size + _DEGREE) * _ROOT * np.abs(weights).sum(axis=1).max() * np.abs(gains)
-    return np.asarray(_ROOT * (off + rounding[:, None]))
+def _wave_errors(taps: Taps, w: Array, gains: Array, weights: Array, target: Array | NDArray[np.complex128]) -> Array:
+    """Return bounds on the error of `target` times ``exp(i w t)``, shape ``(len(w), positions)``."""
+    waves = np.exp(1j * np.outer(w, _check_positions()))
+    error = np.abs(target[:, None] * waves - gains[:, None] * (np.exp(1j * np.outer(w, taps.places)) @ weights.T))
+    # Rounding: one error for each of the powers of a weight, and one for each tap.
+    rounding = 2.0**-53 * (taps.size + _DEGREE) * _SQRT_2 * np.abs(weights).sum(axis=1).max() * np.abs(gains)
+    return np.asarray(_SQRT_2 * (error + rounding[:, None]))
 
 
-def _values(polynomials: Array, t: Array) -> Array:
+def _evaluate(polynomials: Array, t: Array) -> Array:
     return np.asarray(np.polynomial.polynomial.polyval(2.0 * t - 1.0, polynomials).T)
 
 
-def _places() -> Array:
-    return np.asarray(0.5 * (1.0 + _chebyshev(_PLACES)))
+def _check_positions() -> Array:
+    return np.asarray(0.5 * (1.0 + _chebyshev(_CHECK_POINTS)))
 
 
 def _chebyshev(count: int, band: float = 1.0) -> Array:
-    """Return Chebyshev points of -band to band, from the highest down."""
+    """Return `count` Chebyshev points from band down to -band."""
     return np.asarray(band * np.cos((np.arange(count) + 0.5) * (math.pi / count)), dtype=np.float64)

@@ -155,7 +155,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         most = across.shape[1] // 2 + shift
         # The intensity has twice the orders of a field; this number of angles separates them.
         angles = fft_length(4 * most + 1)
-        around = interpolation.orders(2 * most, 2 * angles, max(accuracy.around, _AROUND))
+        around = interpolation.circular_taps(2 * most, 2 * angles, max(accuracy.around, _AROUND))
         waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
         sums = Rings(
             bessel=_bessel(rule.rho.tobytes(), 0.5 * band, circles, most + 1),
@@ -213,7 +213,7 @@ def _circle_error(found: Ringed, field_errors: Array, most: int, angles: int) ->
 
 
 def _pixel_error(
-    found: Ringed, wrong: Array, along: interpolation.Steps, around: interpolation.Orders, angles: int
+    found: Ringed, wrong: Array, along: interpolation.FilteredTaps, around: interpolation.CircularTaps, angles: int
 ) -> Array:
     """Bound the error of pixels: interpolation between and around circles, intensities, roundings."""
     sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
@@ -224,9 +224,9 @@ def _pixel_error(
 
 
 @lru_cache(maxsize=64)
-def _along(error: float) -> tuple[float, interpolation.Steps]:
+def _along(error: float) -> tuple[float, interpolation.FilteredTaps]:
     band, least = next((way for way in _BANDS if error >= way.least), _BANDS[-1])
-    return band, interpolation.steps(band, max(error, least))
+    return band, interpolation.filtered_taps(band, max(error, least))
 
 
 def squares(form: Complex) -> Complex:

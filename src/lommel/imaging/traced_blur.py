@@ -50,10 +50,10 @@ class Optics(NamedTuple):
     sensor_distance: float
     f_number: float
     rad_per_dioptre: float  # C_d = rad_per_dioptre (vergence + 1 / distance), with a vergence in 1/m
-    focus: tuple[float, float] | None
-    stops: tuple[float, float] | None
-    defocus: float
-    zernike: tuple[tuple[Term, float], ...]
+    focus: tuple[float, float] | None  # valid range of the focus distance (m); None if it is fixed
+    stops: tuple[float, float] | None  # valid range of the f-number; None if it is fixed
+    defocus: float  # largest magnitude of additional C_d (rad)
+    zernike: tuple[tuple[Term, float], ...]  # terms, each with the largest magnitude of its coefficient (rad)
 
     def at(self, focus_distance: Operand, f_number: Operand) -> tuple[Operand, Operand, Operand]:
         """Return the vergence (1/m), `rad_per_dioptre`, and the ratio of PSF sizes to the given lens (None: 1)."""
@@ -491,11 +491,11 @@ class TracedBlur:
         if coefficients is not None:
             assert static.aberrated is not None
             one = xp.ones_like(tables["nodes"][0]) if size_ratio is None else size_ratio
-            made = []
+            kernels = []
             for part in parts:
                 whole = static.aberrated(ns, tables, tables["nodes"][part], coefficients, one)
-                made.append(xp.fft.rfftn(_with_centre_first(xp, whole, static.half, fft_shape), axes=(-2, -1)))
-            return made
+                kernels.append(xp.fft.rfftn(_with_centre_first(xp, whole, static.half, fft_shape), axes=(-2, -1)))
+            return kernels
         if size_ratio is None:
             windows = xp.sum(tables["windows"] * tables["as given"], axis=0)
         else:
@@ -507,14 +507,14 @@ class TracedBlur:
             windows = xp.sum(tables["windows"] * xp.reshape(weights, (-1, 1, 1, 1)), axis=0)
         # Windows are symmetric: their spectra are real cosine transforms of one quadrant.
         down, across = (_cosines(ns, n, tables, every) for n, every in zip(fft_shape, (True, False), strict=True))
-        made = []
+        kernels = []
         for part in parts:
             octants = windows[part, ...]
             quarter = xp.reshape(
                 xp.take(octants, tables["cell"], axis=-1), (*octants.shape[:2], *(2 * (static.half + 1,)))
             )
-            made.append(ns.matmul(ns.matmul(down, quarter), xp.permute_dims(across, (1, 0))))
-        return made
+            kernels.append(ns.matmul(ns.matmul(down, quarter), xp.permute_dims(across, (1, 0))))
+        return kernels
 
     def _spectrum(self, image: Operand, c: Operand, fft_shape: tuple[int, ...], kernels: list[Tensor]) -> Tensor:
         """Return the spectrum of the blurred image (..., channels, rows, columns)."""

@@ -5,7 +5,7 @@ intensity I over a pixel multiplies its transfer function (OTF) by ``sinc(a wx /
 sin(x) / x``. The OTF vanishes beyond ``|w| = 2``. Taps c_k on samples of spacing h therefore average over a pixel if
 their response ``C(w) = sum_k c_k cos(k h w)`` is the sinc for ``|w| <= 2``; they act along rows, then along columns.
 An error eps of the response changes an average by at most ``(2 eps + eps^2) int |OTF| dw``; the integral is at most
-the peak intensity without aberrations. Far from the axis of a circular or annular pupil, averages have a closed form.
+the peak intensity without aberrations. Far pixels, far off the axis of a circular or annular pupil, need no samples.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], 
         return tall * wide + (_TAP_COST * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
 
     # At least 2 samples per two pixels: with 1, interpolation half-way between samples would magnify errors.
-    # Filters with a bounded mean error allow a spacing h up to pi / 2; others need a gap between band and copy.
+    # Filters with a bounded mean error allow a spacing h up to pi / 2; others need a gap below the first alias.
     least = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _PAIR_SPACING)
     counts = range(max(2, math.ceil(least)), 2 * across + 1)
     fewest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _PAIR_SPACING), key=cost)
@@ -95,8 +95,8 @@ def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], 
 
 def _half_length(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
     """Estimate the number of samples on each side of the middle of a filter, at s samples per two pixels."""
-    # Gap between the band of I and its first copy, relative to the sampling frequency 2 pi / h (certificate, "Samples
-    # that pixels share"). The length of a filter is inversely proportional to the gap.
+    # Gap between the band of I and its first alias, relative to the sampling frequency 2 pi / h: the filter length
+    # is inversely proportional to it (certificate, "Samples that pixels share").
     gap = 1.0 - 4.0 * step / (s * math.pi)
     if in_disc:
         # Without a gap the error falls only as a power of the length.
@@ -184,9 +184,9 @@ def _averages_at_spacing(
     *,
     gradients: bool,
 ) -> Averages:
-    # Scaling v: light of twice the bandwidth needs the filter of pixels of twice the pitch.
-    faster, ceiling = (1.0, pupil.amplitude**2) if band is None else band
-    step, normalize = faster * grid.step(pupil), wanted.scale is None
+    # Light of twice the bandwidth needs the filter of twice the pitch. `ceiling` bounds the integral of |OTF|.
+    bandwidth, ceiling = (1.0, pupil.amplitude**2) if band is None else band
+    step, normalize = bandwidth * grid.step(pupil), wanted.scale is None
     lowest = least_average(step)
     tol_stored = error_before_storing(tol, wanted)
     err_samples, err_response = _first_errors(tol_stored, step)
@@ -334,7 +334,7 @@ def _near_and_far(
         except (Declined, ToleranceError):
             return None
         try:
-            inner = pixel_averages(sample, pupil, box, tol, wanted)  # Declined here means Declined for the window
+            inner = pixel_averages(sample, pupil, box, tol, wanted)  # Declined is raised for the whole window
         except ToleranceError:
             return None  # samples of the whole window may keep the tolerance: its peak may be larger
         err_outer = outer.error / inner.peak
@@ -429,7 +429,7 @@ def _sinc(step: float) -> Callable[[Array], Array]:
 
 @lru_cache(maxsize=64)
 def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, in_disc: bool = False) -> Taps:
-    """Return the averaging filter that takes the least time for a window of `shape`; two pixels may share samples."""
+    """Return the averaging filter of least cost for a window of `shape`; two pixels may share samples."""
     s = pair_stride(step, error, samples_across(step), shape, in_disc=in_disc)
     if s % 2 == 0:
         return _shortest_filter(
@@ -509,24 +509,24 @@ def _average_stack(
     for part, one, pixels in blocks(pupil, grid, taps, images):
         for fine, rows in _sample_strips(total[:, part], pixels, taps):
             # Strips limit the memory for samples; errors are the largest of all strips.
-            made = sample(one, fine, tol, request)
-            off = made.bound * made.brightest
-            error[0, part] = np.maximum(error[0, part], taps.gain**2 * off)
-            peaks[0, part] = np.maximum(peaks[0, part], made.brightest - off)
-            limit = dark * float(made.brightest.min())
-            average_samples(made.values, _weight_rows(taps), taps.stride, wanted.threads, rows[0], dark=limit)
+            sampled = sample(one, fine, tol, request)
+            err = sampled.bound * sampled.brightest
+            error[0, part] = np.maximum(error[0, part], taps.gain**2 * err)
+            peaks[0, part] = np.maximum(peaks[0, part], sampled.brightest - err)
+            limit = dark * float(sampled.brightest.min())
+            average_samples(sampled.values, _weight_rows(taps), taps.stride, wanted.threads, rows[0], dark=limit)
             if slope is not None:
-                error[-2:, part] = np.maximum(error[-2:, part], taps.gain * slope.gain * off)
-                peaks[-2:, part] = np.maximum(peaks[-2:, part], made.brightest + off)
+                error[-2:, part] = np.maximum(error[-2:, part], taps.gain * slope.gain * err)
+                peaks[-2:, part] = np.maximum(peaks[-2:, part], sampled.brightest + err)
                 for down, across, out in ((slope, taps, rows[-2]), (taps, slope, rows[-1])):
-                    _filter_into(made.values, down, across, wanted.threads, out)
-            if made.slopes is None:
+                    _filter_into(sampled.values, down, across, wanted.threads, out)
+            if sampled.slopes is None:
                 continue
-            size = np.abs(made.slopes.values).max(axis=(2, 3))
-            peaks[1:images, part] = np.maximum(peaks[1:images, part], size)
-            off = taps.gain**2 * made.slopes.error * made.brightest
-            error[1:images, part] = np.maximum(error[1:images, part], off)
-            for slopes, out in zip(made.slopes.values, rows[1:images], strict=True):
+            steepest = np.abs(sampled.slopes.values).max(axis=(2, 3))
+            peaks[1:images, part] = np.maximum(peaks[1:images, part], steepest)
+            err = taps.gain**2 * sampled.slopes.error * sampled.brightest
+            error[1:images, part] = np.maximum(error[1:images, part], err)
+            for slopes, out in zip(sampled.slopes.values, rows[1:images], strict=True):
                 average_samples(slopes, _weight_rows(taps), taps.stride, wanted.threads, out, -math.inf)
     return total, error, peaks
 

@@ -85,9 +85,9 @@ def filtered_taps(band: float, error: float, width: int = 0) -> FilteredTaps:
 
     If `width` is not 0, the taps interpolate averages over `width` steps instead of point values.
     """
-    # The error is, within 1e-17, a polynomial of degree 40 in t and ``1.18 n band + 48`` in w, n being the number of
-    # samples used. At twice as many Chebyshev points its maximum is at most sqrt(2) too small, in t and in w. Sums of
-    # moduli are, for given signs, polynomials of degree 16, at most 1.06 times as large as at these points.
+    # The error is, within 1e-17, a polynomial of degree 40 in t and ``1.18 n band + 48`` in w, with n = taps + 2
+    # neighbours + width. It is at most sqrt(2) times its maximum at twice as many Chebyshev points, for t and for w.
+    # Sums of moduli are, for given signs, polynomials of degree 16: at most 1.06 times their maximum at 80 points.
     # Taps take time for every interpolated value, the filter only once. The number of taps is therefore minimized
     # first, with the largest filter, then the number of neighbours in the filter.
     for count in range(4, MAX_TAPS + 1, 2):

@@ -91,7 +91,7 @@ class Pixels(NamedTuple):
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
-        # The middle row and column are not mirrored.
+        # The middle row and column occur once; for even sides the outermost ones occur only above and on the left.
         right = quarter[..., : across + 1 - (self.width + 1) % 2]
         half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
         lower = half[..., : down + 1 - (self.height + 1) % 2, :]
@@ -538,7 +538,7 @@ def _fields(
 
 
 def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
-    """Return the largest bound of the stack, and of stack and intermediate pupils in the valid range together."""
+    """Return the largest bound of tested members of the stack, and of those and intermediate pupils together."""
     numpy = Namespace.of(None)
     plan = TracedPSF(static._replace(namespace=numpy), tables)
     boxed = isinstance(static.lights[0][1], Radial)
@@ -618,8 +618,8 @@ def on_lattice(
             break
     else:
         raise ValueError(
-            "pixel is too large for a wavefront without radial symmetry, got "
-            f"{stretch * step / math.pi:.4g} lambda*N; take smaller pixels"
+            f"pixel is too large to be averaged by {_MAX_SAMPLES} x {_MAX_SAMPLES} samples, got "
+            f"{stretch * step / math.pi:.4g} lambda*N at the shortest wavelength; take smaller pixels"
         )
     nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
     share = (weights[:, None, None, None] * weights[:, None]) / step**2

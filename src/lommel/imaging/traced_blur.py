@@ -229,7 +229,7 @@ class TracedBlur:
         self._require_optics(lens, tuple(image.shape))
         if occlusion and lens["zernike"] is not None and len(lens["zernike"].shape) > 2:
             raise ValueError(
-                "occlusion needs the same aberrations all over the field: zernike of the shape (k,) or (n, k)"
+                "occlusion needs the same aberrations all over the field; give zernike in the shape (k,) or (n, k)"
             )
         if check:
             self._require_values(image, distance, lens)
@@ -245,9 +245,8 @@ class TracedBlur:
         given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
         if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
             along.add("defocus")
-        # Operands with one element along the batch are shared, not mapped.
+        # Operands of batch length 1 apply to all images: they are not mapped.
         axes = {name: 0 if name in along and given[name].shape[0] > 1 else None for name in given}
-        # Operands of batch length 1 apply to all images.
         given |= {name: given[name][0, ...] for name in along if axes[name] is None}
 
         def one(of: Mapping[str, Operand]) -> Tensor:
@@ -497,7 +496,7 @@ class TracedBlur:
                 kernels.append(xp.fft.rfftn(_with_centre_first(xp, whole, static.half, fft_shape), axes=(-2, -1)))
             return kernels
         if size_ratio is None:
-            windows = xp.sum(tables["windows"] * tables["as given"], axis=0)
+            windows = xp.sum(tables["windows"] * tables["given lens"], axis=0)
         else:
             low, high = static.log_ratios
             # Position from -1 to 1 in the range of PSF sizes, on a logarithmic scale.
@@ -692,7 +691,7 @@ def traced_blur(
     pixel : float
         Pixel pitch, metres.
     xp, device
-        As of :meth:`lommel.Plan.traced`.
+        As for :meth:`lommel.Plan.traced`.
     wavelengths : Channels or sequence, optional
         :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel, such as
         ``lommel.imaging.RED_GREEN_BLUE``. By default one channel, at the wavelength of the lens.
@@ -778,12 +777,12 @@ def traced_blur(
     nodes = np.concatenate([layer.nodes for layer in layers])
     given_windows = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
     table, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, allowed)
-    # The marginal ray moves 4 lambda N / pi per radian of C_d: a step of step / 4 radians is about one pixel.
+    # The marginal ray moves 4 lambda N / pi per radian of C_d: about one pixel (`step` in v) per step / 4 radians.
     screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _MAX_SCREENS)))
     tables: dict[str, Values] = {
         "windows": table,
         "transform": transform,
-        "as given": _given_lens_weights(log_ratios, transform).reshape(-1, 1, 1, 1),
+        "given lens": _given_lens_weights(log_ratios, transform).reshape(-1, 1, 1, 1),
         "nodes": nodes,
         "at": np.arange(half + 1, dtype=np.int32),
         "once": np.where(np.arange(half + 1) == 0, 1.0, 2.0),
@@ -961,7 +960,7 @@ def _measured_error(blur: TracedBlur, exact: _ExactWindows, draw: np.random.Gene
     """Return the largest error of interpolated windows at 12 random C_d, relative to their peaks."""
     edges, tables = np.array(blur._static.edges), blur.tables
     c = np.sort(draw.uniform(edges[0], edges[-1], 12))
-    windows = np.asarray(tables["windows"] * tables["as given"]).sum(axis=0)
+    windows = np.asarray(tables["windows"] * tables["given lens"]).sum(axis=0)
     weights = np.concatenate([np.asarray(part) for part in blur._weights(c)])
     truth = exact(c, 0.0)
     error = np.tensordot(weights.T, windows, 1) - truth

@@ -19,8 +19,8 @@
 
 namespace lommel {
 
-// values, per plane: sum over pixels of weight x intensity; its derivatives by the parameters whose derivatives of the field are the
-// sets 1, 2, ... (set 0: the field); then those by Zernike coefficients.
+// values, per plane: sum over pixels of weight x intensity; its derivatives by the parameters whose derivatives of the field are
+// the sets 1, 2, ... (set 0: the field); then those by Zernike coefficients.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;

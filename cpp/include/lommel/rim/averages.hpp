@@ -125,8 +125,9 @@ class RimAverages : RimStack {
     // Write the image of a pupil from `averages` and answer_.near; returns the largest average outside the pupil's box.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // For the k-th derivative of the pupil function with coefficients `own`, divided by rim_scale(k). each[k]: bound on the aliasing
-    // error of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound on the sum of the moduli of its terms.
+    // For the k-th derivative of the pupil function with coefficients `own`, divided by rim_scale(k). each[k]: bound on the
+    // aliasing error of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound on the sum of the moduli of
+    // its terms.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 

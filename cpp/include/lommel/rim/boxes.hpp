@@ -30,8 +30,8 @@ class RimBoxes {
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Largest diagonal, in pixels, of windows whose far pixels are computed from the waves of the rim. It is multiplied by the root of the number of
-    // pupils, which share tables, and divided by the root of the pixel pitch in lambda / (2 pi NA).
+    // Largest diagonal, in pixels, of windows whose far pixels are computed from the waves of the rim. It is multiplied by the root
+    // of the number of pupils, which share tables, and divided by the root of the pixel pitch in lambda / (2 pi NA).
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most

@@ -263,7 +263,8 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
 }
 
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // Least bound, over several Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over -1 <= t <= 1, |w| <= 2.
+    // Least bound, over several Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over -1 <= t <= 1, |w| <=
+    // 2.
     double least = 1.0;
     for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
         const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));

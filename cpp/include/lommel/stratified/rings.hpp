@@ -38,8 +38,8 @@ struct RingTaps {
     std::size_t terms, count;
 };
 
-// Interpolation from `angles` equidistant angles on each circle to any position: each circle is replaced by a weighted sum
-// of itself and its neighbours, azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius and around. The
+// Interpolation from `angles` equidistant angles on each circle to any position: each circle is replaced by a weighted sum of
+// itself and its neighbours, azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius and around. The
 // interpolation error of order m is at most aliases[m] times its modulus.
 struct RingSteps {
     std::size_t angles;

@@ -115,7 +115,7 @@ def sharpen(
                 status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
             seconds = time.perf_counter() - start
         lost = None if video is None else video.lost
-        ended = "interrupted" if stop.asked else lost or "the end"
+        ended = "interrupted" if stop.requested else lost or "the end"
         if not count:
             raise ValueError(f"no frame was read: {ended}")
     height, width = shape[:2]
@@ -144,7 +144,7 @@ def sharpen(
         line(f"focus {format_length(one.focus_distance)}"),
     ]
     if video is not None:
-        bits, lossy = coding.compressed(video.bits, mean)
+        bits, lossy = coding.check_compression(video.bits, mean)
         lines += [lossy] if lossy else []
         facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
         refused = f", of another size: {video.refused}" if video.refused else ""

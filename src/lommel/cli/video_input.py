@@ -1,4 +1,4 @@
-"""What commands on video share: how values are light, and with what noise; Ctrl-C."""
+"""Encoding and noise of video frames, and stopping by Ctrl-C, for the commands that read video."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from lommel.report import Facts
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera
 
-Kept = TypeVar("Kept")
+Frame = TypeVar("Frame")
 
-_WHITE, _READ = 5000.0, 3.0  # electrons, of 8-bit video of which nothing is stated
-_LOSSY = 0.95  # of the bits that noise takes: compression that leaves less is told
-_LAST = 1e-5  # of white, less than half a step of 16 bits of sRGB there
-_DARK = 0.02  # of white: below it the noise of stored values is not fitted
-_BAND = 6.0  # rows, rms, in which the brightness of frames is compared
-_FAINT = 0.1  # of the mean: rows that are darker are not
+_DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, of 8-bit sRGB without a statement
+_MIN_BITS = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits raise a warning
+_TOP_MARGIN = 1e-5  # fraction of white by which saturation is below it: less than half a 16-bit sRGB step
+_FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
+_ROW_SMOOTHING = 6.0  # standard deviation, rows, of the Gaussian that smooths the brightness of rows
+_DARK_ROW = 0.1  # fraction of the mean brightness of rows: darker rows are not equalized
 
 ENCODING = option(type=click.Choice(["srgb", "linear"]),
     help="Encoding of the values; by default grey of more than 8 bits and floats are linear, all else is "
@@ -39,7 +39,7 @@ ENCODING = option(type=click.Choice(["srgb", "linear"]),
 
 
 class VideoNoise(PhotoNoise, heading="Noise"):
-    """The noise of frames, and where they saturate."""
+    """Options for the noise and the saturation of frames."""
 
     # fmt: off
     saturation: float | None = option(type=float,
@@ -49,115 +49,113 @@ class VideoNoise(PhotoNoise, heading="Noise"):
 
 
 class Coding(NamedTuple):
-    """How stored values are light, and with what noise."""
+    """Encoding and noise of stored values."""
 
-    encoding: str
-    levels: int  # that values are stored in, 0 for floats
-    white: float  # electrons at white, with rounding as a part of the noise
-    noise: Noise  # of what `light` returns
-    saturation: float | None  # of the same
-    guess: str  # sentence on a noise that is a guess, or ""
-    words: str
+    encoding: str  # "srgb" or "linear"
+    levels: int  # number of integer levels, 0 for floats
+    white: float  # electrons at white, in the noise model that includes rounding
+    noise: Noise  # noise of the values that `light` returns
+    saturation: float | None  # saturation level of the values that `light` returns; None if there is none
+    guess: str  # sentence that calls the noise a guess, or ""
+    words: str  # description of the encoding for the report
     facts: Facts
 
     def light(self, values: Values) -> Values:
-        """Return what live filters take: integers that are linear as they are, all else as linear light."""
+        """Return values for the live filters: sRGB is decoded, linear values stay unchanged."""
         return to_light("the video", values, "srgb", np.float32) if self.encoding == "srgb" else values
 
     def noise_bits(self, electrons: float) -> float:
-        """Return the bits that the noise of a pixel of so many electrons takes: the entropy of a normal variable."""
-        spread = math.hypot(math.sqrt(electrons), self.noise.read)
-        ends = np.clip(np.array([electrons - spread, electrons + spread]) / self.white, 0.0, 1.0)
+        """Return the entropy of a stored pixel's noise, bits, at a number of electrons, taking it as normal."""
+        deviation = math.hypot(math.sqrt(electrons), self.noise.read)
+        ends = np.clip(np.array([electrons - deviation, electrons + deviation]) / self.white, 0.0, 1.0)
         low, high = from_light(ends, self.encoding, np.float64)
-        levels = 0.5 * (self.levels - 1) * float(high - low)
-        return max(0.0, math.log2(max(levels, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
+        steps = 0.5 * (self.levels - 1) * float(high - low)  # standard deviation in steps between levels
+        return max(0.0, math.log2(max(steps, 0.1) * math.sqrt(2.0 * math.pi * math.e)))
 
-    def compressed(self, bits: float | None, light: float) -> tuple[Facts, str]:
-        """Return bits a pixel of compressed video, with those of noise, and a sentence if they are too few for it."""
-        if bits is None or math.isnan(light):
+    def check_compression(self, bits: float | None, electrons: float) -> tuple[Facts, str]:
+        """Return the `bits` a pixel of compressed video (or None) and of noise, and a warning if noise is lost."""
+        if bits is None or math.isnan(electrons):
             return {"bits": None, "noise_bits": None}, ""
-        noise, sentence = self.noise_bits(light), ""
-        if bits < _LOSSY * noise:
-            sentence = (
-                f"Compression leaves {bits:.2g} bits a pixel, and noise alone takes {noise:.2g}: fine texture is "
-                "lost with it, and depth may be wrong by many standard errors. Record without compression, or with "
-                "less."
+        noise, warning = self.noise_bits(electrons), ""
+        if bits < _MIN_BITS * noise:
+            warning = (
+                f"Compression leaves {bits:.2g} bits a pixel, but the noise alone has {noise:.2g}: fine texture is "
+                "lost, and depth may be wrong by many standard errors. Record with less compression or none."
             )
-        return {"bits": bits, "noise_bits": noise}, sentence
+        return {"bits": bits, "noise_bits": noise}, warning
 
 
 def equalize_rows(first: Values, second: Values, coding: Coding) -> list[Values]:
-    """Return two frames whose ratio of brightness is the same in all rows; full pixels are NaN.
+    """Return two frames, the second scaled row by row to a uniform ratio of brightness; saturated pixels are NaN.
 
-    Lamps that flicker make bands where a shutter rolls over the rows, and no smooth ratio of exposures follows them.
+    Flickering lamps make bands under a rolling shutter, and a smooth ratio of exposures cannot follow bands.
     """
-    light = [each.astype(np.float32) - np.float32(coding.noise.offset) for each in (first, second)]
-    full = math.inf if coding.saturation is None else coding.saturation - float(coding.noise.offset)
-    known = np.logical_and(*(each < full for each in light))
-    if not known.all():
-        light = [np.where(known, each, np.float32(np.nan)) for each in light]
-    rows = [gaussian_filter1d(np.nansum(each, axis=1, dtype=np.float64), _BAND) for each in light]
-    bright = np.minimum(*rows) > _FAINT * max(rows[0].mean(), rows[1].mean())
+    light = [frame.astype(np.float32) - np.float32(coding.noise.offset) for frame in (first, second)]
+    limit = math.inf if coding.saturation is None else coding.saturation - float(coding.noise.offset)
+    valid = np.logical_and(*(frame < limit for frame in light))
+    if not valid.all():
+        light = [np.where(valid, frame, np.float32(np.nan)) for frame in light]
+    rows = [gaussian_filter1d(np.nansum(frame, axis=1, dtype=np.float64), _ROW_SMOOTHING) for frame in light]
+    bright = np.minimum(*rows) > _DARK_ROW * max(rows[0].mean(), rows[1].mean())
     if bright.any():
         ratio = np.ones(len(rows[0]))
         np.divide(rows[1], rows[0], out=ratio, where=bright)
         ratio[bright] *= rows[0][bright].sum() / rows[1][bright].sum()
         light[1] *= (1.0 / np.clip(ratio, 0.5, 2.0)).astype(np.float32)[:, None]
-    for each in light:
-        each += np.float32(coding.noise.offset)
+    for frame in light:
+        frame += np.float32(coding.noise.offset)
     return light
 
 
 def coding_of(
     levels: int,
     dtype: np.dtype[np.generic],
-    usual: str,
+    default_encoding: str,
     noisy: VideoNoise,
     camera: Camera | None,
     encoding: str | None,
 ) -> Coding:
-    """Return the coding of values by the options --white, --read, --offset and --saturation.
+    """Return the coding of stored values from the options --white, --read, --offset, --saturation and --encoding.
 
-    The noise of 8-bit sRGB is a guess where nothing is stated, and said to be one in any case.
+    The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
     """
-    used = encoding or usual
-    guessed = used == "srgb" and levels == 256
-    given, assumed = vars(noisy).copy(), []
-    for name, value in (("white", _WHITE), ("read", _READ)) if guessed else ():
-        stated = camera and (camera.full_well if name == "white" else camera.read)
-        if given[name] is None and stated is None:
-            given[name] = value
+    chosen = encoding or default_encoding
+    guessed = chosen == "srgb" and levels == 256
+    options, assumed = vars(noisy).copy(), []
+    for name, value in (("white", _DEFAULT_WHITE), ("read", _DEFAULT_READ)) if guessed else ():
+        of_camera = camera and (camera.full_well if name == "white" else camera.read)
+        if options[name] is None and of_camera is None:
+            options[name] = value
             assumed.append(f"--{name}")
-    sensor = noise_of(given, camera, photographs=True)
+    sensor = noise_of(options, camera, photographs=True)
     white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
-    top = 1.0 if used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
-    gain, noise = stored_noise(white, read, levels, used)
+    value_of_white = 1.0 if chosen == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
+    stored_white, stored_read = stored_noise(white, read, levels, chosen)
     bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
-    name, other = ("sRGB", "linear") if used == "srgb" else ("linear", "sRGB")
-    words = f"{bits} values, {name}"
+    label, other = ("sRGB", "linear") if chosen == "srgb" else ("linear", "sRGB")
+    words = f"{bits} values, {label}"
     if encoding is None:
-        words = f"{bits} values, assumed {name}; if they are {other}, give --encoding {other.lower()}"
+        words = f"{bits} values, assumed {label}; if they are {other}, give --encoding {other.lower()}"
     guess = ""
     if guessed:
-        who = f"taken for want of {' and '.join(assumed)}" if assumed else "as stated"
+        source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
         guess = (
             f"The noise of 8-bit sRGB values is a guess, for cameras denoise and compress them: {white:g} electrons "
-            f"at white, read noise {read:g} electrons ({who}), and rounding."
+            f"at white, read noise {read:g} electrons ({source}), and rounding."
         )
     facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
-    full = None if noisy.saturation is None else noisy.saturation * top
+    saturation = None if noisy.saturation is None else noisy.saturation * value_of_white
     if levels:
-        full = min(math.inf if full is None else full, (1.0 - _LAST) * top)
-    return Coding(
-        used, levels, gain, Noise(white=gain / top, read=noise, offset=offset * top), full, guess, words, facts
-    )
+        saturation = min(math.inf if saturation is None else saturation, (1.0 - _TOP_MARGIN) * value_of_white)
+    noise = Noise(white=stored_white / value_of_white, read=stored_read, offset=offset * value_of_white)
+    return Coding(chosen, levels, stored_white, noise, saturation, guess, words, facts)
 
 
 def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:
-    """Return electrons at white and read noise of linear light that was stored in so many levels, 0 for floats.
+    """Return electrons at white and read noise, electrons, of linear light after rounding to `levels`, 0 for floats.
 
-    Rounding adds a twelfth of the squared step. The steps of sRGB grow with the light, nearly as the variance of
-    photons does: both together are a gain and a read noise, by least squares in units of the variance.
+    Rounding adds a twelfth of the squared step to the variance. The squared step of sRGB grows with the light, so
+    that the total variance is nearly linear in the light: a least-squares line, with relative residuals, gives both.
     """
     if not levels:
         return white, read
@@ -165,40 +163,40 @@ def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple
         return white, math.hypot(read, white / (levels - 1) / math.sqrt(12.0))
     light = to_light("levels", np.linspace(0.0, 1.0, levels), "srgb", np.float64)
     variance = light / white + (read / white) ** 2 + np.gradient(light) ** 2 / 12.0
-    fitted = light > _DARK
-    terms = np.stack([light, np.ones_like(light)], axis=1)[fitted] / variance[fitted, None]
-    slope, level = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()
-    return 1.0 / slope, math.sqrt(max(level, 0.0)) / slope
+    bright = light > _FIT_ABOVE
+    terms = np.stack([light, np.ones_like(light)], axis=1)[bright] / variance[bright, None]
+    slope, constant = np.linalg.lstsq(terms, np.ones(len(terms)), rcond=None)[0].tolist()
+    return 1.0 / slope, math.sqrt(max(constant, 0.0)) / slope
 
 
 class Stop:
-    """Ctrl-C and SIGTERM, which end a loop after the frame that is being written."""
+    """A request by Ctrl-C or SIGTERM to end a loop over frames, once the frame in progress is written."""
 
     def __init__(self) -> None:
-        self.asked = self._waits = False
+        self.requested = self._waiting = False
 
     @contextmanager
     def signals(self) -> Iterator[None]:
-        """Take the signals; a second one interrupts at once."""
+        """Handle the signals within a ``with`` block; a second signal interrupts without waiting for the frame."""
 
         def handle(_signal: int, _frame: FrameType | None) -> None:
-            again, self.asked = self.asked, True
-            if again or self._waits:  # nothing is being written
+            repeated, self.requested = self.requested, True
+            if repeated or self._waiting:  # while waiting for a frame no frame is being written
                 raise KeyboardInterrupt
 
-        before = {one: signal.signal(one, handle) for one in (signal.SIGINT, signal.SIGTERM)}
+        handlers = {number: signal.signal(number, handle) for number in (signal.SIGINT, signal.SIGTERM)}
         try:
             yield
         finally:
-            for one, old in before.items():
-                signal.signal(one, old)
+            for number, handler in handlers.items():
+                signal.signal(number, handler)
 
-    def next(self, frames: Iterator[Kept]) -> Kept | None:
-        """Return the next frame; None at the end, or when the signal comes."""
+    def next(self, frames: Iterator[Frame]) -> Frame | None:
+        """Return the next frame, or None at the end of the video or at a signal."""
         try:
-            self._waits = True
-            return None if self.asked else next(frames, None)
+            self._waiting = True
+            return None if self.requested else next(frames, None)
         except KeyboardInterrupt:
             return None
         finally:
-            self._waits = False
+            self._waiting = False

@@ -185,7 +185,7 @@ def watch(
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         ended = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
         status("finishing")
-        bits, lossy = coding.compressed(pairs.bits, tally.light)
+        bits, lossy = coding.check_compression(pairs.bits, tally.light)
         if lossy and tally.pairs < _SOON:
             status.tell(lossy)
         if not tally.pairs:
@@ -242,13 +242,13 @@ def _estimate_all(
             if alternating and not tally.jumped and (jump := tally.jump(seen)):
                 status.tell(jump)
             tally.add(seen, bool(fault))
-            if tally.pairs == _SOON and (lossy := estimator.coding.compressed(pairs.bits, tally.light)[1]):
+            if tally.pairs == _SOON and (lossy := estimator.coding.check_compression(pairs.bits, tally.light)[1]):
                 status.tell(lossy)
             closed = outputs(seen)
             if not closed:
                 status(tally.words(pairs.dropped))
         tally.stop = time.perf_counter()
-    return "interrupted" if stop.asked else pairs.lost or ("the window was closed" if closed else "the end")
+    return "interrupted" if stop.requested else pairs.lost or ("the window was closed" if closed else "the end")
 
 
 def _scale(far: float) -> float:

@@ -10,7 +10,7 @@ from lommel import _core
 from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.core import engine
 from lommel.imaging import sensor_light
-from lommel.imaging.photograph import stored
+from lommel.imaging.photograph import encode_light
 from lommel.imaging.sensor_light import SensorLight
 
 
@@ -24,7 +24,7 @@ def around(values: np.ndarray, ulps: int) -> np.ndarray:
 def test_bytes_are_those_of_the_formula_beside_every_edge(encoding, threads):
     edges = to_light("edges", (np.arange(255) + 0.5) / 255.0, encoding, np.float64)
     light = np.concatenate([around(edges, ulps) for ulps in (-3000, -6, 6, 3000)])
-    values, clipped = stored(light, encoding, np.uint8, threads)
+    values, clipped = encode_light(light, encoding, np.uint8, threads)
     assert values.dtype == np.uint8
     assert np.array_equal(values, from_light(light.astype(np.float64), encoding, np.uint8))
     assert clipped == 0.0
@@ -35,7 +35,7 @@ def test_bytes_of_an_image_are_those_of_the_formula_but_between_two_levels(encod
     rng = np.random.default_rng(0)
     light = np.concatenate([rng.uniform(-0.1, 1.2, 150_000), 10.0 ** rng.uniform(-40.0, 4.0, 49_998), [0.0, -0.0]])
     light = light.astype(np.float32).reshape(2, -1, 5)[:, ::2]
-    values, clipped = stored(light, encoding, np.uint8)
+    values, clipped = encode_light(light, encoding, np.uint8)
     wanted = from_light(light, encoding, np.uint8)
     differ = values != wanted
     assert differ.mean() <= 1e-4
@@ -49,7 +49,7 @@ def test_bytes_of_an_image_are_those_of_the_formula_but_between_two_levels(encod
 )
 def test_other_types_are_those_of_the_formula(dtype, kind):
     light = np.linspace(-0.1, 1.1, 99, dtype=dtype)
-    values, clipped = stored(light, "srgb", kind)
+    values, clipped = encode_light(light, "srgb", kind)
     assert np.array_equal(values, from_light(light, "srgb", kind))
     assert clipped == clipped_share(light, kind)
 

@@ -18,9 +18,9 @@ def made(tmp_path, monkeypatch):
     file = tmp_path / server.NAME
     file.write_text("export default { render() {} };\n", encoding="utf-8")
     monkeypatch.setattr(server, "path", lambda: file)
-    server._kind.cache_clear()
+    server._widget_class.cache_clear()
     yield
-    server._kind.cache_clear()
+    server._widget_class.cache_clear()
 
 
 def test_every_control_is_a_trait_that_reaches_the_page():

@@ -1,4 +1,4 @@
-"""Photographs of sharp images: depth-of-field rendering, by tiles, of focus pulls, or through a field map."""
+"""Photographs of sharp images: depth-of-field rendering, as a whole or by tiles, and blur by a field map."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ TILE = 1024  # default side of the tiles of memory maps, pixels
 
 _DaskArray: TypeAlias = Any  # dask is typed in part only
 
-_STRIP = 2**20  # depths read at once to find their range
+_STRIP = 2**20  # values of a depth map read together, to find its range with little memory
 
 
 class LazyArray(Protocol):
@@ -50,24 +50,24 @@ class LazyArray(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Photograph:
-    """What :func:`lommel.imaging.depth_of_field` returns for arrays; converts to an array of its values.
+    """Photograph computed from a sharp image, in the encoding of the image; converts to an array of its values.
 
     Attributes
     ----------
     values : ndarray
-        Of the shape, type and encoding of the image.
+        Stored values, in the type and encoding of the image.
     lost : float
-        Largest share of the light of a point beyond its window, which is spread over the window instead; 0 with
-        ``energy=1``.
+        Largest fraction of a point's light that falls outside its window, and is spread over the window instead; 0
+        with ``energy=1``.
     error : float
-        Largest error of interpolated windows over their peak, checked half-way between windows. With ``energy=1`` the
-        sum over all pixels of the largest error of a PSF there, at any depth and in any channel: without occlusion no
-        pixel is off by more than this times the brightest point of the scene, in light. It includes estimates of the
-        error far from the point and of rounding, not the steps between integers.
+        Largest error of interpolated windows relative to their peak, checked half-way between computed windows. With
+        ``energy=1``, the sum over all pixels of the largest error of a PSF at any depth and in any channel: without
+        occlusion, the light of a pixel is off by at most this sum times the brightest point of the scene. The sum
+        includes estimates of the error far from the point and of rounding, not the rounding to integers.
     window : int
         Side of the largest window, pixels.
     clipped : float
-        Fraction of the values that were clipped at white, as on a sensor; 0 for floats.
+        Fraction of the values that were clipped to the range of their integer type; 0 for floats.
     """
 
     values: Pixels
@@ -81,13 +81,13 @@ class Photograph:
         return np.array(self.values, dtype=dtype, copy=copy)
 
 
-def _photograph(values: Pixels, blur: DepthBlur, clipped: float) -> Photograph:
-    """Return values as a photograph, with the error of its blur and the share that was clipped."""
+def _make_photograph(values: Pixels, blur: DepthBlur, clipped: float) -> Photograph:
+    """Return a photograph from stored values, their blur and the fraction of clipped values."""
     return Photograph(values, blur.lost, blur.error, 2 * max(bank.half for bank in blur.banks) + 1, clipped)
 
 
 def fill_missing(depth: ArrayLike, missing: str) -> Values:
-    """Return a depth map whose NaNs are filled as the option `missing` says."""
+    """Return a depth map with NaN replaced by the nearest depth or by infinity; `missing` "raise" leaves NaN."""
     validation.choice("missing", missing, MISSING)
     distances = validation.array("depth", depth)
     if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
@@ -96,36 +96,36 @@ def fill_missing(depth: ArrayLike, missing: str) -> Values:
     if missing == "infinity":
         return np.where(unknown, np.inf, distances)
     if unknown.all():
-        raise ValueError("depth is NaN everywhere")
+        raise ValueError('depth is NaN everywhere; give a map with depths, or missing="infinity"')
     from scipy.ndimage import distance_transform_edt
 
     nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)
     return np.asarray(distances[tuple(nearest)])
 
 
-def stored(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
-    """Return finite light, white being 1, as stored values, and the share that an integer type clips."""
+def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
+    """Return the stored values of finite light (1 is white), and the fraction of them that an integer type clips."""
     if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
         return from_light(light, encoding, dtype), clipped_share(light, dtype)
-    # Comparing with the edges of the levels is faster than encoding each value, and rounds alike.
+    # Comparing with the thresholds between levels is faster than encoding each value, with the same result.
     values = np.empty(light.shape, dtype=np.uint8)
     level = 1.0 / 255.0
     flat = np.ascontiguousarray(light).reshape(-1)
-    # A value is clipped where it is more than a level beyond 0 or 1.
-    beyond = engine.levels(flat, _edges(encoding), -level, 1.0 + level, threads, values.reshape(-1))
-    return values, beyond / light.size
+    # Light counts as clipped if it is more than one level below 0 or above 1.
+    clipped = engine.levels(flat, _thresholds(encoding), -level, 1.0 + level, threads, values.reshape(-1))
+    return values, clipped / light.size
 
 
 @lru_cache
-def _edges(encoding: str) -> NDArray[np.float32]:
-    """Return the light half-way between the levels of a byte."""
-    return to_light("edges", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
+def _thresholds(encoding: str) -> NDArray[np.float32]:
+    """Return the light at which rounding to 8 bits changes from one level to the next."""
+    return to_light("thresholds", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
 
 
-def output(
-    out: Pixels | None, name: str, shape: tuple[int, ...], dtype: np.dtype[np.generic], *read: Pixels
+def output_array(
+    out: Pixels | None, name: str, shape: tuple[int, ...], dtype: np.dtype[np.generic], *inputs: Pixels
 ) -> Pixels:
-    """Return `out`, checked for values like those of the image called `name`, or a new array; `read` is kept."""
+    """Return `out`, checked for shape, type and memory not shared with `inputs`; a new array if `out` is None."""
     if out is None:
         return np.empty(shape, dtype=dtype)
     if not isinstance(out, np.ndarray):
@@ -134,19 +134,19 @@ def output(
         raise ValueError(f"out must have the shape of the {name}, {shape}, got {out.shape}")
     if out.dtype != dtype:
         raise TypeError(f"out must have the type of the {name}, {dtype}, got {out.dtype}")
-    if not out.flags.writeable or any(np.may_share_memory(out, each) for each in read):
+    if not out.flags.writeable or any(np.may_share_memory(out, each) for each in inputs):
         raise ValueError(f"out must be writeable, and must not share memory with {name} or depth")
     return out
 
 
 def require_image(name: str, shape: tuple[int, ...]) -> None:
-    """Refuse a shape that is not that of an image, called `name`."""
+    """Raise ValueError unless `shape` is that of an image, which the message calls `name`."""
     if len(shape) not in (2, 3) or 0 in shape:
         raise ValueError(f"{name} must have the shape (height, width) or (height, width, channels), got {shape}")
 
 
 def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> None:
-    """Refuse shapes that are not those of an image, called `name`, and of its depth map."""
+    """Raise ValueError unless `shape` and `depth` are the shapes of an image, called `name`, and its depth map."""
     require_image(name, shape)
     if depth != shape[:2]:
         raise ValueError(f"depth must have the shape of the {name}, {shape[:2]}, got {depth}")
@@ -156,27 +156,27 @@ def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> 
 class FocusPlan:
     """Depth-of-field rendering of one scene, for live use: focus and f-number change from frame to frame.
 
-    The options are checked and the image is decoded once. A frame computes the windows and the occlusion of its focus
-    setting, unless that is one of the last settings, then blurs and encodes. The values are those of
+    The options are checked and the image is decoded once. Each frame computes the windows and the occlusion of its
+    lens setting, unless they are kept from an earlier frame, then blurs and encodes. The values are those of
     :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
     ----------
     image, depth, lens, pixel, encoding
-        As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
+        See :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
     keep : int, default 4
         Number of lens settings whose windows and occlusion are kept, 1 to 1000. A setting takes a few MiB, 8 bytes
         per point and channel, and with `occlusion` the memory of :class:`lommel.imaging.Occlusion`; with ``energy=1``
         up to five times as much.
     supersample : int, default 1
-        As of :func:`lommel.imaging.depth_of_field`.
+        See :func:`lommel.imaging.depth_of_field`.
     {options}
 
     Raises
     ------
     TypeError, ValueError
-        As :func:`lommel.imaging.depth_of_field`; and if the windows of `lens` as it is given exceed `largest`, since
-        they are computed at once.
+        As :func:`lommel.imaging.depth_of_field`; also if the windows of `lens` at its own focus exceed `largest`,
+        since they are computed when the plan is made.
 
     Examples
     --------
@@ -200,30 +200,30 @@ class FocusPlan:
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
         self.settings = Settings.of(FocusPlan, options, Keywords)
-        given = validation.array("image", image)
+        scene = validation.array("image", image)
         # A copy: the caller may change the map between frames.
         distances = np.array(fill_missing(depth, self.settings.missing))
-        require_scene("image", given.shape, distances.shape)
-        self._finer = validation.integer("supersample", supersample, least=1, most=16)
-        height, width = (side // self._finer for side in given.shape[:2])
-        if (height * self._finer, width * self._finer) != given.shape[:2]:
+        require_scene("image", scene.shape, distances.shape)
+        self._supersample = validation.integer("supersample", supersample, least=1, most=16)
+        height, width = (side // self._supersample for side in scene.shape[:2])
+        if (height * self._supersample, width * self._supersample) != scene.shape[:2]:
             raise ValueError(
-                f"supersample must divide the height and the width of the image, {given.shape[:2]}, got {supersample}"
+                f"supersample must divide the height and the width of the image, {scene.shape[:2]}, got {supersample}"
             )
-        self.lens, self.shape, self.dtype = lens, (height, width, *given.shape[2:]), given.dtype
+        self.lens, self.shape, self.dtype = lens, (height, width, *scene.shape[2:]), scene.dtype
         self._encoding = encoding
-        self._light = scene_light("image", given, encoding, self.settings.dtype)
+        self._light = scene_light("image", scene, encoding, self.settings.dtype)
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
-        self._pixel = validation.pixel(pixel, metric=True) / self._finer
+        self._pixel = validation.pixel(pixel, metric=True) / self._supersample
         self._channels = self.settings.channels(self.shape, lens.wavelength)
-        self._known: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
+        self._cache: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
         self.blur()
 
     def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
-        """Return the lens at another `focus_distance` (metres) or `f_number`; None leaves that of `lens`.
+        """Return the lens at another `focus_distance` (metres) or `f_number`; None keeps the value of `lens`.
 
-        Errors are those of :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
+        Raises the errors of :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
         """
         lens = self.lens if f_number is None else self.lens.stopped(f_number)
         return lens if focus_distance is None else lens.focused(focus_distance)
@@ -233,33 +233,33 @@ class FocusPlan:
         return self._occlusion_at(focus_distance, f_number).blur
 
     def _occlusion_at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
-        """Return the operator with occlusion at a focus and f-number, and keep it."""
+        """Return the blur with occlusion at a focus distance and f-number, from the cache if it is there."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
-        # Sensor distance and aperture diameter determine the lens: equal ones in other words are found again.
+        # Sensor distance and aperture diameter determine the lens, also where it is refocused to its own distance.
         key = (lens.sensor_distance, lens.aperture_diameter)
-        if key in self._known:
-            self._known.move_to_end(key)
-            return self._known[key]
-        made = Occlusion(DepthBlur(self._depth, lens, self._pixel, channels=self._channels, **self.settings.of_blur))
-        self._known[key] = made
-        if len(self._known) > self._keep:
-            self._known.popitem(last=False)
-        return made
+        if key in self._cache:
+            self._cache.move_to_end(key)
+            return self._cache[key]
+        blur = DepthBlur(self._depth, lens, self._pixel, channels=self._channels, **self.settings.of_blur)
+        self._cache[key] = occlusion = Occlusion(blur)
+        if len(self._cache) > self._keep:
+            self._cache.popitem(last=False)
+        return occlusion
 
     def __call__(
         self, *, focus_distance: float | None = None, f_number: float | None = None, out: Pixels | None = None
     ) -> Photograph:
-        """Return the photograph at a focus and f-number.
+        """Return the photograph at a focus distance and f-number.
 
         Parameters
         ----------
         focus_distance : float, optional
             Object distance in focus, metres, more than the focal length, may be infinite; by default that of the
-            lens. The sensor moves, and with it the working f-number.
+            lens. Refocusing moves the sensor, which changes the working f-number.
         f_number : float, optional
-            Focal length over the diameter of the aperture; by default that of the lens.
+            Focal length divided by the diameter of the aperture; by default that of the lens.
         out : ndarray, optional
-            Array of the shape and type of the image that the values are written to.
+            Array that receives the values, with the type of the image and the shape of the photograph.
 
         Returns
         -------
@@ -271,30 +271,30 @@ class FocusPlan:
             If an argument is out of range, or the blur exceeds the largest window allowed. `out` is then untouched.
         """
         if out is not None:
-            output(out, "image", self.shape, self.dtype)
+            output_array(out, "image", self.shape, self.dtype)
         occlusion = self._occlusion_at(focus_distance, f_number)
-        seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
-        if self._finer > 1:
+        light = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
+        if self._supersample > 1:
             height, width, *channels = self.shape
-            seen = seen.reshape(height, self._finer, width, self._finer, *channels).mean(axis=(1, 3))
-        values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
-        made = _photograph(values, occlusion.blur, clipped)
+            light = light.reshape(height, self._supersample, width, self._supersample, *channels).mean(axis=(1, 3))
+        values, clipped = encode_light(light, self._encoding, self.dtype, self.settings.threads or 0)
+        photograph = _make_photograph(values, occlusion.blur, clipped)
         if out is None:
-            return made
+            return photograph
         # Errors must leave `out` as it was, so it is written to at the end.
-        np.copyto(out, made.values)
-        return replace(made, values=out)
+        np.copyto(out, photograph.values)
+        return replace(photograph, values=out)
 
 
 class ChunkKeywords(Keywords, total=False):
-    """Options of depth-of-field rendering by parts."""
+    """Options of depth-of-field rendering by tiles or chunks."""
 
     tile: int | None
     depths: tuple[float, float] | None
 
 
 class SceneKeywords(ChunkKeywords, total=False):
-    """Options of depth-of-field rendering at once."""
+    """Options of depth-of-field rendering of arrays and memory maps."""
 
     supersample: int
     out: Pixels | None
@@ -331,37 +331,37 @@ def depth_of_field(
     """Render the depth of field of a lens: blur each point of a sharp image by the PSF at its distance.
 
     The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
-    near points occlude far ones (:class:`lommel.imaging.Occlusion`). Arrays are rendered at once; memory maps, and
+    near points occlude far ones (:class:`lommel.imaging.Occlusion`). Arrays are rendered as a whole; memory maps, and
     arrays with `tile`, in overlapping tiles with little memory; dask arrays lazily, by chunks. Tiles and chunks agree
-    with the whole image but for rounding: they share their windows and overlap by half a window, with `occlusion` by
-    twice the range of blur radii more, the distance over which occluded points are searched.
+    with the whole image except for rounding: all use the same windows. They overlap by half a window; `occlusion`
+    adds twice the range of blur radii, the largest distance of an occluded point from the occluding edge.
 
     Parameters
     ----------
     image : array_like, memory map or dask array, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
     depth : array_like, memory map or dask array, shape (height, width)
-        Distance of each point from the lens along the axis, metres; may be infinite. It is read twice, first for its
-        range; with ``missing="nearest"`` it is read as a whole, since the nearest depth may lie in any tile.
+        Distance of each point from the lens along the axis, metres; may be infinite. Tiles and chunks read the map
+        twice, first for its range; ``missing="nearest"`` reads it as a whole, since any tile may hold the nearest.
     lens : Lens
-        With radially symmetric aberrations.
+        Lens with radially symmetric aberrations.
     pixel : float
         Pixel pitch of the result, metres.
     encoding : {"srgb", "linear"}
-        Of the values of `image`, and of the result.
+        Encoding of `image` and of the result.
     supersample : int, default 1
         Points of `image` and `depth` along each side of a pixel of the result, 1 to 16: the scene is given at points
-        ``pixel / supersample`` apart, and the result averages their light over its pixels. `largest` and the `window`
-        of the result count points. Not with `tile` or `depths`, nor for dask arrays; memory maps are
-        rendered at once.
+        ``pixel / supersample`` apart, and each pixel of the result averages the light of its points. `largest` and
+        the `window` of the result count points. Not available with `tile`, `depths` or dask arrays; memory maps are
+        rendered as a whole.
     tile : int, optional
         Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
         about a hundred bytes per pixel of a tile, and with `occlusion` several hundred per channel. For dask arrays
-        the side of the chunks, which are kept by default.
+        the side of the chunks; by default the chunks stay as they are.
     depths : (float, float), optional
-        Nearest and farthest distance in the scene, metres, where they are known: `depth` is then not read for them.
+        Nearest and farthest distance in the scene, metres; by default they are read from `depth`.
     out : ndarray, optional
-        Array or memory map of the shape and type of the result that the values are written to. Not for dask arrays.
+        Array or memory map that receives the values, with the shape and type of the result. Not for dask arrays.
     progress : callable, optional
         Called as ``progress(done, tiles)`` after each tile. Not for dask arrays.
     {options}
@@ -369,8 +369,8 @@ def depth_of_field(
     Returns
     -------
     Photograph or dask.array.Array
-        A dask array for dask arrays, of the shape and type of `image`; windows are computed immediately, the rest
-        lazily, each chunk by one thread unless `threads` is given.
+        For dask arrays, a dask array of the shape and type of `image`: its windows are computed immediately, its
+        chunks lazily, each chunk by one thread unless `threads` is given.
 
     Raises
     ------
@@ -393,24 +393,23 @@ def depth_of_field(
                 "out and progress are not for dask arrays, which are computed later: use "
                 "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
             )
-        # dask runs chunks in parallel: a thread each by default.
-        given: Keywords = {"threads": 1, **options}
-        return _lazy(image, depth, lens, pixel, encoding, tile, depths, Settings(**given))
+        # dask runs chunks in parallel, so that by default each chunk has one thread.
+        of_chunks: Keywords = {"threads": 1, **options}
+        return _render_chunks(image, depth, lens, pixel, encoding, tile, depths, Settings(**of_chunks))
     if tile is None and supersample == 1 and any(isinstance(part, np.memmap) for part in (image, depth, out)):
         tile = TILE
     values = validation.array("image", cast("ArrayLike", image))
     distances = validation.array("depth", cast("ArrayLike", depth))
     if tile is None and depths is None:
-        made = FocusPlan(values, distances, lens, pixel, encoding=encoding, supersample=supersample, **options)(
-            out=out
-        )
+        plan = FocusPlan(values, distances, lens, pixel, encoding=encoding, supersample=supersample, **options)
+        photograph = plan(out=out)
         if progress is not None:
             progress(1, 1)
-        return made
-    return _by_tiles(values, distances, lens, pixel, encoding, tile, depths, Settings(**options), out, progress)
+        return photograph
+    return _render_tiles(values, distances, lens, pixel, encoding, tile, depths, Settings(**options), out, progress)
 
 
-def _by_tiles(
+def _render_tiles(
     values: Pixels,
     distances: Pixels,
     lens: Lens,
@@ -422,37 +421,37 @@ def _by_tiles(
     out: Pixels | None,
     progress: Callable[[int, int], object] | None,
 ) -> Photograph:
-    """Return the photograph of arrays or memory maps, tile by tile."""
+    """Return the photograph of arrays or memory maps, rendered tile by tile."""
     require_scene("image", values.shape, distances.shape)
-    out = output(out, "image", values.shape, values.dtype, values, distances)
+    out = output_array(out, "image", values.shape, values.dtype, values, distances)
     if settings.missing == "nearest":
         distances = fill_missing(distances, "nearest")
     depths = depth_range(distances, settings.missing) if depths is None else depths
     blur = TileBlur(values.shape, depths, lens, pixel, encoding, settings)
     tiles = list(tiles_of(values.shape, tile or max(values.shape[:2]), blur.overlap))
     clipped = 0.0
-    for done, (inside, around, within) in enumerate(tiles, 1):
-        seen = blur.light(values[around], np.asarray(distances[around]))[within]
-        out[inside], share = stored(seen, encoding, values.dtype, settings.threads or 0)
-        clipped += share * seen.size / out.size
+    for done, (own, overlapping, within) in enumerate(tiles, 1):
+        light = blur.light(values[overlapping], np.asarray(distances[overlapping]))[within]
+        out[own], fraction = encode_light(light, encoding, values.dtype, settings.threads or 0)
+        clipped += fraction * light.size / out.size
         if progress is not None:
             progress(done, len(tiles))
-    return _photograph(out, blur.whole, clipped)
+    return _make_photograph(out, blur.whole, clipped)
 
 
 def _are_dask(image: object, depth: object) -> bool:
     """Return whether image and depth are dask arrays; TypeError if only one is."""
-    da = sys.modules.get("dask.array")  # without which there are no such arrays
-    found = [da is not None and isinstance(part, da.Array) for part in (image, depth)]
-    if any(found) and not all(found):
+    da = sys.modules.get("dask.array")  # None before dask is imported, when no dask array can exist
+    are_dask = [da is not None and isinstance(part, da.Array) for part in (image, depth)]
+    if any(are_dask) and not all(are_dask):
         raise TypeError(
             "image and depth must both be dask arrays if one is, "
             f"got {type(image).__name__} and {type(depth).__name__}; dask.array.from_array() makes one"
         )
-    return all(found)
+    return all(are_dask)
 
 
-def _lazy(
+def _render_chunks(
     image: _DaskArray,
     depth: _DaskArray,
     lens: Lens,
@@ -468,38 +467,38 @@ def _lazy(
     require_metres(depth.dtype)
     if tile is not None:
         image = image.rechunk({0: tile, 1: tile})
-    # Channels are blurred and encoded together.
+    # A chunk holds all channels, which are blurred and encoded together.
     if image.ndim == 3:
         image = image.rechunk({2: -1})
     if settings.missing == "nearest":
         # The nearest depth may lie in any chunk.
         depth = depth.rechunk(-1).map_blocks(fill_missing, "nearest", dtype=depth.dtype, meta=depth._meta)
     if depths is None:
-        known = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
-        low, high = dask.compute(known.min(), known.max())
-        depths = _known_range(float(low), float(high))
+        filled = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
+        low, high = dask.compute(filled.min(), filled.max())
+        depths = _require_range(float(low), float(high))
     blur = TileBlur(image.shape, depths, lens, pixel, encoding, settings)
     distances = depth.rechunk(image.chunks[:2])
-    # dask refuses an overlap beyond the array.
-    around = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
+    # dask raises an error if the overlap is longer than the array.
+    overlap = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
     if image.ndim == 3:
-        # Chunks of the two arrays are matched by their axes, counted from the last.
-        distances, around = distances[..., None], around | {2: 0}
-    made: LazyArray = da.map_overlap(
+        # dask matches the axes of the two arrays from the last one, so that depth needs an axis of channels.
+        distances, overlap = distances[..., None], overlap | {2: 0}
+    photograph: LazyArray = da.map_overlap(
         blur.chunk,
         image,
         distances,
-        depth=[around, around],
+        depth=[overlap, overlap],
         boundary="none",
         align_arrays=False,
         dtype=image.dtype,
         meta=image._meta,
     )
-    return made
+    return photograph
 
 
 class TileBlur:
-    """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows computed once; can be pickled."""
+    """Depth-of-field rendering of parts of a scene, with the windows of the whole scene; can be pickled."""
 
     def __init__(
         self,
@@ -512,45 +511,45 @@ class TileBlur:
     ) -> None:
         if settings.energy == 1.0:
             raise ValueError(
-                "energy must be below 1 for tiles and chunks, since with all of its light a point reaches the whole "
-                "image: give a smaller energy such as 0.99, or the whole image at once, such as np.array(image)"
+                "energy must be below 1 for tiles and chunks, since with energy=1 a point spreads over the whole "
+                "image: give a smaller energy such as 0.99, or the whole image as an array, such as np.array(image)"
             )
-        # Where it is "nearest" the whole depth has been filled before it was cut.
+        # With "nearest", callers fill the depth map of the whole scene before they cut it into parts.
         self.missing = "raise" if settings.missing == "nearest" else settings.missing
         self.encoding, self._occlusion = encoding, settings.occlusion
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
-        with np.errstate(over="ignore"):  # long doubles
-            # Only the two ends of the range: they determine the windows of all parts.
+        with np.errstate(over="ignore"):  # long doubles beyond float64 become infinite distances
+            # The two ends of the depth range determine the windows of all parts.
             extremes = np.array(validation.number_array("depths", depths), dtype=np.float64)[None]
         if extremes.shape != (1, 2) or np.isnan(extremes).any():
-            raise ValueError(f"depths must be the nearest and the farthest, got {validation.shown(depths)}")
+            raise ValueError(f"depths must be the nearest and the farthest distance, got {validation.shown(depths)}")
         self.whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
-        self._reach = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
+        self._defocus_range = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
         self.half = max(bank.half for bank in self.whole.banks)
-        # Pixels around a part that it depends on, where the image continues.
-        self.overlap = self.half + (reach_behind(self.whole, self._reach) if self._occlusion else 0)
+        # Width, pixels, of the margin around a part whose points contribute light to the part.
+        self.overlap = self.half + (reach_behind(self.whole, self._defocus_range) if self._occlusion else 0)
 
     def light(self, image: Pixels, depth: Pixels) -> Values:
-        """Return the light of a part; within `overlap` of a side where the image continues it is incomplete."""
+        """Return the light of a part; it is incomplete in a margin of `overlap` pixels where the part was cut out."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
         return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
     def operator(self, depth: Pixels) -> LinearBlur:
-        """Return the operator of a part, with occlusion as in the whole scene."""
+        """Return the blur of a part, with occlusion if the settings have it."""
         blur = copy.copy(self.whole)
         blur.place(fill_missing(depth, self.missing))
-        low, high = self._reach
+        low, high = self._defocus_range
         if blur.defocus.min() < low or blur.defocus.max() > high:
             raise ValueError(
-                f"depth must give C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole image, "
-                f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}"
+                f"depth must give a defocus C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole "
+                f"image, got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}; give depths= a wider range"
             )
-        return Occlusion(blur, self._reach) if self._occlusion else blur
+        return Occlusion(blur, self._defocus_range) if self._occlusion else blur
 
     def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
-        """Return the photograph of a part whose depth has as many axes as the image."""
+        """Return the stored values of a part; its depth map may have a third axis of length 1, as dask needs it."""
         light = self.light(image, depth.reshape(depth.shape[:2]))
-        return stored(light, self.encoding, image.dtype, self.whole.threads)[0]
+        return encode_light(light, self.encoding, image.dtype, self.whole.threads)[0]
 
 
 def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
@@ -561,22 +560,22 @@ def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
     for first in range(0, depth.shape[0], rows):
         part = fill_missing(np.asarray(depth[first : first + rows]), missing)
         low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
-    return _known_range(float(low), float(high))
+    return _require_range(float(low), float(high))
 
 
-def _known_range(low: float, high: float) -> tuple[float, float]:
-    """Return the range of depths; ValueError if one of them is NaN."""
+def _require_range(low: float, high: float) -> tuple[float, float]:
+    """Return the range of depths; ValueError if a depth is NaN."""
     if np.isnan(low):
-        raise ValueError("depth is NaN at some points; say what is there by `missing`")
+        raise ValueError('depth is NaN at some points; fill them by `missing`, "nearest" or "infinity"')
     return low, high
 
 
-PLACES = 1e-3
-"""Accuracy of the source position of pixels, pixels, checked half-way between nodes."""
+POSITION_TOL = 1e-3
+"""Tolerance of the undistorted positions of pixels, in pixels, checked half-way between interpolation nodes."""
 
-_FEW = 4096  # pixels below which positions are computed one by one
-_MOST = 257  # largest number of nodes along a side
-_MODES = {"reflect": "reflect", "extend": "nearest", "zero": "grid-constant"}  # borders as SciPy calls them
+_UNINTERPOLATED = 4096  # largest number of pixels whose positions are computed one by one, without interpolation
+_MAX_NODES = 257  # largest number of interpolation nodes along a side
+_MODES = {"reflect": "reflect", "extend": "nearest", "zero": "grid-constant"}  # SciPy's modes for the option `border`
 
 
 @shares(FieldKeywords, Settings)
@@ -596,26 +595,26 @@ def field_photograph(
 
     The image is what an ideal lens would record. Each channel is resampled by quintic splines to where the tilts of
     the map move its light (:meth:`lommel.FieldMap.displacement`), then blurred by :class:`lommel.imaging.FieldBlur`
-    with the PSFs of the map without these tilts, and multiplied by the shading of the map. This is the blur by the
-    PSFs of the map with its tilts, for displacements of any size.
+    with the PSFs of the map without these tilts, and multiplied by the shading of the map. The three steps together
+    are the blur by the PSFs of the map with its tilts, for displacements of any size.
 
     Parameters
     ----------
     image : array_like, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
     field_map : FieldMap
-        Positions are those without distortion. Lateral and axial colour are those of the lens of its aperture.
+        Map at positions without distortion; lateral and axial colour come from the lens of its aperture.
     pixel : float
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
     encoding : {"srgb", "linear"}
-        Of the values of `image`, and of the result.
+        Encoding of `image` and of the result.
     center, sensor
-        As of :class:`lommel.imaging.FieldBlur`. A `sensor` larger than the image exaggerates PSFs, not distortion.
+        See :class:`lommel.imaging.FieldBlur`. A `sensor` larger than the image exaggerates PSFs, not distortion.
     wavelengths : Channels or sequence, optional
-        :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
-        default that of the map for a grey image, and 600, 540 and 460 nm for one of three channels.
+        :class:`lommel.Channels`, or for each channel a wavelength (metres) or pairs of wavelength and weight. By
+        default the wavelength of the map for a grey image, and 600, 540 and 460 nm for three channels.
     tol : float, default 1e-3
-        As of :class:`lommel.imaging.FieldBlur`.
+        See :class:`lommel.imaging.FieldBlur`.
     {options}
 
     Returns
@@ -627,69 +626,69 @@ def field_photograph(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range; if light comes from beyond the map; if the map has vignetting.
+        If an argument is out of range; if a pixel receives light from outside the map; if the map has vignetting.
 
     Notes
     -----
-    A uniform scene stays uniform but for the shading, which is the relative illumination as measured: where
-    distortion stretches the picture, points have more light. :class:`lommel.imaging.FieldBlur` with the tilts in its
-    windows conserves the light of points instead.
+    A uniform scene stays uniform except for the shading, which is the measured relative illumination: where the
+    distortion stretches the image, the total light of each point grows. :class:`lommel.imaging.FieldBlur`, whose
+    windows contain the tilts, keeps the total light of each point instead.
 
-    Places are accurate to 0.001 pixel. Splines change a Gaussian of standard deviation 1 pixel by 0.3 % of its peak,
-    of 1.5 pixels by 0.04 %, of 2 pixels by 0.005 %; next to sharp edges they overshoot, and light below 0 becomes 0.
+    Positions are accurate to 0.001 pixel. Splines change a Gaussian of standard deviation 1 pixel by 0.3 % of its
+    peak, of 1.5 pixels by 0.04 %, of 2 pixels by 0.005 %; at sharp edges they overshoot; negative light is clipped.
 
     Examples
     --------
     >>> field = lm.FieldMap.from_seidel(2.5e-3, W311=-60.0, W131=0.5, wavelength=550e-9, f_number=4.0)
     >>> image = np.zeros((60, 80, 3), np.float32)
     >>> image[30, 60] = 1.0
-    >>> made = lm.imaging.field_photograph(image, field, 4e-6, encoding="linear", sensor=(3e-3, 4e-3))
-    >>> made.values.shape
+    >>> photograph = lm.imaging.field_photograph(image, field, 4e-6, encoding="linear", sensor=(3e-3, 4e-3))
+    >>> photograph.values.shape
     (60, 80, 3)
     """
     validation.instance("field_map", field_map, FieldMap)
-    given = validation.array("image", image)
-    require_image("image", given.shape)
+    scene = validation.array("image", image)
+    require_image("image", scene.shape)
     require_one_aperture(field_map)
     settings = Settings.of(field_photograph, dict(options), FieldKeywords)
-    known = field_map.pupil_without_wavefront.wavelength
+    wavelength = field_map.pupil_without_wavefront.wavelength
     spectra: Sequence[Spectrum] | None = None
-    if known is not None:
-        spectra = Settings(wavelengths=wavelengths).channels(given.shape, known)
-    elif wavelengths is not None or given.ndim == 3:
+    if wavelength is not None:
+        spectra = Settings(wavelengths=wavelengths).channels(scene.shape, wavelength)
+    elif wavelengths is not None or scene.ndim == 3:
         raise ValueError("image must be grey, without wavelengths=, for a map without a wavelength; make the map "
                          "with wavelength= and f_number=")  # fmt: skip
-    light = scene_light("image", given, encoding, settings.dtype)
-    shape = (given.shape[0], given.shape[1])
-    blur = StraightBlur(field_map, shape, pixel, center=center, sensor=sensor, channels=spectra, tol=tol, **options)
+    light = scene_light("image", scene, encoding, settings.dtype)
+    shape = (scene.shape[0], scene.shape[1])
+    blur = UntiltedBlur(field_map, shape, pixel, center=center, sensor=sensor, channels=spectra, tol=tol, **options)
     planes = light.reshape(*shape, -1)
-    moved = np.empty_like(planes)
+    distorted = np.empty_like(planes)
     for k, spectrum in enumerate(blur.spectra):
-        moved[..., k] = resampled(planes[..., k], blur, spectrum)
-    seen = blur.forward(moved.reshape(light.shape))
+        distorted[..., k] = distort(planes[..., k], blur, spectrum)
+    blurred = blur.forward(distorted.reshape(light.shape))
     if field_map.shading is not None:
-        lit = np.asarray(field_map.illumination(blur.x, blur.y[:, None]), dtype=seen.dtype)
-        # Shading is a factor of the recorded light, at the position where it arrives.
-        seen = seen * lit.reshape(*shape, *(1,) * (seen.ndim - 2))
-    values, clipped = stored(seen, encoding, given.dtype, settings.threads or 0)
+        shading = np.asarray(field_map.illumination(blur.x, blur.y[:, None]), dtype=blurred.dtype)
+        # Shading multiplies the blurred light, at its position on the sensor.
+        blurred = blurred * shading.reshape(*shape, *(1,) * (blurred.ndim - 2))
+    values, clipped = encode_light(blurred, encoding, scene.dtype, settings.threads or 0)
     side = max(bank.window(blur.y[0], blur.x[0]).shape[0] for bank in blur.banks)
     return Photograph(values, blur.lost, blur.error, side, clipped)
 
 
-class StraightLight(PointLight):
-    """The PSF of the light that arrives at a position of the sensor, centred on it."""
+class UntiltedLight(PointLight):
+    """PSF of the light that arrives at a sensor position, centred on this position."""
 
     def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
-        """Return the stack of pupils whose light arrives at positions, without the tilts that move it there."""
+        """Return the stack of pupils, without tilts, of the light that arrives at sensor positions (y, x)."""
         return self.field_map.untilted(x, y, self.spectrum)
 
 
-class StraightBlur(FieldBlur):
-    """Blur by the PSFs of a field map without their tilts, of an image that is already distorted."""
+class UntiltedBlur(FieldBlur):
+    """Blur of an already distorted image by the PSFs of a field map without their tilts."""
 
     @property
     def _point_light(self) -> type[PointLight]:
-        return StraightLight
+        return UntiltedLight
 
     def _require_within_map(self, x: Array, y: Array) -> None:
         """Raise ValueError where light comes from outside the map."""
@@ -697,41 +696,43 @@ class StraightBlur(FieldBlur):
             self.field_map.undistorted(x, y, spectrum)
 
 
-def resampled(plane: Values, blur: StraightBlur, spectrum: Spectrum | None) -> Values:
-    """Return a plane of light with each point moved as the map distorts it, by quintic splines."""
+def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Values:
+    """Return a plane of light with the distortion of the field map, resampled by quintic splines."""
     from scipy.ndimage import map_coordinates
 
-    pitch = [float(along[1] - along[0]) if len(along) > 1 else blur.pixel for along in (blur.y, blur.x)]
-    down, across = _places(blur.field_map, blur.y, blur.x, spectrum, PLACES * min(pitch))
-    at = np.stack([(down - blur.y[0]) / pitch[0], (across - blur.x[0]) / pitch[1]])
+    pitch = [float(axis[1] - axis[0]) if len(axis) > 1 else blur.pixel for axis in (blur.y, blur.x)]
+    y, x = undistorted_positions(blur.field_map, blur.y, blur.x, spectrum, POSITION_TOL * min(pitch))
+    source = np.stack([(y - blur.y[0]) / pitch[0], (x - blur.x[0]) / pitch[1]])  # row and column, pixels
     # Without distortion the image stays as it is, free of resampling errors.
-    if all(np.abs(found - here).max() <= PLACES for found, here in zip(at, np.indices(plane.shape), strict=True)):
+    if np.abs(source - np.indices(plane.shape)).max() <= POSITION_TOL:
         return plane
-    made: Values = map_coordinates(plane, at, order=5, mode=_MODES[blur.border], output=plane.dtype)
+    distorted: Values = map_coordinates(plane, source, order=5, mode=_MODES[blur.border], output=plane.dtype)
     # Splines overshoot at edges; light is not negative.
-    return np.maximum(made, 0.0) if plane.min() >= 0.0 else made
+    return np.maximum(distorted, 0.0) if plane.min() >= 0.0 else distorted
 
 
-def _places(field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float) -> tuple[Array, Array]:
-    """Return y and x, without distortion, of the light that arrives at rows and columns, within `tol`."""
+def undistorted_positions(
+    field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float
+) -> tuple[Array, Array]:
+    """Return, within `tol`, the y and x without distortion of the light that arrives at rows `y` and columns `x`."""
     from scipy.interpolate import RectBivariateSpline
 
-    if len(y) * len(x) <= _FEW or min(len(y), len(x)) < 16:
+    if len(y) * len(x) <= _UNINTERPOLATED or min(len(y), len(x)) < 16:
         across, down = field_map.undistorted(x, y[:, None], spectrum)
         return down, across
     count = 9
-    while count <= _MOST:
-        # Over positions from 0 to 1, because FITPACK compares with absolute tolerances.
-        nodes, between = np.linspace(0.0, 1.0, count), (np.arange(count - 1) + 0.5) / (count - 1)
-        known, exact = (
+    while count <= _MAX_NODES:
+        # Nodes run from 0 to 1 along both axes, because FITPACK compares with absolute tolerances.
+        nodes, middles = np.linspace(0.0, 1.0, count), (np.arange(count - 1) + 0.5) / (count - 1)
+        at_nodes, at_middles = (
             field_map.undistorted(x[0] + part * (x[-1] - x[0]), y[0] + part[:, None] * (y[-1] - y[0]), spectrum)[::-1]
-            for part in (nodes, between)
+            for part in (nodes, middles)
         )
-        splines = [RectBivariateSpline(nodes, nodes, part, kx=5, ky=5, s=0) for part in known]
-        off = max(float(np.abs(s(between, between) - e).max()) for s, e in zip(splines, exact, strict=True))
-        if off <= tol:
-            down, across = (s(*(np.linspace(0.0, 1.0, len(along)) for along in (y, x))) for s in splines)
+        splines = [RectBivariateSpline(nodes, nodes, values, kx=5, ky=5, s=0) for values in at_nodes]
+        error = max(float(np.abs(s(middles, middles) - e).max()) for s, e in zip(splines, at_middles, strict=True))
+        if error <= tol:
+            down, across = (s(*(np.linspace(0.0, 1.0, len(axis)) for axis in (y, x))) for s in splines)
             return down, across
-        # Old nodes are among the new ones, and the spacing halves.
+        # The spacing halves, so that the old nodes are among the new ones.
         count = 2 * count - 1
-    raise ValueError("distortion of the map must be smooth over the field, and changes between close pixels")
+    raise ValueError("distortion of the map varies too fast to be interpolated; make a map with smoother tilts")

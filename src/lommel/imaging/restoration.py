@@ -53,11 +53,11 @@ from lommel.imaging.photograph import (
     Pixels,
     TileBlur,
     depth_range,
+    encode_light,
     fill_missing,
-    output,
+    output_array,
     require_image,
     require_scene,
-    stored,
 )
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
@@ -305,7 +305,7 @@ def restore(
     elif not over_field and any(isinstance(each, np.memmap) for each in (photo, depth, out)):
         tile = TILE
     if out is not None:
-        output(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
+        output_array(out, "photo", given.shape, given.dtype, given, np.asarray(depth))
     limit = full_light(given, encoding, saturation)
     if isinstance(lens, FieldMap):
         light = recorded(given, encoding, limit, hidden)
@@ -325,7 +325,7 @@ def restore(
             if settings.missing == "nearest":
                 distances = fill_missing(distances, "nearest")
             parts = TileBlur(given.shape, depth_range(distances, settings.missing), lens, pixel, encoding, settings)
-            out = output(out, "photo", given.shape, given.dtype)
+            out = output_array(out, "photo", given.shape, given.dtype)
             return _by_tiles((given, hidden), distances, parts, tile, noise, limit, way, out, progress)
         light = recorded(given, encoding, limit, hidden)
         distances = fill_missing(distances, settings.missing)
@@ -335,7 +335,7 @@ def restore(
         blur = Occlusion(by_depth) if settings.occlusion else by_depth
     found = restore_with(light, blur, noise, method=way, saturation=limit, progress=progress)
     assert found.light is not None
-    values, clipped = stored(found.light, encoding, given.dtype, settings.threads or 0)
+    values, clipped = encode_light(found.light, encoding, given.dtype, settings.threads or 0)
     if out is not None:
         np.copyto(out, values)
     return replace(found, values=values if out is None else out, clipped=clipped)
@@ -440,7 +440,7 @@ def _by_tiles(
         for total, scene in ((after, light), (before, seen.image)):
             total += inside.discrepancies_of(scene) * np.maximum(inside.known, 1)
         values = np.ascontiguousarray(light[within])
-        out[place], cut = stored(values, blur.encoding, out.dtype, blur.whole.threads)
+        out[place], cut = encode_light(values, blur.encoding, out.dtype, blur.whole.threads)
         clipped += cut * values.size / out.size
         if progress is not None:
             progress(done, len(tiles))

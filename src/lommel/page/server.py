@@ -1,4 +1,4 @@
-"""The live page for browsers: its module `lommel-live.js`, pages of HTML, their local server, a notebook's widget."""
+"""The live page for browsers: its module `lommel-live.js`, its HTML, a local server and a notebook widget."""
 
 from __future__ import annotations
 
@@ -37,57 +37,61 @@ _PAGE = """<!doctype html>
 
 
 def path() -> Path:
-    """Return the path of the module; FileNotFoundError if it was not built by `make page`."""
-    found = Path(__file__).with_name(NAME)
-    if not found.is_file():
+    """Return the path of `lommel-live.js`; FileNotFoundError if `make page` did not build it."""
+    module = Path(__file__).with_name(NAME)
+    if not module.is_file():
         raise FileNotFoundError(
-            f"the live page's module is not there ({found}): wheels bring it, and in a copy of the sources "
-            "`make page` makes it"
+            f"the live page's module is not there ({module}): install lommel from a wheel, which contains it, or run "
+            "`make page` in a copy of the sources"
         )
-    return found
+    return module
 
 
 def documentation() -> str:
-    """Return the address of the documentation that the installed package names, or an empty string."""
+    """Return the address of the documentation from the metadata of the package, or an empty string."""
     try:
         addresses = metadata.metadata("lommel").get_all("Project-URL") or []
     except metadata.PackageNotFoundError:
         return ""
-    named = (address.partition(", ") for address in addresses)
-    return next((url for name, _, url in named if name.lower() == "documentation" and url.startswith("https://")), "")
+    pairs = (address.partition(", ") for address in addresses)
+    return next((url for name, _, url in pairs if name.lower() == "documentation" and url.startswith("https://")), "")
 
 
 def html(state: Mapping[str, object], lens: str = "", left_out: str = "", *, alone: bool = False) -> str:
-    """Return the HTML of a page that starts in a state, that of the lens of this name, less what is left out of it.
+    """Return the HTML of a page with initial `state`, name of the `lens`, and features of the lens `left_out` of it.
 
-    `alone` it has the module inside, else beside it.
+    With `alone`, the page contains the module; otherwise the module is loaded from the folder of the page.
     """
-    # Within a script only its end has a meaning; in strings of the module it may be written so too.
+    # HTML ends a script at the first "</script"; in strings of JavaScript "<\/script" has the same value.
     text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
     source = "" if alone else f"src={json.dumps(NAME)} "
-    said = {"name": lens, "without": left_out, "docs": documentation()}
-    more = "".join(f' data-lommel-{key}="{escape(value)}"' for key, value in said.items() if value)
+    attributes = {"name": lens, "without": left_out, "docs": documentation()}
+    more = "".join(f' data-lommel-{key}="{escape(value)}"' for key, value in attributes.items() if value)
     title = escape(lens or "lommel")
     return _PAGE.format(title=title, source=source, state=escape(link(state)), more=more, text=text)
 
 
-# What a page may do: run its own module with the core in it, in its own workers, and draw. Nothing is sent.
+# The page may run its module and the WebAssembly core inside it, start workers and show images; it sends no data.
 _POLICY = (
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
     "img-src data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
-_ALWAYS = (("Cache-Control", "no-store"), ("Content-Security-Policy", _POLICY), ("X-Content-Type-Options", "nosniff"))
+_HEADERS = (
+    ("Cache-Control", "no-store"),
+    ("Content-Security-Policy", _POLICY),
+    ("X-Content-Type-Options", "nosniff"),
+)
 
 
 class PageServer(ThreadingHTTPServer):
-    """Serves the page that starts in a state; port 0 is any that is free."""
+    """Local HTTP server of the live page with an initial state; port 0 selects a free port."""
 
     daemon_threads = True
-    request_queue_size = 128  # connections that wait: a browser opens several, and others may come with it
+    request_queue_size = 128  # largest number of waiting connections; each browser opens several
 
     def __init__(self, state: Mapping[str, object], lens: str, port: int = 0, left_out: str = "") -> None:
         page = html(state, lens, left_out).encode()
-        self.served = {
+        self.contents = {
             "/": (page, "text/html"),
             "/index.html": (page, "text/html"),
             f"/{NAME}": (path().read_bytes(), "text/javascript"),
@@ -103,47 +107,47 @@ class PageServer(ThreadingHTTPServer):
 class _Handler(BaseHTTPRequestHandler):
     server: PageServer
     server_version, sys_version = "lommel", ""
-    default_request_version = "HTTP/1.0"  # of what cannot be read: answers have headers then too
-    timeout = 10.0  # for clients that connect and send nothing
+    default_request_version = "HTTP/1.0"  # version assumed for an invalid request: its error response has headers
+    timeout = 10.0  # seconds before a client that sends nothing is disconnected
 
     def do_GET(self) -> None:
-        # A page of elsewhere whose name is pointed here by its DNS is still called by that name.
+        # Against DNS rebinding: a foreign page whose name resolves to 127.0.0.1 still sends this name as its host.
         port = self.server.server_port
-        # A second name could be the one that others on the way go by.
-        named = self.headers.get_all("Host", [])
-        if len(named) != 1 or named[0] not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
+        # With several Host headers, a proxy could follow another one than this server.
+        hosts = self.headers.get_all("Host", [])
+        if len(hosts) != 1 or hosts[0] not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
             return self.send_error(403)
-        found = self.server.served.get(self.path.partition("?")[0])
-        if found is None:
+        entry = self.server.contents.get(self.path.partition("?")[0])
+        if entry is None:
             return self.send_error(404)
-        content, kind = found
+        content, media_type = entry
         self.send_response(200)
-        self.send_header("Content-Type", f"{kind}; charset=utf-8")
+        self.send_header("Content-Type", f"{media_type}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
         self.end_headers()
         if self.command == "GET":
             self.wfile.write(content)
         return None
 
-    do_HEAD = do_GET  # noqa: N815 (as http.server calls it)
+    do_HEAD = do_GET  # noqa: N815 (the name that http.server requires)
 
     def end_headers(self) -> None:
-        """Send the headers of every answer, also of errors."""
-        for name, value in _ALWAYS:
+        """End the headers of a response, after those that all responses have, errors included."""
+        for name, value in _HEADERS:
             self.send_header(name, value)
         super().end_headers()
 
     def log_message(self, *_: object) -> None:
-        """Write nothing."""
+        """Suppress the log of requests."""
 
 
 def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> Any:
     """Return the live page as a notebook widget, for Jupyter, VS Code, marimo and other hosts of anywidget.
 
     Every control is a synchronised trait of the widget: ``w.coma = 0.5`` moves the slider, and ``w.observe(...,
-    "coma")`` is notified when it is dragged. ``w.state`` is a dict of all controls, and can be set to a dict of some;
-    ``w.psf()`` returns the :class:`lommel.PSF` that the page shows, without noise, computed in Python, with further
-    arguments as of :func:`lommel.psf`.
+    "coma")`` is notified when the slider is dragged. ``w.state`` is a dict of the values of all controls; assigning
+    a dict changes the controls that it contains. ``w.psf()`` computes the :class:`lommel.PSF` that the page shows in
+    Python, without noise; it takes further arguments of :func:`lommel.psf`.
 
     Parameters
     ----------
@@ -153,16 +157,16 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
         Initial values of controls.
 
         - Wavefront, waves at the edge of the pupil: `defocus` and `spherical` (W020 and W040), `coma`, `astigmatism`,
-          `trefoil` with `coma_angle` and so on (degrees); `zernike`, further terms "n,m:waves;..." in waves rms.
+          `trefoil` and their directions (`coma_angle`, ..., degrees); `zernike`, terms "n,m:waves;..." in waves rms.
         - `focus`: "waves", or "distances", where `focal_length` (mm), `f_number`, `focus_distance` and
           `object_distance` (m) give the defocus, as :meth:`lommel.Lens.pupil` does.
-        - Lens and light: `f_number`, `obscuration`, `vanes` (0 to 8), `vane_width` (over the radius), `vane_angle`
-          (degrees), `wavelength` (nm), `light` ("mono", "white").
+        - Lens and light: `f_number`, `obscuration` and `vane_width` (fractions of the aperture radius), `vanes`
+          (0 to 8), `vane_angle` (degrees), `wavelength` (nm), `light` ("mono", "white").
         - Sensor: `pixel` (um), `view` ("fine", "sampled", "averaged"), `side` (pixels), `noise` ("off", "on"),
           `photons`, `read_noise` (electrons).
         - Display: `rays` ("off", "on"), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`.
 
-        Also `controls`, a list of those to show, and `theme`, "light" or "dark", by default that of the notebook.
+        Also `controls`, a list of the controls to show, and `theme`, "light" or "dark"; by default the notebook's.
 
     Returns
     -------
@@ -175,7 +179,7 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
     FileNotFoundError
         If the page's module was not built.
     TypeError, ValueError
-        If a control is unknown or its value invalid, or the lens is out of their range.
+        If a control is unknown, if its value is invalid, or if the lens is outside the range of the controls.
 
     Examples
     --------
@@ -183,8 +187,8 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
     >>> w.psf().values.shape  # doctest: +SKIP
     (512, 512)
     """
-    kind = _kind()
-    look = {name: state.pop(name) for name in ("controls", "theme") if name in state}
+    widget_class = _widget_class()
+    display = {name: state.pop(name) for name in ("controls", "theme") if name in state}
     start: Json = {}
     if lens is not None:
         if not isinstance(lens, Instrument):
@@ -194,17 +198,17 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
                 )
             lens = load_instrument(lens)
         start, _ = state_of(lens)
-    return kind(**complete(start | state), **look)
+    return widget_class(**complete(start | state), **display)
 
 
 @cache
-def _kind() -> type:
-    """Return the class of the widget, which is that of an optional library."""
+def _widget_class() -> type:
+    """Return the class of the widget, defined here because its base class is in the optional package anywidget."""
     anywidget: Any = library("anywidget", "lm.live() needs", "live")
     traitlets: Any = library("traitlets", "lm.live() needs", "live")
 
     class Text(traitlets.Unicode):  # type: ignore[misc]
-        """A text of Zernike terms."""
+        """Trait for a string of Zernike terms."""
 
         def validate(self, owner: object, value: object) -> str:
             try:
@@ -217,8 +221,8 @@ def _kind() -> type:
             return traitlets.Enum(field.choices, default_value=field.initial).tag(sync=True)
         if isinstance(field, Terms):
             return Text(field.initial).tag(sync=True)
-        kind = traitlets.CInt if isinstance(field, Whole) else traitlets.CFloat
-        return kind(field.initial, min=field.low, max=field.high).tag(sync=True)
+        number = traitlets.CInt if isinstance(field, Whole) else traitlets.CFloat
+        return number(field.initial, min=field.low, max=field.high).tag(sync=True)
 
     class Live(anywidget.AnyWidget):  # type: ignore[misc]
         """The live page; see :func:`lommel.live`."""
@@ -229,25 +233,25 @@ def _kind() -> type:
 
         @property
         def state(self) -> Json:
-            """What the controls say."""
+            """Values of all controls."""
             return {name: getattr(self, name) for name in FIELDS}
 
         @state.setter
         def state(self, change: Json) -> None:
-            whole = complete(self.state | change)
+            values = complete(self.state | change)
             with self.hold_sync():
-                for name, value in whole.items():
+                for name, value in values.items():
                     setattr(self, name, value)
 
         def psf(self, **options: Any) -> PSF:
-            """Return the PSF that the page shows, by this Python."""
+            """Return the PSF that the page shows, computed in Python without noise."""
             return psf_of(self.state, **options)
 
         def __repr__(self) -> str:
-            said = ", ".join(
+            changed = ", ".join(
                 f"{name}={value!r}" for name, value in self.state.items() if value != FIELDS[name].initial
             )
-            return f"Live({said})"
+            return f"Live({changed})"
 
-    made: type = type("Live", (Live,), {name: trait(field) for name, field in FIELDS.items()})
-    return made
+    widget_class: type = type("Live", (Live,), {name: trait(field) for name, field in FIELDS.items()})
+    return widget_class

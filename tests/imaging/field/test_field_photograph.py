@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.imaging import field_photograph
-from lommel.imaging.photograph import _places
+from lommel.imaging.photograph import undistorted_positions
 
 N, PIXEL, HEIGHT, WIDTH = 4.0, 1e-6, 60, 90  # pixels that resolve the PSF, so that sums over them are integrals
 EDGE = 0.5 * PIXEL * np.hypot(HEIGHT, WIDTH) * 1.4
@@ -140,7 +140,7 @@ def test_places_between_nodes_are_those_of_the_map():
     """The picture is that of a scene which is its own position, where nothing blurs it."""
     shape = (70, 80)
     y, x = (PIXEL * (np.arange(n) - 0.5 * (n - 1)) for n in shape)
-    found = _places(BENT, y, x, 460e-9, 1e-3 * PIXEL)
+    found = undistorted_positions(BENT, y, x, 460e-9, 1e-3 * PIXEL)
     np.testing.assert_allclose(found, BENT.undistorted(x, y[:, None], 460e-9)[::-1], atol=1e-3 * PIXEL)
 
 

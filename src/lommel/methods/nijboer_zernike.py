@@ -1,4 +1,4 @@
-"""The Legendre-Bessel form of the extended Nijboer-Zernike series, compiled and certified: the default method."""
+"""Default method: the Legendre-Bessel form of the extended Nijboer-Zernike series, compiled, with error bounds."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class NijboerZernike(FieldMethod["Pupil"]):
-    r"""Legendre-Bessel series, accurate to a tolerance: the default.
+    r"""Legendre-Bessel series, accurate to a tolerance: the default method.
 
     Supports circular and annular apertures with any wavefront, up to about 5000 radians of phase if it is radially
     symmetric and a few hundred if not.
@@ -41,9 +41,9 @@ class NijboerZernike(FieldMethod["Pupil"]):
     Parameters
     ----------
     tol : float, default 1e-6
-        Bound on ``max|I - I_exact| / max I`` over the window, max I being the peak of the PSF, 1e-12 to 1e-1. It is
-        a contract: truncation, quadrature, interpolation and rounding are bounded, the bound is checked against
-        the peak that was found, and :class:`ToleranceError` is raised where it cannot be brought below `tol`.
+        Bound on ``max|I - I_exact| / max I`` over the window, max I being the peak of the PSF, 1e-12 to 1e-1. The
+        errors of truncation, quadrature, interpolation and rounding are bounded, their sum is compared with the
+        computed peak, and :class:`ToleranceError` is raised if their ratio cannot be brought below `tol`.
 
     Raises
     ------
@@ -52,15 +52,15 @@ class NijboerZernike(FieldMethod["Pupil"]):
 
     Notes
     -----
-    With ``E(t) = exp(i Phi)`` and t = rho^2, ``beta_n = (2n+1) int_0^1 E(t) P_n(2t-1) dt`` and
-    ``U(v) = sum_n beta_n 2 (-1)^n J_{2n+1}(v) / v``: the P_n(2t-1) are the radial Zernike polynomials, and the basis
-    is orthogonal, so nothing cancels whatever the defocus. The Bessel functions do not depend on the pupil; they
-    are tabulated once as polynomials of degree 15 on pieces of the v axis, U being of exponential type 1. An
-    obscured aperture is the difference of two disks.
+    A radially symmetric pupil ``E(t) = exp(i Phi)``, with t = rho^2 and the phase Phi, has the coefficients
+    ``beta_n = (2n+1) int_0^1 E(t) P_n(2t-1) dt`` and the field ``U(v) = sum_n beta_n 2 (-1)^n J_{2n+1}(v) / v``. The
+    P_n(2t-1) are the radial Zernike polynomials, an orthogonal basis, so that large terms do not cancel at any
+    defocus. The Bessel functions do not depend on the pupil; they are tabulated once as polynomials of degree 15 on
+    pieces of the v axis. An obscured aperture is the difference of two disks.
 
-    With any Zernike terms, ``P = sum beta_n^m R_n^|m| exp(i m theta)`` and
-    ``U(v, psi) = 2 sum_n (-i)^n sum_m beta_n^m J_{n+1}(v)/v exp(i m psi)``: the same radial functions serve every
-    azimuthal order; the orders are summed while rendering, for eight pixels at once.
+    A pupil with any Zernike terms is ``P = sum beta_n^m R_n^|m| exp(i m theta)``, and its field is
+    ``U(v, psi) = 2 sum_n (-i)^n sum_m beta_n^m J_{n+1}(v)/v exp(i m psi)``: all azimuthal orders m use the same
+    radial functions J_{n+1}(v)/v, and the sum over m is computed for eight pixels together.
 
     References
     ----------
@@ -74,41 +74,41 @@ class NijboerZernike(FieldMethod["Pupil"]):
     tol: float = 1e-6
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
+        """Return the field U at increasing v and its error bound, at which I is accurate to `tol` of the peak."""
         return radial_fields(radial_stack(pupil), v, self.tol)
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
-        """Return I at rising v; its bound is checked against the peak that was found."""
+        """Return the intensity I at increasing v; its error bound is checked against the computed peak."""
         return radial_profiles(radial_stack(pupil), v, self.tol)
 
     def means(self, pupil: Pupil, v: Array, matrix: Array, threads: int = 0) -> Array:
-        """Return ``I(v) @ matrix`` for the flattened stack of a `pupil`, shape ``(n, sums)``.
+        """Return ``I(v) @ matrix``, shape ``(pupils, sums)``, for the flattened stack of a `pupil`.
 
-        `v` is increasing, `matrix` has the shape ``(len(v), sums)``; with at most `threads` threads.
+        `v` is increasing, and `matrix` has the shape ``(len(v), sums)``; `threads` is the largest number of threads.
         """
         profiles = radial_profiles(radial_stack(pupil), v, self.tol, threads)
         return product(profiles.values, matrix, threads)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        """Return I at the distinct radii of `grid` if pupil and grid are symmetric, otherwise at its pixels."""
         if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
 
     def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
-        """Return a prepared computation for further radial pupils around one axis; see :meth:`Method.plan`."""
-        # A plan holds the tables of one window. The truncation error of an apodization would widen bounds that it
-        # keeps.
+        """Return a prepared computation of further radial pupils on the same window; see :meth:`Method.plan`."""
+        # The plan keeps the tables and error bounds of one window; the truncation error of an apodization would widen
+        # these bounds.
         if not pupil.radial or grid.stack or pupil.illumination.error:
             return None
         window = window_of(pupil, grid)
-        ask = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
+        compute = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
 
-        def answer(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
+        def shortcut(further: Pupil, values: Pixels) -> tuple[Array, float] | None:
             wavefront = further.wavefront
-            return None if wavefront.left_out else ask(wavefront.radial_terms, values)
+            return None if wavefront.left_out else compute(wavefront.radial_terms, values)
 
-        return answer
+        return shortcut
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
@@ -128,16 +128,16 @@ class NijboerZernike(FieldMethod["Pupil"]):
                 try:
                     return disk_images(_radial_samples, pupil, grid, self.tol, wanted)
                 except ToleranceError:
-                    pass  # filters magnify the errors of samples, which double precision may then not hold
+                    pass  # filters magnify the errors of samples, so that double precision may not suffice
             return radial_images(stack, window, self.tol, wanted, integrate=grid.integrate)
 
         averaged = grid.integrate and not grid.stack
-        # Weights shared by all pupils of a window (certificate, section 9), or a filter of finer samples (section
-        # 10).
+        # Two ways to average over pixels: weights shared by all pupils of a window (certificate, section 9), or a
+        # filter of finer samples (section 10).
         sampled = averaged and filters_pay(stack, window, self.tol)
         if averaged and wanted.powers and (sampled or filters_pay(stack, window, self.tol, derivatives=True)):
             values = images(wanted._replace(powers=()), sampled=sampled)
-            # Values and derivatives may each be faster by another way.
+            # Derivatives are computed from finer samples, values in the way that is faster for them.
             return values._replace(slopes=images(wanted._replace(out=None), sampled=True).slopes)
         return images(wanted, sampled=sampled)
 
@@ -154,37 +154,37 @@ def radial_stack(pupil: Pupil) -> RadialStack:
     """Return the flattened stack of a radially symmetric pupil."""
     if not pupil.radial:
         raise Declined(
-            "a pupil that is not radially symmetric has no radial profile; ask for its image with lommel.psf"
+            "a pupil that is not radially symmetric has no radial profile; compute its image with lommel.psf"
         )
-    # An amplitude multiplies E(t): certificate, section 5.
+    # The amplitude is a factor of E(t); see the certificate, section 5.
     return RadialStack(pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent)
 
 
 def disk_stack(pupil: Pupil) -> DiskStack:
-    """Return the flattened stack of a pupil of any wavefront over a circular or annular aperture."""
+    """Return the flattened stack of a pupil with any wavefront and a circular or annular aperture."""
     edge, indices = pupil.wavefront.edge, pupil.wavefront.indices
     return DiskStack(indices, edge.reshape(-1, len(indices)), pupil.obscuration, pupil.illumination.exponent)
 
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:
-    """Return the pixels of a grid as a window in v."""
+    """Return the pixels of a grid as a window in the reduced coordinate v."""
     center = np.stack([np.ravel(part) for part in grid.center], axis=1) if grid.stack else grid.axis
     return Window(grid.shape, center, grid.step(pupil))
 
 
 def disk_images(
-    sampled: Callable[[Pupil, Grid, float, Wanted], Images],
+    sample: Callable[[Pupil, Grid, float, Wanted], Images],
     pupil: Pupil,
     grid: Grid,
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return images of any wavefront from a function that samples pixels: its values, or averages of finer ones."""
+    """Return images for any wavefront: values of `sample` at pixel centres, or pixel averages of finer samples."""
     if not grid.integrate:
-        return sampled(pupil, grid, tol, wanted)
+        return sample(pupil, grid, tol, wanted)
     from lommel.methods.averaging import averaged_images
 
-    def far(some: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
-        return far_averages(disk_stack(some), window_of(some, pixels), most, tol, threads)
+    def far(part: Pupil, pixels: Grid, most: float, tol: float, threads: int) -> FarPixels:
+        return far_averages(disk_stack(part), window_of(part, pixels), most, tol, threads)
 
-    return averaged_images(sampled, pupil, grid, tol, wanted, far=far)
+    return averaged_images(sample, pupil, grid, tol, wanted, far=far)

@@ -1,4 +1,4 @@
-"""The pupil of a microscope objective: an emitter at a depth, the stage at a position; or a stack."""
+"""The pupil of a microscope objective, for one depth of the emitter and one position of the stage or a stack."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 class ObjectivePupil(BasePupil):
     """The pupil of a microscope objective, made by :meth:`lommel.Objective.pupil`.
 
-    Intensities are relative to the light collected in each plane: 1 is the peak of a uniform, scalar, unaberrated
-    aperture that passes as much light.
+    Intensities are relative to the light collected in each plane: an aperture that passes the same power, uniform,
+    scalar and unaberrated, has a peak of 1.
 
     Parameters
     ----------
     layers : Layers
     magnification : float
     depth, focus, z : ndarray, all of the shape of the stack
-        Metres: depth of the emitter below the glass; stage position from paraxial focus on the cover glass; stage
-        position from the chosen origin.
+        Depth of the emitter below the glass, and stage position from paraxial focus on the cover glass and from the
+        chosen origin, metres.
     emitter : Dipole, Beam or Scalar
     aberrations : Wavefront, optional
         Aberrations added to the phase of the layers: one wavefront, or a stack of the shape of the planes.
@@ -70,7 +70,7 @@ class ObjectivePupil(BasePupil):
 
     @cached_property
     def light(self) -> Light:
-        """Integrals and forms of the intensity."""
+        """Diffraction integrals, and the quadratic forms that turn them into intensities."""
         return light_of(self.emitter)
 
     @property
@@ -80,56 +80,59 @@ class ObjectivePupil(BasePupil):
 
     @property
     def aberrated(self) -> bool:
-        """Whether a measured wavefront is added to the phase of the layers."""
+        """Whether a wavefront of aberrations is added to the phase of the layers."""
         return self.aberrations is not None
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """Bounds on what the expansions of phase (radians) and amplitude leave out."""
+        """Bounds on the truncation errors of the expansions of phase (radians) and amplitude."""
         return 0.0 if self.aberrations is None else self.aberrations.left_out, 0.0
 
     @cached_property
     def aperture(self) -> tuple[object, ...]:
-        """Everything that limits or weights the light, and whether wavefronts are added."""
+        """Key of the aperture: everything that limits or weights the light, and whether aberrations are added."""
         return self.layers, self.magnification, self.emitter, self.depth.tobytes(), self.aberrated
 
     @cached_property
     def power(self) -> Array:
-        """Light collected in each plane of the flattened stack, over ``4 pi / (k NA)^2``."""
-        # One plane is common in searches, and its light is kept.
+        """Power collected in each plane of the flattened stack; unit ``4 pi / (k NA)^2``, k = 2 pi / wavelength."""
+        # Single planes recur in searches, so that their power is cached.
         if self.depth.size == 1:
             return _power_at(self.layers, self.emitter, self.depth.item()).copy()
-        depth, place = np.unique(self.depth.ravel(), return_inverse=True)
+        depth, index = np.unique(self.depth.ravel(), return_inverse=True)
         near, _ = debye.power(self.layers, depth, self.light.model)
-        return np.asarray((near @ self.light.shares)[place.ravel()])
+        return np.asarray((near @ self.light.shares)[index.ravel()])
 
     @property
     def collected(self) -> Array:
-        """:attr:`power` over that of the same emitter far from the glass, of the shape of the stack."""
-        # Without a depth near the glass: what an emitter far from it sends into the objective.
+        """:attr:`power` divided by the power of the same emitter far from the glass, as a stack."""
+        # The power far from the glass does not depend on the depth, so that no depth is given.
         _, far = debye.power(self.layers, np.zeros(0), self.light.model)
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
-        """Return the largest ray distance from the axis on the camera, metres, within 0.98 of the critical angle."""
-        # Slopes of the phase have no bound at the critical angle.
+        """Return the largest distance from the axis, metres on the camera, of rays within 0.98 of the usable radius.
+
+        The usable radius of the pupil ends at its edge or at the critical angle, whichever is smaller.
+        """
+        # The slope of the phase diverges at the critical angle.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
-        # Heights of rays are slopes of the phase.
+        # The distance of a ray from the axis is proportional to the slope of the phase.
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))
 
     def _each(self, of: OfEach) -> ObjectivePupil:
         depth, focus, z = (np.asarray(of(getattr(self, name))) for name in PLANES)
-        measured = of(self.aberrations) if self.aberrations and self.aberrations.shape else self.aberrations
-        return replace(self, depth=depth, focus=focus, z=z, aberrations=measured)
+        aberrations = of(self.aberrations) if self.aberrations and self.aberrations.shape else self.aberrations
+        return replace(self, depth=depth, focus=focus, z=z, aberrations=aberrations)
 
     def in_light(self, wavelength: float) -> ObjectivePupil:
-        """Return the pupil at another `wavelength`, metres: same indices and path differences; or a ValueError."""
+        """Return the pupil at a `wavelength`, metres, with the same indices and path differences."""
         layers = replace(self.layers, wavelength=validation.wavelength(wavelength))
-        measured = self.aberrations and same_path(self.aberrations, self.wavelength, layers.wavelength)
-        return replace(self, layers=layers, aberrations=measured)
+        aberrations = self.aberrations and same_path(self.aberrations, self.wavelength, layers.wavelength)
+        return replace(self, layers=layers, aberrations=aberrations)
 
     def to_dict(self) -> Json:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
@@ -146,7 +149,7 @@ class ObjectivePupil(BasePupil):
 
     @classmethod
     def from_dict(cls, description: Json) -> ObjectivePupil:
-        """Rebuild a pupil from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
+        """Return the pupil of a `description` from :meth:`to_dict`; TypeError or ValueError if it is not valid."""
         plain = dict(description["emitter"])
         kind = {each.__name__: each for each in (Dipole, Beam, Scalar)}[plain.pop("kind")]
         if isinstance(jones := plain.get("polarization"), list):
@@ -157,13 +160,13 @@ class ObjectivePupil(BasePupil):
         exponent = tuple(validation.real_array("exponent", layers.get("exponent", ())).tolist())
         depth, focus, z = (validation.real_array(name, description[name]) for name in PLANES)
         magnification = validation.real("magnification", description["magnification"], above=0.0)
-        measured = description.get("aberrations")
-        aberrations = measured and Wavefront.from_dict(measured)
-        of = Layers(**numbers, films=films, paths=paths, exponent=exponent)
-        return cls(of, magnification, depth, focus, z, kind(**plain), aberrations)
+        wavefront = description.get("aberrations")
+        aberrations = wavefront and Wavefront.from_dict(wavefront)
+        stack = Layers(**numbers, films=films, paths=paths, exponent=exponent)
+        return cls(stack, magnification, depth, focus, z, kind(**plain), aberrations)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether two pupils are the same."""
+        """Return whether two pupils have equal parameters."""
         return self.to_dict() == other.to_dict() if isinstance(other, ObjectivePupil) else NotImplemented
 
     __hash__ = None  # type: ignore[assignment]
@@ -178,9 +181,9 @@ class ObjectivePupil(BasePupil):
             f"{name} {low:.4g} um" if low == high else f"{name} {low:.4g} to {high:.4g} um"
             for name, (low, high) in ends.items()
         )
-        of = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
-        measured = f", {self.aberrations!r}" if self.aberrations else ""
-        return f"<ObjectivePupil {of}, {planes}: {spans}, {self.emitter!r}{measured}>"
+        objective = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
+        aberrations = f", {self.aberrations!r}" if self.aberrations else ""
+        return f"<ObjectivePupil {objective}, {planes}: {spans}, {self.emitter!r}{aberrations}>"
 
 
 @lru_cache(maxsize=256)

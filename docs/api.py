@@ -171,7 +171,7 @@ SECTIONS = [
         " imaging.bank.Bank"
         " methods.pixel_rule.pixel_rule methods.pixel_rule.PixelRule methods.pixel_rule.octant"
         " methods.pixel_rule.sums_of_windows methods.pixel_rule.quarters base.encoding.to_light"
-        " base.encoding.from_light base.encoding.clipped_share io.photos.write_frames",
+        " base.encoding.from_light base.encoding.clipped_fraction io.photos.write_frames",
     ),
     Section(
         "Video",

@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 from lommel.base import validation
 from lommel.base.atomic import sealed
-from lommel.base.encoding import clipped_share
+from lommel.base.encoding import clipped_fraction
 from lommel.core import engine
 from lommel.io import psf_files
 from lommel.measures import aperture_means
@@ -130,8 +130,8 @@ def test_light_counts_as_clipped_from_a_whole_level_on():
     for kind in (np.uint8, np.uint16):
         level = 1.0 / np.iinfo(kind).max
         light = np.array([0.5, 1.0 + 0.9 * level, 1.0 + 1.1 * level, -0.9 * level, -1.1 * level])
-        assert clipped_share(light, kind) == 0.4
-    assert clipped_share(np.array([-5.0, 5.0]), np.float32) == 0.0
+        assert clipped_fraction(light, kind) == 0.4
+    assert clipped_fraction(np.array([-5.0, 5.0]), np.float32) == 0.0
 
 
 @pytest.mark.parametrize(("far", "hidden"), [(3.0, 2), (1.0, 4), (-3.0, 8)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.base.encoding import clipped_share, from_light, to_light
+from lommel.base.encoding import clipped_fraction, from_light, to_light
 
 WHOLE = {np.uint8: np.arange(2**8, dtype=np.uint8), np.uint16: np.arange(2**16, dtype=np.uint16)}
 
@@ -64,9 +64,9 @@ def test_linear_light_may_be_negative():
 def test_integers_clip_what_they_cannot_hold_and_the_share_is_told(light, stored, kind):
     both = np.array([0.5, light])
     assert from_light(both, "linear", kind)[1] == stored * np.iinfo(kind).max
-    assert clipped_share(both, kind) == 0.5
-    assert clipped_share(both, np.float32) == 0.0
-    assert clipped_share(np.array([0.0, 1.0]), kind) == 0.0
+    assert clipped_fraction(both, kind) == 0.5
+    assert clipped_fraction(both, np.float32) == 0.0
+    assert clipped_fraction(np.array([0.0, 1.0]), kind) == 0.0
 
 
 def test_rounding_at_white_is_forgiven():

@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel import _core
-from lommel.base.encoding import clipped_share, from_light, to_light
+from lommel.base.encoding import clipped_fraction, from_light, to_light
 from lommel.core import engine
 from lommel.imaging import sensor_light
 from lommel.imaging.photograph import encode_light
@@ -40,7 +40,7 @@ def test_bytes_of_an_image_are_those_of_the_formula_but_between_two_levels(encod
     differ = values != wanted
     assert differ.mean() <= 1e-4
     assert np.abs(values[differ].astype(int) - wanted[differ]).max(initial=0) <= 1
-    assert clipped == clipped_share(light, np.uint8)
+    assert clipped == clipped_fraction(light, np.uint8)
     assert clipped > 0.1
 
 
@@ -51,7 +51,7 @@ def test_other_types_are_those_of_the_formula(dtype, kind):
     light = np.linspace(-0.1, 1.1, 99, dtype=dtype)
     values, clipped = encode_light(light, "srgb", kind)
     assert np.array_equal(values, from_light(light, "srgb", kind))
-    assert clipped == clipped_share(light, kind)
+    assert clipped == clipped_fraction(light, kind)
 
 
 @pytest.mark.parametrize("edges", [[0.5], [1e-30, 1.0], [1.0, 1.0001, 3.0]])

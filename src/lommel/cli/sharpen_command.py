@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import from_light, tell_of_light
+from lommel.base.encoding import from_light, warn_if_bright
 from lommel.base.units import format_length
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, radial_instrument
 from lommel.cli.options import FILE, JSON, OUTPUT, PATH, Group, argument, command, option
@@ -192,7 +192,7 @@ def _clip(
         picture = read_photo(clip, encoding)
         values = picture.values
         if values.dtype.kind == "f":
-            tell_of_light(values)
+            warn_if_bright(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
         coding = known(levels, values.dtype, picture.encoding)
         dtype, stored_as = output_type(picture, output, None)

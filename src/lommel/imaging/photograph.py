@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import clipped_share, from_light, scene_light, to_light
+from lommel.base.encoding import clipped_fraction, from_light, scene_light, to_light
 from lommel.base.optional import library
 from lommel.base.options import require_known, shares
 from lommel.core import engine
@@ -106,7 +106,7 @@ def fill_missing(depth: ArrayLike, missing: str) -> Values:
 def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
     """Return the stored values of finite light (1 is white), and the fraction of them that an integer type clips."""
     if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
-        return from_light(light, encoding, dtype), clipped_share(light, dtype)
+        return from_light(light, encoding, dtype), clipped_fraction(light, dtype)
     # Comparing with the thresholds between levels is faster than encoding each value, with the same result.
     values = np.empty(light.shape, dtype=np.uint8)
     level = 1.0 / 255.0

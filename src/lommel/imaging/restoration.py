@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Values
-from lommel.base.encoding import tell_of_light, to_light
+from lommel.base.encoding import to_light, warn_if_bright
 from lommel.base.options import shares
 from lommel.deconvolve.algorithms import (
     MISFIT,
@@ -349,7 +349,7 @@ def recorded(photo: Pixels, encoding: str, limit: float, hidden: NDArray[np.bool
         unknown |= hidden
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
     if limit < math.inf:  # else whoever asks knows of light beyond white
-        tell_of_light(light)
+        warn_if_bright(light)
     light[unknown] = np.nan
     if not np.any(light < limit):
         raise ValueError(

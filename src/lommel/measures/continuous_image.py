@@ -1,19 +1,19 @@
 """The continuous image that the values of a PSF sample, at any point and over any circle or rectangle.
 
-It is one function of the position: the intensity that the optics make of a point, convolved with each blur and, where
-pixels average, with the pixel. Its transform is the optical transfer function times a factor for each of these,
+The image e at the position r is the intensity of a point source, convolved with each blur and, if pixels integrate,
+with the pixel. Its Fourier transform is the optical transfer function (OTF) times factors B of blur and S of pixels,
 
     e(r) = int OTF(f) B(f) S(f) exp(2 pi i f.r) d^2 f ,
 
-in fractions of all light per area. So are integrals of it: the light within the radius R of the point c is
+as a fraction of all light per area. The fraction of all light within the radius R of the point c is
 
     E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R |f|) / |f| d^2 f .
 
-Two ways to the transfer function. :class:`PolarImage`, of radially symmetric lenses and of all that are seen through
-turbulence, takes it from the pupil, at Gauss nodes along the radius. :class:`CartesianImage`, of anything, takes the
-discrete transform of samples, and cuts it off smoothly between the cutoff of the optics (where it ends) and twice
-that: this replaces the indicator of a circle by a function with the same transform below the cutoff, which differs
-from it within 12 lambda*N of the rim. Samples beyond that do not count, so a window that ends there loses nothing.
+Two classes compute the OTF. :class:`PolarImage`, for radially symmetric lenses and lenses seen through turbulence,
+takes it from the pupil, at Gauss nodes along the radial frequency. :class:`CartesianImage`, for all pupils, takes the
+discrete transform of samples, with a smooth cut-off from 1 to 0 between one and two times the highest frequency that
+passes. The cut-off replaces the indicator of a circle by a function with the same transform at all frequencies that
+pass. The two functions differ only within 12 lambda*N of the rim, so that no samples are needed farther out.
 """
 
 from __future__ import annotations
@@ -56,16 +56,17 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import FieldPupil, Pupil
 from lommel.special.legendre import gauss_legendre
 
-_GAUSS = 0.5 / math.sqrt(3.0)  # distance of both Gauss nodes from the middle, over the length of the interval
+_GAUSS = 0.5 / math.sqrt(3.0)  # distance of the two Gauss nodes from the middle, as a fraction of the interval
 
 
-# Clear area of each square cell of an aperture, in a second for any number of parts. A line of constant y crosses an
-# ellipse or a convex polygon in one interval. Two Gauss nodes between the edges of cells, corners, and (where edges
-# are nearly horizontal) their crossings of columns are exact for straight edges, unless two cross within a cell.
+# Clear area of each square cell of an aperture. A line of constant y crosses an ellipse or a convex polygon in one
+# interval. The area integrates these intervals over y, by two Gauss nodes between edges of cells, corners of the
+# aperture and, for nearly horizontal edges, crossings of columns. This is exact for straight edges, unless two edges
+# cross within a cell.
 
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
-    """Return the means of ``exp(i phase)`` of the segments over `side` x `side` cells of [-1, 1] x [-1, 1]."""
+    """Return the means of the aperture times ``exp(i phase)`` over `side` x `side` cells of [-1, 1] x [-1, 1]."""
     found = np.zeros((side, side), dtype=np.complex128)
     at = cell_centers(side)
     for region, phase in zip(opening.regions, opening.phases, strict=True):
@@ -84,7 +85,7 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     y, weight, row = _clear_lines(region, side)
     low, high = np.array([_crossed(region, k, y) for k in range(len(region.polygons))]).transpose(1, 0, 2)
     ends = np.sort(np.concatenate([low, high]), axis=0)
-    # Between neighbouring ends a line is clear or not as a whole: its middle decides.
+    # Between neighbouring ends a line is either clear or blocked throughout, which is tested at the middle.
     middle = 0.5 * (ends[1:] + ends[:-1])
     inside = [(a < middle) & (middle < b) for a, b in zip(low, high, strict=True)]
     clear = region.combined(inside, np.logical_and, np.logical_or, lambda a, b: a & ~b)
@@ -92,7 +93,7 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     piece, line = np.nonzero(clear)
     if not line.size:
         return slice(0, 0), slice(0, 0), np.zeros((0, 0))
-    # The start of an interval counts from its cell onwards, the end subtracts from there on.
+    # The start of an interval adds 1 to all cells after it, the end subtracts 1 from all cells after it.
     place = np.concatenate([ends[piece, line], ends[piece + 1, line]])
     place = np.clip(0.5 * side * (place + 1.0), 0.0, float(side))
     # The covered part of each cell along a line is a running sum of starts and ends.
@@ -102,7 +103,7 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     shape = int(row[line].max()) + 1 - top, int(first.max()) + 2 - left
     at = np.tile(row[line] - top, 2) * shape[1] + first - left
     part = place - first
-    # An edge within a cell changes the sum by 1 - part there, and by the rest in the next cell.
+    # An edge at the fraction `part` of a cell changes the sum by 1 - part in this cell and by part in the next.
     steps = np.bincount(at, change * (1.0 - part), math.prod(shape)) + np.bincount(
         at + 1, change * part, math.prod(shape)
     )
@@ -111,12 +112,12 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
 
 
 def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return lines of constant y, their weights over the side of a cell, and the row of cells of each."""
+    """Return lines of constant y, their weights in units of the side of a cell, and the row of cells of each line."""
     cell, ellipses, events, spans = 2.0 / side, iter(region.ellipses), [], []
     for corners in region.polygons:
         if len(corners):
             events += [
-                # A new piece wherever the edge enters the next column of cells.
+                # A new interval of y wherever the edge enters the next column of cells.
                 np.linspace(y0, y1, 2 + int(abs(x1 - x0) / cell) if y0 != y1 else 1)
                 for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True)
             ]
@@ -139,7 +140,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     edges = np.unique(
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
-    # Two Gauss nodes integrate the cubic that a straight edge makes of the covered area.
+    # Two Gauss nodes are exact for cubics; with straight edges the covered length is linear in y.
     middle, wide = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
     lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])
@@ -147,7 +148,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
 
 
 def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
-    """Return where lines enter and leave a part of a region, 2 (outside of the disc) where they miss it."""
+    """Return the x at which lines of constant `y` enter and leave a part of a region; 2 (outside) if they miss it."""
     corners = region.polygons[part]
     if len(corners):
         (x0, y0), (x1, y1) = corners.T[:, :, None], np.roll(corners, -1, axis=0).T[:, :, None]
@@ -158,37 +159,37 @@ def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
     x, middle, a, b, angle = region.ellipses[sum(len(at) == 0 for at in region.polygons[:part])]
     cos, sin = math.cos(angle), math.sin(angle)
     tall = math.hypot(a * sin, b * cos)
-    # Chord of a turned ellipse: half length a b sqrt(tall^2 - up^2) / tall^2, its middle on a straight line.
+    # Chord of a rotated ellipse: half length a b sqrt(tall^2 - up^2) / tall^2, with its middle on a straight line.
     up = y - middle
     half = a * b * np.sqrt(np.maximum(tall**2 - up**2, 0.0)) / tall**2
     center = x + up * (a * a - b * b) * sin * cos / tall**2
     return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
 
 
-# Autocorrelation of pupils at small shifts, those that blur leaves (certificate, "Measures of an image", "From
-# cells"). Each cell carries the mean of the pupil function over its area. The autocorrelation of these is that of the
-# pupil convolved with two squares of the size of a cell, whose second moment is subtracted; at 0 it is known. Between
-# cells it is interpolated by cubic splines. Its error is some 1e-6, more where a shift by less than a cell opens or
-# closes a gap; images, which average it, are off by about 1e-6 of all light.
+# Autocorrelation of pupils at small shifts, the frequencies that pass strong blur (certificate, "Measures of an
+# image", "From cells"). Each cell has the mean of the pupil function over its area. The autocorrelation of the means
+# is that of the pupil, convolved with two squares of the size of a cell; the second moment of the squares is
+# corrected, and the value at shift 0 is known. Cubic splines interpolate between cells. The error is some 1e-6, more
+# if a shift by less than a cell opens or closes a gap; images average it, and are off by about 1e-6 of all light.
 
-_FINE = 32.0  # least number of cells within the largest shift
+_MIN_CELLS = 32.0  # least number of cells within the largest shift
 
 
 class SmallShifts(NamedTuple):
     """Cubic splines through the OTF of a single pupil, sampled at shifts by whole cells."""
 
-    splines: tuple[Array, ...]  # real part, and the imaginary one unless it is zero
-    side: int
-    most: int
+    splines: tuple[Array, ...]  # real part, and the imaginary part unless it is zero
+    side: int  # number of cells along the diameter of the aperture
+    most: int  # largest shift, cells
 
     @classmethod
     def of(cls, pupil: Pupil, end: float) -> SmallShifts:
         """Return the splines for frequencies up to `end` of the cutoff."""
-        side = int(np.clip(2 ** math.ceil(math.log2(_FINE / end)), 1024, 4096))
+        side = int(np.clip(2 ** math.ceil(math.log2(_MIN_CELLS / end)), 1024, 4096))
         return _small_shifts(pupil, side, min(math.ceil(end * side) + 4, side))
 
     def at(self, fx: Array, fy: Array) -> NDArray[np.complex128]:
-        """Return the OTF at frequencies over the cutoff."""
+        """Return the OTF at frequencies in units of the cutoff."""
         from scipy.ndimage import map_coordinates
 
         places = [self.side * f + self.most for f in (fy, fx)]
@@ -214,19 +215,20 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
         # Mean over a cell along which the phase is linear: a sinc of the phase change along each side.
         light *= np.prod(np.sinc(gradient(pupil.wavefront, rho, theta)[0] / (math.pi * side)), axis=0)
         field[rows, columns] *= light * np.exp(1j * pupil.wavefront.phase(rho, theta))
-    # Zero padding by the largest shift: no product wraps around.
+    # Zero padding by the largest shift, so that no shifted product wraps around.
     size = fft.next_fast_len(side + most + 1)
     spectrum = fft.fft2(field, (size, size))
     near = np.arange(-most - 1, most + 2)
     raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(near, near)].conj()
-    # Each cell has the area (2 / side)^2; over pi times the transmission, all light.
+    # Sum to integral: a cell has the area (2 / side)^2, and all light is pi times the transmission.
     raw *= 4.0 / (math.pi * side**2 * pupil.transmission)
     found = raw[1:-1, 1:-1]
-    # The mean over a cell of both pupils is a convolution of variance 1/6 along each axis; -1/12 of the Laplacian.
-    # (h^2 / 12) Laplacian, by the five-point stencil, in units of cells.
+    # The means over cells of both pupils convolve the autocorrelation by a variance of 1/6 (in cells^2) along each
+    # axis, which adds 1/12 of its Laplacian. This is subtracted, by the five-point stencil of the Laplacian.
     around = raw[:-2, 1:-1] + raw[2:, 1:-1] + raw[1:-1, :-2] + raw[1:-1, 2:]
     found = found - (around - 4.0 * found) / 12.0
-    # Samples of the cone 1 - c d around 0 sum to 0.229 c too much (sum of k^-3 / (4 pi^2) over a lattice).
+    # Samples of the cone 1 - c d around shift 0, d in cells, sum to 0.229 c more than its integral (sum of
+    # k^-3 / (4 pi^2) over a lattice): the sample at 0 is lowered by this excess.
     ring = found[most - 2 : most + 3, most - 2 : most + 3].real
     slope = float(np.mean([1.0 - ring[0, 2], 1.0 - ring[4, 2], 1.0 - ring[2, 0], 1.0 - ring[2, 4]])) / 2.0
     found[most, most] = 1.0 - 0.229 * slope
@@ -235,29 +237,29 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
 
 
 def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:
-    """Return the OTF of a single pupil at frequencies over the cutoff, all below `end`."""
+    """Return the OTF of a single pupil at frequencies in units of the cutoff, all below `end`."""
     if pupil.mask is None:
         return SmallShifts.of(pupil, end).at(fx, fy)
     shifts = pupil.mask.side * np.stack([fx.ravel(), fy.ravel()], axis=-1)
     return cells(pupil).between(shifts).reshape(fx.shape)
 
 
-# Cut-off c(f) of the certificate, "Measures of an image", "From samples":
-_SEAM = 12.0  # distance in lambda*N, times the band, beyond which its kernel is below 1e-10
-# In units of the band: erfc(4) / 2 = 8e-9 is its deviation from 1 and from 0 at 1 and 2.
+# Cut-off c(f) = erfc((f / band - middle) / width) / 2; see the certificate, "Measures of an image", "From samples".
+_SEAM = 12.0  # distance in lambda*N, times the band, beyond which the kernel of the cut-off is below 1e-10
+# Middle and width in units of the band: the cut-off deviates by erfc(4) / 2 = 8e-9 from 1 at 1 and from 0 at 2.
 _MIDDLE, _WIDTH = 1.5, 0.125
 SEAM_NORM = 3.94
-"""Integral of the modulus of its kernel over the plane: largest growth of the errors of samples."""
+"""Integral of the modulus of the cut-off's kernel over the plane: largest growth of the errors of samples."""
 OWN_ERROR = 2e-8
-"""Error of the cut-off for the light within a circle."""
-_FADED = 1e-11
+"""Error of the light within a circle due to the cut-off, as a fraction of all light."""
+_NEGLIGIBLE = 1e-11  # value of the blur's transfer function below which frequencies are left out
 MOST_SIDE = 6144
-"""Most samples a side."""
-_AT_ONCE = 2**24
-_FAR = 64.0
-# Least numbers of directions over half a turn: for responses of pixels, and for apertures with vanes.
-_SMOOTH, _ROUGH = 48, 160
-_CELLS = 512
+"""Largest number of samples along a side."""
+_MAX_VALUES = 2**24  # largest number of samples or waves computed together, to limit the memory
+_TAPER = 64.0  # width, lambda*N, of the margin in which samples for the OTF are weighted down to 0
+# Smallest number of directions over half a turn, with an OTF that is radially symmetric and one that is not.
+_MIN_ANGLES, _MIN_ANGLES_OTF = 48, 160
+_RAY_CELLS = 512  # number of cells of geometric images along a side
 
 
 class ImageModel(NamedTuple):
@@ -270,7 +272,7 @@ class ImageModel(NamedTuple):
 
     @classmethod
     def of(cls, psf: PSFLike, what: str = "image") -> ImageModel:
-        """Return the model of a PSF, with its pixels or, where `what` is "optics", without."""
+        """Return the model of a PSF; its pixels are included unless `what` is "optics"."""
         validation.choice("of", what, ("image", "optics"))
         checked(psf)
         return cls(psf.pupil, psf.method, psf.blur, psf.grid.active if what == "image" else (0.0, 0.0))
@@ -298,7 +300,7 @@ class ImageModel(NamedTuple):
     @property
     def parts(self) -> list[Component]:
         """Components of one wavelength each if the blur depends on it, otherwise one component."""
-        # Without seeing the method itself sums the spectrum, and blur acts on the sum.
+        # Without seeing, the method sums the spectrum, and the blur is applied to the sum.
         if any(isinstance(one, Seeing) for one in self.blur):
             return self.method.components(self.pupil)
         return [Component(1.0, 1.0, self.pupil)]
@@ -306,7 +308,7 @@ class ImageModel(NamedTuple):
     @property
     def finest(self) -> float:
         """Frequency at which the optics cut off, cycles per lambda*N."""
-        # Cells of a mask at the rim reach beyond it, by half of their diagonal.
+        # Cells of a mask extend beyond the rim of the aperture by up to half their diagonal.
         mask = getattr(self.pupil, "mask", None)
         return self.method.stretch(self.pupil) * (1.0 if mask is None else 1.0 + math.sqrt(2.0) / mask.side)
 
@@ -317,10 +319,10 @@ class ImageModel(NamedTuple):
 
     @property
     def band(self) -> float:
-        """Frequency beyond which nothing passes, cycles per lambda*N: the cutoff, or where blur has faded."""
+        """Highest frequency that passes, cycles per lambda*N: the cutoff of the optics, or less with blur."""
         far = self.finest
         scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
-        # Along the direction in which Gaussian blur is narrowest, the slowest fall: nothing may be cut off there.
+        # Gaussian blur passes the highest frequencies along the direction in which it is narrowest.
         least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
         left = np.exp(-2.0 * math.pi**2 * least * f**2)
         # Seeing is weakest at the longest wavelength.
@@ -328,12 +330,12 @@ class ImageModel(NamedTuple):
         for one in self.blur:
             if isinstance(one, Seeing):
                 left = left * one.transfer(f / scale, wavelength=longest)
-        alive = int(np.flatnonzero(left > _FADED)[-1])
-        return float(f[min(alive + 1, f.size - 1)])
+        last = int(np.flatnonzero(left > _NEGLIGIBLE)[-1])
+        return float(f[min(last + 1, f.size - 1)])
 
     @property
     def spread(self) -> tuple[float, float]:
-        """Extent of blur and pixels, and the width of the seeing, whose light extends without limit; in lambda*N."""
+        """Radius of blur and pixels, and the width of the seeing, which has no finite radius; lambda*N."""
         scale = self.pupil.scale
         gaussian, streaks = self._short
         # 6.5 standard deviations: exp(-6.5^2 / 2) = 7e-10 of a Gaussian lies beyond.
@@ -359,10 +361,10 @@ class ImageModel(NamedTuple):
 class CartesianImage:
     """An image as a sum of plane waves on a lattice of frequencies; lengths in lambda*N."""
 
-    table: NDArray[np.complex128]
-    fy: Array
+    table: NDArray[np.complex128]  # amplitudes of the waves, shape (len(fy), len(fx))
+    fy: Array  # frequencies, cycles per lambda*N; fx >= 0 only, with conjugate pairs counted in the table
     fx: Array
-    band: float
+    band: float  # highest frequency that passes, before the cut-off
     error: float  # bound on the error of the samples; NaN if the method has none
 
     def derivatives(self, x: float, y: float) -> Array:
@@ -386,7 +388,7 @@ class CartesianImage:
         squares, ring = self._rings
         light = np.bincount(ring, turned.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
-        # Hankel transform of a disc: pi r^2 at f = 0, r J1(2 pi r f) / f elsewhere; ring by ring of equal |f|.
+        # Hankel transform of a disc: pi r^2 at f = 0, else r J1(2 pi r f) / f, evaluated once for each distinct |f|.
         out = np.empty(radius.size)
         for i, r in enumerate(radius):
             out[i] = math.pi * r * r * light[0] + (r * j1(2.0 * math.pi * r * f) / f) @ light[1:]
@@ -411,14 +413,15 @@ class CartesianImage:
 
 def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis along x and y."""
-    # Beyond the errors of the samples the light within a circle is off by less than 2e-8; with seeing, whose light
-    # extends without limit, by up to about 1e-5.
+    # The light within a circle has an error below 2e-8, in addition to the errors of the samples; with seeing, whose
+    # light extends without limit, up to about 1e-5.
     pupil, band = model.pupil, model.band
     finest = model.finest
-    # 1 / h >= b_0 + 2 b: no alias reaches what the cut-off leaves (certificate, "From samples").
+    # 1 / pitch >= finest + 2 band, so that no alias reaches the frequencies that the cut-off passes (certificate,
+    # "From samples").
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
     short, seen = model.spread
-    # Samples farther out do not count: the kernel of the cut-off is below 1e-10 there.
+    # Samples farther out are negligible, because the kernel of the cut-off is below 1e-10 there.
     half = reach + _SEAM / band + short
     half += seeing_room(reach, seen)
     period = model.method.period(pupil)
@@ -434,11 +437,11 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
     kept_y, kept_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
     fy, fx = fy[kept_y], fx[kept_x]
-    # Frequencies above 0 along x stand for their conjugates as well: rfft keeps one of each pair.
+    # Frequencies above 0 along x count twice, because rfft keeps one of each conjugate pair.
     cut = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
     parts = model.parts
     count = math.prod(pupil.shape)
-    step = max(1, _AT_ONCE // side**2)
+    step = max(1, _MAX_VALUES // side**2)
     for first in range(0, count, step):
         block = np.arange(first, min(first + step, count))
         found = np.zeros((block.size, fy.size, fx.size), dtype=np.complex128)
@@ -449,8 +452,8 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
                 images = _sampled(some, model.method, grid, whole=len(parts) == 1)
             except (ValueError, ToleranceError) as fault:
                 raise ValueError(f"{_too_far(pupil, reach)}: {fault}") from fault
-            # Values of I to light per area: all light is 4 pi tau in v^2, and v = pi times lambda*N, at this
-            # wavelength.
+            # Intensity to fraction of all light per area: its integral in v is 4 pi times the transmission, and
+            # lambda*N at this wavelength is v = pi.
             factor = share * stretch**2 * math.pi / (4.0 * part.transmission)
             response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * cut)
             for k, image in enumerate(images.values):
@@ -463,13 +466,13 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
 
 
 def seeing_room(reach: float, seen: float) -> float:
-    """Return how far beyond `reach` seeing of the width `seen` needs samples, lambda*N."""
-    # Light missing beyond this and light that wraps around are 1e-5 of all at most (certificate, "From samples").
+    """Return the width of the margin of samples beyond `reach` for seeing of the width `seen`, all in lambda*N."""
+    # Light that is missing or wraps around is then at most 1e-5 of all light (certificate, "From samples").
     return min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
 
 
 def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
-    """Return the error for a circle or square that needs too many samples."""
+    """Return the ValueError for a circle or square that needs too many samples."""
     least = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
     return ValueError(
         f"what reaches {reach * pupil.scale:.4g} {pupil.unit} from the axis ({reach:.4g} lambda*N) is too far for a "
@@ -479,10 +482,10 @@ def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> Value
 
 def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.complex128]:
     """Return the transfer function from samples of the image at cycles per lambda*N, shape ``(n, len(fx))``."""
-    # Samples extend 64 lambda*N beyond `ImageModel.extent` with weights that fall to 0. The light beyond has the
-    # density of diffraction at a hard edge, falling as the cube of the distance. The error is below 1e-3 up to a
-    # fifth of the cutoff (3e-4 without straight edges) and 1e-4 above.
-    far = model.extent + _FAR
+    # Samples extend 64 lambda*N beyond `ImageModel.extent`, with weights that fall to 0 there. The remaining light is
+    # modelled by the diffraction at a hard edge, whose density falls as the cube of the distance. The error is below
+    # 1e-3 up to a fifth of the cutoff (3e-4 without straight edges), and below 1e-4 at higher frequencies.
+    far = model.extent + _TAPER
     finest = model.finest
     pitch, pupil = 0.25 / finest, model.pupil
     side = 2 * math.ceil(far / pitch)
@@ -490,13 +493,13 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     at = pitch * (np.arange(side) - side // 2)
 
     def weight(r: Array) -> Array:
-        return np.asarray(0.5 * erfc((r - far + 0.5 * _FAR) / (_FAR / 8.0)))
+        return np.asarray(0.5 * erfc((r - far + 0.5 * _TAPER) / (_TAPER / 8.0)))
 
     weights = weight(np.hypot(at, at[:, None]))
     columns = np.exp(-2j * math.pi * np.outer(at, fx))
     rows = np.exp(-2j * math.pi * np.outer(fy, at))
     # u = 1 / r maps the tail r^-3 2 pi r dr to a constant density on a finite interval.
-    u, rule = gauss_legendre(4096, 0.0, 1.0 / (far - _FAR))
+    u, rule = gauss_legendre(4096, 0.0, 1.0 / (far - _TAPER))
     beyond = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
     beyond /= rule @ (1.0 - weight(1.0 / u))
     found = np.zeros((math.prod(pupil.shape), fx.size), dtype=np.complex128)
@@ -513,17 +516,17 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
 
 
 def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
-    """Return samples of the intensity; unless `whole`, of one component of the spectrum."""
+    """Return samples of the intensity, of one component of the spectrum unless `whole`."""
     one = method.method if isinstance(method, Polychromatic) and not whole else method
     ways: tuple[Method, ...] = () if one is None else (one,)
-    # A proven default method is replaced by the fastest one for this grid, within its tolerance.
+    # A method with a proven error bound is replaced by the fastest such method for this grid, at the same tolerance.
     if one is None or isinstance(one, NijboerZernike | ChordalGauss | ChordalDebye):
         ways = candidates(pupil, grid, min(method.tol, Method.tol))
 
-    def ask(way: Method) -> Images:
+    def compute(way: Method) -> Images:
         return with_model_error(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
 
-    return first_within_tolerance(ways, ask)[1]
+    return first_within_tolerance(ways, compute)[1]
 
 
 @dataclass(frozen=True)
@@ -577,35 +580,35 @@ class PolarImage:
         return list(self._waves(self.reach))
 
     def _waves(self, reach: float) -> Iterator[Waves]:
-        """Yield frequencies, their components in as many directions as `reach` needs, and the light of each wave."""
+        """Yield blocks of |f|, their components fx and fy in as many directions as `reach` needs, and amplitudes."""
         # Seeing depends on |f| only and is evaluated once for all directions.
         seen = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in self.model.blur if isinstance(b, Seeing)))
         other = self.model._replace(blur=tuple(b for b in self.model.blur if not isinstance(b, Seeing)))
         reach = reach + self.model.spread[0]
         for f, weight, otf, wavelength in self.parts:
-            least = _SMOOTH if otf is None else _ROUGH
-            # exp(2 pi i f.r) has orders up to about 2 pi f r around the axis.
+            least = _MIN_ANGLES if otf is None else _MIN_ANGLES_OTF
+            # exp(2 pi i f.r) has azimuthal orders up to about 2 pi f r.
             angles = least + math.ceil(2.0 * math.pi * float(f.max()) * reach)
-            # Over half a turn: the rest is conjugate.
+            # Half a turn is enough, because opposite directions are conjugate.
             theta = math.pi / angles * np.arange(angles)
             light = 2.0 * math.pi / angles * weight * seen.response(f, np.zeros(f.shape), wavelength)
-            many = max(1, _AT_ONCE // (16 * angles))
-            for start in range(0, f.size, many):
-                some = slice(start, start + many)
-                fx, fy = f[some, None] * np.cos(theta), f[some, None] * np.sin(theta)
-                waves = light[some, None] * other.response(fx, fy, wavelength)
-                yield f[some], fx, fy, waves.astype(np.complex128) if otf is None else waves * otf(fx, fy)
+            count = max(1, _MAX_VALUES // (16 * angles))
+            for start in range(0, f.size, count):
+                block = slice(start, start + count)
+                fx, fy = f[block, None] * np.cos(theta), f[block, None] * np.sin(theta)
+                waves = light[block, None] * other.response(fx, fy, wavelength)
+                yield f[block], fx, fy, waves.astype(np.complex128) if otf is None else waves * otf(fx, fy)
 
 
 Waves = tuple[Array, Array, Array, NDArray[np.complex128]]
 
 
 def _turning(f: Array, x: Array) -> NDArray[np.complex128]:
-    """Return waves at equal steps of places, shape ``(len(x), len(f))``."""
+    """Return the waves exp(2 pi i f x) at equally spaced `x`, shape ``(len(x), len(f))``."""
     found = np.empty((x.size, f.size), dtype=np.complex128)
     found[0] = np.exp(2j * math.pi * x[0] * f)
     done = 1
-    # Doubling: exp(i f (x + d)) = exp(i f x) exp(i f d), a product in place of each exponential.
+    # Each pass doubles the computed part, since exp(i f (x + d)) = exp(i f x) exp(i f d): products, not exponentials.
     while done < x.size:
         more = min(done, x.size - done)
         np.multiply(found[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=found[done : done + more])
@@ -617,7 +620,7 @@ class PolarPart(NamedTuple):
     """Light of one wavelength, at radial frequencies."""
 
     f: Array  # cycles per lambda*N
-    weight: Array  # of ``f df``, times the OTF if that is radially symmetric
+    weight: Array  # quadrature weight of ``f df``, times the OTF if it is radially symmetric
     otf: Callable[[Array, Array], NDArray[np.complex128]] | None  # the OTF if it depends on the direction
     wavelength: float | None
 
@@ -649,14 +652,14 @@ class RayImage(NamedTuple):
 
 
 def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
-    """Yield the geometric images of a flattened stack, in cells of a 512th of the square up to `reach` lambda*N."""
+    """Yield the geometric images of a flattened stack up to `reach` lambda*N from the axis, in about 512^2 cells."""
     from scipy.ndimage import uniform_filter
 
     pupil = model.pupil
     pixel = model.active[0] / pupil.scale
-    side = (2.0 * reach + pixel + 1e-3) / _CELLS
+    side = (2.0 * reach + pixel + 1e-3) / _RAY_CELLS
     if pixel:
-        side = pixel / (2 * math.ceil(0.5 * pixel / side) - 1)  # an odd number of cells is centred on one
+        side = pixel / (2 * math.ceil(0.5 * pixel / side) - 1)  # odd number of cells a pixel, centred on a cell
     half = math.ceil((reach + pixel) / side) + 1
     grid = Grid(2 * half + 1, side * pupil.scale, integrate=True)
     for image in model.method.images(pupil, grid, Wanted()).values:
@@ -665,7 +668,7 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
 
 
 Image = CartesianImage | PolarImage | RayImage
-"""Images that have the light within circles and rectangles."""
+"""Images that compute the light within circles and rectangles."""
 
 
 def images(model: ImageModel, reach: float) -> Iterator[Image]:
@@ -676,8 +679,7 @@ def images(model: ImageModel, reach: float) -> Iterator[Image]:
 
 
 def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
-    """Return :func:`images` for sums of light over `what`; ValueError if these would count a repeated image."""
-    # An integral over less than one period is at most all light.
+    """Return :func:`images` for sums of light over `what`; ValueError if `what` exceeds one period of the image."""
     if (period := model.method.period(model.pupil)) < math.inf:
         short, seen = model.spread
         far = reach + (short + seeing_room(reach, seen) if seen else 0.0)
@@ -687,7 +689,7 @@ def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]
 
 
 def polar(model: ImageModel) -> bool:
-    """Return whether the image is that of a radially symmetric lens, whose transfer function is a quadrature."""
+    """Return whether the image is that of a radially symmetric lens, whose OTF is a quadrature over the pupil."""
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss)):
         return False
@@ -697,8 +699,8 @@ def polar(model: ImageModel) -> bool:
 
 
 def in_seeing(model: ImageModel) -> bool:
-    """Return whether the image is that of a lens through seeing, which leaves only low frequencies."""
-    # Sampling it would take a lattice as wide as the halo.
+    """Return whether the image is that of a lens through seeing, which passes low frequencies only."""
+    # CartesianImage would need samples over the whole halo of the seeing.
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
         return False
@@ -713,9 +715,8 @@ def point_images(model: ImageModel, reach: float) -> Iterator[CartesianImage | P
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
-    # The error is about 1e-9 of all light for radial lenses, and that of `transfer` for others.
-    # To the corner of the square.
-    reach = math.sqrt(2.0) * reach
+    # The error is about 1e-9 of all light for radially symmetric lenses, and that of :func:`transfer` for others.
+    reach = math.sqrt(2.0) * reach  # the corner of the square of half-side `reach`
     if not polar(model):
         for one in model.singles:
             yield PolarImage(one, list(_directed_parts(one, reach)), one.band, reach)
@@ -726,7 +727,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     parts = []
     for share, stretch, part in model.method.components(pupil):
         eps = part.obscuration
-        # The overlap of the shifted aperture with itself has a singularity where rims and obscurations touch.
+        # The autocorrelation of an annulus is singular at shifts at which two of its circles touch.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
         ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
         at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)
@@ -753,7 +754,7 @@ def _scaled_transfer(pupil: Pupil, stretch: float, end: float, fx: Array, fy: Ar
 
 
 def _radial_rule(ends: list[float], reach: float, least: int) -> tuple[Array, Array]:
-    """Return nodes and weights between the ends of pieces, fine enough for waves within `reach` lambda*N."""
+    """Return quadrature nodes and weights on pieces between `ends`, resolving waves up to `reach` lambda*N."""
     f, w = [], []
     for low, high in pairwise(ends):
         # f = low + (high - low) sin^2(u) turns the powers 3/2 at both ends of overlaps into smooth functions of u.

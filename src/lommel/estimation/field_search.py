@@ -1,4 +1,4 @@
-"""The search for a field map: fits of single stars, signs, polynomials, rejection of stars that do not fit."""
+"""The search for a field map: fits of single stars, signs of even terms, polynomials, rejection of outlying stars."""
 
 from __future__ import annotations
 
@@ -26,35 +26,38 @@ from lommel.fit.score_tests import Marginal, ScoreTest, causes_of_misfit
 from lommel.fit.scoring import Scores, search_rows
 from lommel.methods.derivative_names import term_of
 
-_SINGLES = 60  # largest number of stars fitted by themselves
-_STARTS = 5  # largest number of starts of each
-_FEWER = 3  # starts after which unlikely stars are given up, if most are sure
+_MAX_SINGLES = 60  # largest number of stars that are fitted individually
+_MAX_STARTS = 5  # largest number of starts for each individual star
+_MIN_STARTS = 3  # starts after which stars with a large chi2 are given up, if most stars are sure
 _STEPS = 14  # steps of each start
-_SCATTER = 0.7, 0.25  # radians rms of random starts: the first three terms, the others
-_BLUR = 0.5  # pixels: width of the blur at the start
-_WIDEST = 0.15  # of a window's side: widest blur of stars fitted by themselves
-_ROUGH = 3  # terms of the blur of stars fitted by themselves
-_TRIED = 6  # steps with another shape of blur
-_TOLD = 5.0  # log-likelihood of seeing over a Gaussian from which on its outer scale is searched
-_BETTER, _AS_LIKELY = 1.0, 2.0  # log-likelihood that an outer scale, and that one more width, has to gain
-_SMALL = 0.06  # pixels^2: the shape of a narrower blur does not matter
-_SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # radians rms, all over the field
-_FEW, _SCANNED = 20, 2  # stars that such shifts are compared with, and number of shifts that are tried
+_SCATTER = 0.7, 0.25  # standard deviation (radians rms) of random starts: first three terms, other terms
+_START_BLUR = 0.5  # width of the blur at the start, pixels
+_MAX_BLUR = 0.15  # largest width of the blur of individual stars, as a fraction of a window's side
+_SINGLE_TERMS = 3  # number of terms of the blur model for individual stars
+_SHAPE_STEPS = 6  # steps of a fit with another shape of blur
+_OUTER_GAIN = 5.0  # log-likelihood gain of seeing over a Gaussian, above which the outer scale is searched
+_BETTER, _AS_LIKELY = (
+    1.0,
+    2.0,
+)  # smallest log-likelihood gain of another minimum or outer scale, and of one more width
+_NARROW = 0.06  # squared width of blur, pixels^2, below which its shape does not matter
+_SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
+_FEW, _SCANNED = 20, 2  # number of stars that rank the trial offsets, and number of best offsets that are fitted
 _GOOD = 1.08  # median chi2 of stars at which a candidate is accepted
-_ALIKE = 0.02  # of chi2 - 1: two starts of a star that end this close have found the same minimum
-_SURELY = 0.75  # share of stars with a sure chi2, needed to compare a candidate's with it
-_FOLLOWS = 1.5  # times the median chi2 of single stars, above which a star does not follow the field
-_ENOUGH = 1.1  # times chi2 - 1 of the single stars
-_OUTLIER = 5.0  # standard deviations of chi2 above the median
+_ALIKE = 0.02  # fraction of chi2 - 1: two starts of a star that end within it are at the same minimum
+_SURELY = 0.75  # fraction of stars with a sure chi2, needed to compare the chi2 of a candidate with them
+_FOLLOWS = 1.5  # largest chi2 of a star that follows the field, in units of the median chi2 of individual stars
+_ENOUGH = 1.1  # chi2 - 1 of an acceptable fit, in units of chi2 - 1 of the fit that it is compared with
+_OUTLIER = 5.0  # chi2 of an outlying star above the median, standard deviations
 _ROUNDS = 4  # rounds of rejection
-_MOST_LOST = 0.4  # largest share of rejected stars
-_MANY_LOST = 0.25  # share of rejected stars above which the map is doubted
-_HELD_OUT = 0.05  # largest excess of chi2 of held-out stars over that of noise
+_MOST_LOST = 0.4  # largest fraction of rejected stars
+_MANY_LOST = 0.25  # fraction of rejected stars above which the map is doubted
+_HELD_OUT = 0.05  # largest chi2 - 1 of held-out stars, apart from noise
 _QUIET = 0.9  # chi2 below which the noise cannot be as stated
-_NEGATED = 0.05  # radians rms of an even term, above which a search is repeated with its other sign
-_OTHERS = 3  # number of such searches
-_GLANCE, _LOOK, _MORE = 2, 5, 12  # steps of such searches: of all, of the best, of those that end elsewhere
-_AS_WELL, _ELSEWHERE = 8.0, 3.0  # log-likelihood and standard errors between two minima
+_NEGATED = 0.05  # size (radians rms) of an even term, above which a search with its sign negated is run
+_MAX_NEGATED = 3  # largest number of searches with a negated sign
+_GLANCE, _LOOK, _MORE = 2, 5, 12  # steps of these searches: of each, of the best, of one at another minimum
+_AS_WELL, _ELSEWHERE = 8.0, 3.0  # largest log-likelihood and smallest distance (standard errors) of a rival minimum
 _CAUSES = "pupil, pixel, noise, defocus or blur are wrong, the degree is too low, or terms are missing"
 
 Report = Callable[[float, float], object]
@@ -70,37 +73,37 @@ class Found:
     settled: bool
 
     def of_stars(self) -> Array:
-        """Return the parameters of each star: places, light and angles (r, own, e)."""
+        """Return the parameters of each star image: tilts, flux, background and angles, shape (r, own, e)."""
         return self.model.parts(self.x)[2].copy()
 
     def polynomials(self) -> Array:
-        """Return the coefficients (k, m)."""
+        """Return the coefficients of the polynomials, shape (k, m): k wavefront terms, m monomials."""
         return self.model.polynomials(self.x).copy()
 
     def squares(self) -> Array:
-        """Return the squared widths of the blur (e, b)."""
+        """Return the squared widths of the blur, shape (e, b): e exposures, b widths."""
         return np.array(self.model.squares(self.x)[0])
 
 
 class Rival(NamedTuple):
-    """Another minimum: log-likelihood below the best, and its distance in standard errors."""
+    """Another minimum that fits nearly as well as the best one."""
 
-    cost: float
-    sigmas: float
+    cost: float  # log-likelihood of the best minimum minus that of this one
+    sigmas: float  # distance between the two minima, standard errors
 
 
 @dataclass
 class Outcome:
-    """A fit of all stars, with rejected stars, tests, and the places and degree of the polynomials."""
+    """A fit of all stars, with rejected stars, tests, and the positions of stars in the field."""
 
     found: Found
-    lost: NDArray[np.intp]
-    held_out: tuple[float, float]  # chi2 and its standard deviation, also below
-    bright: tuple[float, float]
-    places: Array
-    shapes: dict[str, float]  # minus the log-likelihood of the shapes of blur that were compared
-    notes: list[Finding]  # of backgrounds that slope, of stated numbers that are not tested
-    tests: tuple[ScoreTest, ...]  # of what the model lacks
+    lost: NDArray[np.intp]  # indices of the rejected stars
+    held_out: tuple[float, float]  # chi2 of held-out stars, and its standard deviation
+    bright: tuple[float, float]  # chi2 of pixels in which stars exceed the noise, and its standard deviation
+    places: Array  # positions of the stars, half fields
+    shapes: dict[str, float]  # negative log-likelihood of each shape of blur that was compared
+    notes: list[Finding]  # on sloping backgrounds and on given values that are not tested
+    tests: tuple[ScoreTest, ...]  # score tests of terms that the model lacks
     marginal: Marginal
     rival: Rival | None = None
 
@@ -131,12 +134,12 @@ class Outcome:
             )
             found.append(Finding("another_minimum", "doubt", text, self.rival._asdict()))
         quiet = [replace(each, severity="error") for each in found if each.code == "too_quiet" and chi2 < _QUIET]
-        # Above, chi2 of few electrons is below that of noise by chance more often.
+        # Above _QUIET, a low chi2 is often due to chance with few electrons, and is not reported.
         return Findings([*quiet, *(each for each in found if each.code != "too_quiet"), *self.notes])
 
     @property
     def cost(self) -> float:
-        """Standard deviations by which stars do not fit, each of them up to what makes a star an outlier."""
+        """Sum over stars of the excess of chi2 in standard deviations, each limited to the value of an outlier."""
         each = self.found.model.each(self.found.x)
         # Capped for each star, so that one double star does not decide between two fits.
         off = np.clip((each.chi2 - 1.0) / each.spread, 0.0, _OUTLIER)
@@ -144,7 +147,7 @@ class Outcome:
 
 
 class Search:
-    """The stages of a search, for stars in windows at `places` (n, 2) in half fields, a pixel being `part` (2,)."""
+    """The stages of a search, for stars at `places` (n, 2), and pixels of the size `part` (2,), in half fields."""
 
     def __init__(
         self, stars: FieldStars, places: Array, part: Array, degree: int, draw: np.random.Generator, report: Report
@@ -153,49 +156,49 @@ class Search:
         self.first = stars
         self.shapes: dict[str, float] = {}
         self.rival: Rival | None = None
-        #: Stars that no wavefront fits: doubles, defects; they are not fitted by themselves a second time.
+        #: Stars that no wavefront fits, such as doubles and defects; they are not fitted individually a second time.
         self.unlike = np.zeros(0, dtype=np.intp)
         self.part = part
-        #: The same behind a coarser blur, for stars by themselves.
-        self.rough = stars.shaped(Shape.turbulent(terms=_ROUGH)) if stars.widths == 2 else stars
-        self.squares = np.full((stars.exposures, stars.widths), _BLUR**2 / max(stars.widths, 1))
-        self.widest = (_WIDEST * min(stars.shape)) ** 2
+        #: The stars with a coarser model of the blur, for fits of individual stars.
+        self.rough = stars.shaped(Shape.turbulent(terms=_SINGLE_TERMS)) if stars.widths == 2 else stars
+        self.squares = np.full((stars.exposures, stars.widths), _START_BLUR**2 / max(stars.widths, 1))
+        self.widest = (_MAX_BLUR * min(stars.shape)) ** 2
         directions = stars.one.directions
         self.metric = (directions * stars.one.mean_squares) @ directions.T
 
     def basis(self, chosen: NDArray[np.intp], degree: int | None = None) -> Array:
-        """Return the polynomials at stars."""
+        """Return the monomials at the positions of stars, shape (n, m)."""
         u, v = self.places[chosen].T
         return monomials(u, v, self.degree if degree is None else degree)
 
     def model(self, chosen: NDArray[np.intp], *, held: bool = False) -> WholeField:
-        """Return the model of stars, whose polynomials and blur may be held."""
+        """Return the model of the chosen stars; `held` fixes its polynomials and blur."""
         return WholeField(self.stars, chosen, self.basis(chosen), held=held)
 
     def brightest(self) -> NDArray[np.intp]:
-        """Return the stars to fit by themselves: the brightest, no more than the search needs."""
+        """Return the indices of the brightest stars, which are fitted individually."""
         counted, _, _, valid = self.stars.star
         level = np.median(counted, axis=-1, keepdims=True)
         bright = (valid * (counted - level)).sum(axis=(1, 2))
-        return np.sort(np.argsort(-bright, kind="stable")[:_SINGLES])
+        return np.sort(np.argsort(-bright, kind="stable")[:_MAX_SINGLES])
 
     def singles(
         self, chosen: NDArray[np.intp], share: tuple[float, float] = (0.0, 0.4)
     ) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """Return the best parameters (n, p) of stars fitted by themselves, their chi2, and which are sure.
+        """Return the best parameters (n, p) of individually fitted stars, their chi2, and which of them are sure.
 
-        Those that fit, and those that two starts have led to, are: further starts would not find better ones.
+        A star is sure if it fits, or if two starts ended at the same chi2: further starts would not improve it.
         """
         stars = self.stars
         best, chi2 = np.zeros((len(chosen), stars.size)), np.full(len(chosen), np.inf)
         sure = np.zeros(len(chosen), dtype=bool)
         open_ = np.arange(len(chosen))
-        for turn in range(_STARTS):
+        for turn in range(_MAX_STARTS):
             model = SingleStars(self.rough, chosen[open_], self.widest)
             x = self._random(model, scatter=turn > 0 or stars.one.sign_ambiguous)
 
             def report(step: int, value: float, turn: int = turn) -> None:
-                self.report(share[0] + share[1] * (turn + step / _STEPS) / _STARTS, value)
+                self.report(share[0] + share[1] * (turn + step / _STEPS) / _MAX_STARTS, value)
 
             with suppress(Declined, ToleranceError):
                 x, scores, *_ = search_rows(model, x, _STEPS, report, fast=True)
@@ -206,7 +209,7 @@ class Search:
                 alike = np.abs(scores.chi2 - before) < _ALIKE * np.maximum(chi2[open_] - 1.0, 0.0)
                 sure[open_[fits | alike]] = True
                 open_ = open_[~(fits | alike)]
-            if turn + 1 >= _FEWER and sure.mean() >= _SURELY:  # a few others by far are two stars each, or defects
+            if turn + 1 >= _MIN_STARTS and sure.mean() >= _SURELY:  # stars with a large chi2 are doubles or defects
                 open_ = open_[chi2[open_] <= _FOLLOWS * np.median(chi2)]
             if open_.size == 0:
                 break
@@ -223,10 +226,10 @@ class Search:
         return model.row(waves, self.squares, self._centred(model.chosen, waves))
 
     def _centred(self, rows: NDArray[np.intp], waves: Array) -> Array:
-        """Return places at which stars of these wavefronts have their observed centroid, light and angles."""
+        """Return tilts, flux, background and angles of stars, at which the images have the observed centroids."""
         one = self.stars.one
         edge = self.stars.base[rows] + (waves @ one.directions)[:, None]
-        # The mean slope of a wavefront moves the centroid: it is subtracted from the observed one.
+        # The mean slope of a wavefront moves the centroid, so that it is subtracted from the observed centroid.
         return self.stars.begun(rows, self._centroids[rows] - one.mean_slopes(edge).swapaxes(0, 1))
 
     @cached_property
@@ -234,7 +237,7 @@ class Search:
         return self.stars.centroids()
 
     def from_start(self) -> Found | None:
-        """Return the fit of the brightest stars from the given wavefronts; None if these are not near enough."""
+        """Return the fit of the brightest stars from the given wavefronts; None if no such fit is good enough."""
         chosen = self.brightest()
         polynomials, _ = robust(self.basis(chosen), self.stars.start[chosen], np.ones(len(chosen)), self.metric)
         squares, few = self.squares, chosen[:: max(1, len(chosen) // _FEW)]
@@ -262,17 +265,17 @@ class Search:
         yield from (tried for _, tried in sorted(found, key=lambda each: each[0])[:_SCANNED])
 
     def from_singles(self) -> Found:
-        """Return the fit of the brightest stars, started from fits of each alone."""
+        """Return the fit of the brightest stars, started from fits of the individual stars."""
         stars = self.stars
         chosen = self.brightest()
         x, chi2, sure = self.singles(chosen)
         if not np.isfinite(chi2).any():
             raise ToleranceError("no star could be fitted: the images of all starts are beyond what can be computed")
         usable = np.isfinite(chi2)
-        # Polynomials do not fit better than stars by themselves do: nothing is to be sought below.
+        # Polynomials cannot fit better than individual wavefronts, so that a fit as good as these ends the search.
         floor = _ENOUGH * (float(np.median(chi2[usable])) - 1.0) if sure.mean() >= _SURELY else 0.0
         enough = max(_GOOD, 1.0 + floor)
-        # Stars that do not fit by themselves would lead polynomials astray; those that these fit come back later.
+        # Stars with a poor individual fit would distort the polynomials; `whole` includes them again if they fit.
         alike = usable & (chi2 <= _FOLLOWS * np.median(chi2[usable]))
         self.unlike = chosen[usable & ~alike]
         if alike.sum() >= max(_SURELY * usable.sum(), 4):
@@ -324,7 +327,7 @@ class Search:
         *,
         fast: bool = True,
     ) -> Found | None:
-        """Return the fit of stars started from polynomials (k, m); None if these are too strong to be computed."""
+        """Return the fit of stars started from polynomials (k, m); None if they are too strong to compute."""
         m = (self.degree + 1) * (self.degree + 2) // 2
         start = np.zeros((len(polynomials), m))
         start[:, : polynomials.shape[1]] = polynomials[:, :m]
@@ -341,17 +344,17 @@ class Search:
         return Found(model, x, scores, bool(settled[0]))
 
     def placed(self, chosen: NDArray[np.intp], polynomials: Array, squares: Array) -> Array:
-        """Return places, light and angles (r, own, e) of stars with known wavefronts."""
+        """Return tilts, flux, background and angles (r, own, e) of stars, fitted with fixed wavefronts and blur."""
         model = self.model(chosen, held=True)
         own = self._centred(chosen, model.basis @ polynomials.T)
-        if not self.stars.cornered:  # whose places are known to a pixel
+        if not self.stars.cornered:  # positions of corners are known to a pixel
             psf = model.images(model.row(polynomials, squares, own), fast=True)[0]
             own[:, :2] += self.stars.shifts(chosen, psf) * self.stars.one.tilt_of_pixel
         x, *_ = search_rows(model, model.row(polynomials, squares, own), 6, _silent, fast=True)
         return model.parts(x)[2]
 
     def cleaned(self, found: Found, share: tuple[float, float]) -> Found:
-        """Return the fit without the stars that do not fit."""
+        """Return the fit after rejection of outlying stars, in several rounds."""
         first = len(found.model.chosen)
         for _ in range(_ROUNDS):
             good = ~outliers(found.model.each(found.x, fast=True))
@@ -366,7 +369,7 @@ class Search:
         return found
 
     def whole(self, found: Found) -> tuple[Found, NDArray[np.intp]]:
-        """Return the fit of all stars, started from that of some, without those that do not fit, and these."""
+        """Return the fit of all stars but outliers, started from a fit of some, and the indices of the outliers."""
         every = np.arange(self.stars.count)
         polynomials, squares = found.polynomials(), found.squares()
         others = np.setdiff1d(every, found.model.chosen)
@@ -383,7 +386,7 @@ class Search:
                 wide = self.refined(every[~bad], polynomials, squares, 10, (0.7, 0.15), own[~bad])
         found = self.regained(self.lowest(self.cleaned(wide or found, (0.85, 0.02))))
         own, chosen = found.of_stars(), found.model.chosen
-        # Windows are cut around light, which aberrations move; polynomials are those of where stars are.
+        # Windows are centred on the light, which aberrations displace; polynomials need the positions without it.
         moved = own[:, :2].mean(axis=-1) / self.stars.one.tilt_of_pixel
         self.places = self.places.copy()
         self.places[chosen] += moved[:, ::-1] * self.part
@@ -395,14 +398,14 @@ class Search:
 
     @property
     def one_focus(self) -> bool:
-        """Whether all exposures have the same focus, which leaves signs of even terms open."""
+        """Whether all exposures have the same focus, so that the signs of even terms are ambiguous."""
         one = self.stars.one
         return bool(np.ptp(one.base * one.even, axis=0).max() == 0.0)
 
     def lowest(self, found: Found) -> Found:
-        """Return the best of a fit and those that begin at it with other signs of even terms.
+        """Return the best of a fit and of fits that start from it with other signs of even terms.
 
-        Images of one focus have minima that differ in the signs of even parts, over the field and beside each other.
+        With a single focus there are several minima, which differ in the signs of even terms in part of the field.
         """
         self.rival = None
         if not self.one_focus or self.stars.cornered:
@@ -421,7 +424,7 @@ class Search:
         return found
 
     def _negating(self, found: Found) -> list[Found]:
-        """Return the ends of short searches from a fit with other signs of even parts, of the best ones."""
+        """Return the best result of short searches that start from a fit with other signs of even terms."""
         one, polynomials, chosen = self.stars.one, found.polynomials(), found.model.chosen
         waves = found.model.basis @ polynomials.T
         size = np.sqrt((waves**2).mean(axis=0) * np.diag(self.metric))
@@ -429,18 +432,18 @@ class Search:
         even = even[np.argsort(-size[even], kind="stable")]
         begun = []
         if one.sign_ambiguous:
-            # The image of a star stays where all its even part is negated: a term of one sign all over the field is
-            # another way to join the same images.
+            # Negating the whole even part of a star's wavefront leaves its image unchanged. Stars are negated so that
+            # one term has the same sign all over the field: another field with the same images.
             other = self.negated(chosen, waves)
             for j in even:
                 below = waves[:, j] < 0.0
                 if below.any() and not below.all():
                     through = np.where(below[:, None], other, waves)
                     begun.append(robust(found.model.basis, through, np.ones(len(chosen)), self.metric)[0])
-        for j in even[: len(even) - (len(even) < 3)]:  # of two, each is the twin of the other
+        for j in even[: len(even) - (len(even) < 3)]:  # with two terms, negating one or the other gives twins
             begun.append(polynomials.copy())
             begun[-1][j] *= -1.0
-        ends = [self._on(found, _GLANCE, each) for each in begun[:_OTHERS]]
+        ends = [self._on(found, _GLANCE, each) for each in begun[:_MAX_NEGATED]]
         near = [
             each
             for each in filter(None, ends)
@@ -450,17 +453,17 @@ class Search:
         return [self._on(each, _LOOK) or each for each in nearest]
 
     def _on(self, found: Found, most: int, polynomials: Array | None = None) -> Found | None:
-        """Return a fit some steps later, or from other polynomials."""
+        """Return a fit continued by `most` steps, from its own or from other polynomials; None if it fails."""
         begun = found.polynomials() if polynomials is None else polynomials
         return self.refined(found.model.chosen, begun, found.squares(), most, (0.87, 0.0), found.of_stars())
 
     def _rival(self, best: Found, other: Found) -> Rival | None:
-        """Return the difference of another fit from the best; None if it is the same, or worse."""
+        """Return another fit as a rival of the best; None if it is the same minimum, or clearly worse."""
         cost = float(other.scores.deviance[0] - best.scores.deviance[0])
         one, k = self.stars.one, best.model.waves * best.model.basis.shape[1]
         errors = np.sqrt(np.diag(best.model.covariance(best.scores))[:k]).reshape(best.model.waves, -1)
         ends = [other.polynomials()]
-        # The twin has the same images: the nearer one of both counts.
+        # The twin has the same images, so that the smaller of the two distances counts.
         if one.sign_ambiguous:
             ends.append(self.twin(ends[0])[0])
         sigmas = min(float((np.abs(end - best.polynomials()) / errors).max()) for end in ends)
@@ -476,7 +479,7 @@ class Search:
         return other, np.eye(len(flip)) - flip
 
     def best_shape(self, found: Found) -> Found:
-        """Return the fit with the likeliest shape of blur, and the fewest unknowns that are as likely."""
+        """Return the fit with the likeliest shape of blur; of equally likely shapes, that with fewest unknowns."""
         own, polynomials, squares = found.of_stars(), found.polynomials(), found.squares()
 
         def behind(shape: Shape, widths: Array, most: int) -> Found:
@@ -484,13 +487,13 @@ class Search:
             again = self.refined(found.model.chosen, polynomials, widths, most, (0.88, 0.01), own)
             return again or replace(found, scores=found.scores._replace(deviance=np.full(1, np.inf)))
 
-        both = behind(Shape.turbulent(), squares, _TRIED)
+        both = behind(Shape.turbulent(), squares, _SHAPE_STEPS)
         cost: dict[float | None, float] = {None: float(both.scores.deviance[0])}
-        gaussian = behind(Shape.gaussian(), squares.sum(axis=-1, keepdims=True), _TRIED)
+        gaussian = behind(Shape.gaussian(), squares.sum(axis=-1, keepdims=True), _SHAPE_STEPS)
         self.shapes = {"Gaussian": float(gaussian.scores.deviance[0])}
         outer: float | None = None
         best = both
-        if self.shapes["Gaussian"] > cost[None] + _TOLD:
+        if self.shapes["Gaussian"] > cost[None] + _OUTER_GAIN:
             polynomials, own, squares = both.polynomials(), both.of_stars(), both.squares()
             for other in OUTER[1:]:
                 tried = behind(Shape.turbulent(other), squares, 2)
@@ -499,19 +502,19 @@ class Search:
                     best, outer = tried, other
                 else:
                     break
-        alone = behind(Shape.turbulent(outer, alone=True), best.squares().sum(axis=-1, keepdims=True), _TRIED)
+        alone = behind(Shape.turbulent(outer, alone=True), best.squares().sum(axis=-1, keepdims=True), _SHAPE_STEPS)
         self.shapes |= {"seeing": float(alone.scores.deviance[0]), "both": cost[outer]}
         least = cost[outer] + _AS_LIKELY
         single = [each for each, name in ((gaussian, "Gaussian"), (alone, "seeing")) if self.shapes[name] < least]
-        sharp = float(gaussian.squares().max()) < _SMALL
+        sharp = float(gaussian.squares().max()) < _NARROW
         if len(single) == 1 or (single and sharp):
             best = single[0]
         self.stars = best.model.of
         return best
 
     def regained(self, found: Found) -> Found:
-        """Return the fit with stars that it rejected, if the polynomials were wrong there."""
-        # A star that fits by itself is no double: polynomials that miss it were led astray, or are far from the rest.
+        """Return the fit with rejected stars included again, if other polynomials fit them too."""
+        # A star that fits individually is not a double: the polynomials are wrong at its position.
         every = np.arange(self.stars.count)
         for _ in range(_ROUNDS):
             lost = np.setdiff1d(every, found.model.chosen)
@@ -529,7 +532,7 @@ class Search:
         return found
 
     def _through(self, found: Found, waves: Array, more: NDArray[np.intp], others: Array) -> Found | None:
-        """Return the fit from wavefronts of its stars and of others; None unless it has more stars and is as good."""
+        """Return the fit started from `waves` of its stars and `others` of more stars; None unless it keeps more."""
         every = np.concatenate([found.model.chosen, more])
         through = np.concatenate([waves, others])
         polynomials, _ = robust(self.basis(every), through, np.ones(len(every)), self.metric)
@@ -542,7 +545,7 @@ class Search:
         return again if better else None
 
     def _by_themselves(self, lost: NDArray[np.intp], found: Found) -> tuple[NDArray[np.bool_], Array]:
-        """Return which stars fit from the wavefronts of a field, or from random ones, and the wavefronts (r, k)."""
+        """Return which stars fit individually, from wavefronts of the field or random ones, and wavefronts (r, k)."""
         stars, squares = self.stars, found.squares()
         model = self.basis(lost) @ found.polynomials().T
         fits, waves, alone = np.zeros(len(lost), dtype=bool), model.copy(), SingleStars(stars, lost, self.widest)
@@ -568,7 +571,7 @@ class Search:
         return float(goodness_of_fit.most(found.scores.spread[0], SURE))
 
     def outcome(self, found: Found) -> Outcome:
-        """Return the fit of all stars, started from that of some, with its tests."""
+        """Return the fit of all stars, started from a fit of some stars, with its tests."""
         places = self.places
         found, lost = self.whole(found)
         if slopes := slope_findings(found.model, found.x):
@@ -590,7 +593,7 @@ class Search:
         return replace(found, model=model, x=model.row(found.polynomials(), found.squares(), own))
 
     def held_out(self, found: Found) -> tuple[float, float]:
-        """Return chi2 of a fifth of the stars with wavefronts predicted by the others, and its standard deviation."""
+        """Return chi2 of a fifth of the stars, whose wavefronts are predicted by the others, and its deviation."""
         chosen = found.model.chosen
         # Sorted along one oblique direction and every fifth taken: spread over the field, without a random choice.
         order = np.argsort(self.places[chosen] @ [1.0, 0.318], kind="stable")
@@ -609,12 +612,12 @@ class Search:
 
 
 def _silent(step: int, chi2: float) -> None:
-    """Report nothing of a short search."""
+    """Ignore the progress of a short search."""
 
 
 def outliers(each: Quality) -> NDArray[np.bool_]:
     """Return which stars have too large a chi2 compared with the others."""
     middle = float(np.median(each.chi2))
-    # Beside their own noise, stars of a model that is not quite right differ as they do.
+    # With a model that is not quite right, chi2 scatters more than by noise: the larger of both widths counts.
     spread = np.maximum(each.spread, 1.4826 * float(np.median(np.abs(each.chi2 - middle))))
     return np.asarray(each.chi2 > middle + _OUTLIER * spread)

@@ -1,4 +1,4 @@
-"""Images of many stars, pinholes or corners over a field as functions of wavefronts, places, light, and of a blur."""
+"""Images of stars, pinholes or corners over a field, as functions of wavefront, position, light and blur."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
-_AT_ONCE = 3e7  # values of samples and their derivatives that are computed together
-_SHARP = 0.02  # pixels^2: a blur that small may be none
-_BRIGHT = 50.0  # pixels more than parameters, for a chi2
+_AT_ONCE = 3e7  # number of values of samples and their derivatives that are computed together
+_SHARP = 0.02  # squared width of blur, pixels^2, below which it may become 0
+_BRIGHT = 50.0  # smallest number of pixels in excess of the parameters, for a chi2 of bright pixels
 _OWN = 4  # parameters of an image: row, column, flux, background; then angles
-_TURNED = 0.05  # radians: the longest step of an angle
+_TURNED = 0.05  # largest step of an angle, radians
 
 
 Readout: TypeAlias = StarReadout | TargetReadout
@@ -107,12 +107,12 @@ class FieldStars:
         return self.having(blur=shape, _reader=None, **size)
 
     def on_slopes(self) -> FieldStars:
-        """Return the same stars on backgrounds that slope by row and column, electrons per pixel."""
+        """Return the same stars with backgrounds that slope along rows and columns, in electrons per pixel."""
         more = 2 * self.exposures
         return self.having(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
 
     def having(self, **changes: Any) -> FieldStars:
-        """Return stars of the same images with other attributes, such as `further` or `lens`."""
+        """Return a copy with the same images and other attributes, such as `further` or `lens`."""
         found = copy(self)
         vars(found).update(changes)
         return found
@@ -285,14 +285,14 @@ class FieldStars:
         return found + self._slope(own) if self.sloped else found
 
     def quality(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> Quality:
-        """Return chi2 of single stars, each with so many parameters of its own, from images alone."""
+        """Return chi2 of single stars from their images, given the number of each star's own parameters."""
         (_, total, spread), products = self._products(stars, [values], own)
         return self.relative(stars, products[..., -1, -1].sum(axis=-1), total, spread, unknown)
 
     def relative(
         self, stars: NDArray[np.intp], square: Array, total: Array, spread: Array, unknown: float
     ) -> Quality:
-        """Return chi2 of single stars of sums of squares, their expectation and variance, and so many parameters."""
+        """Return chi2 of single stars from sums of squares, expectation, variance and the number of parameters."""
         share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
         return Quality(*reduced_chi2(square, total, spread, share))
 
@@ -353,7 +353,7 @@ class FieldStars:
             np.clip(own[:, _OWN:], before[:, _OWN:] - _TURNED, before[:, _OWN:] + _TURNED, out=own[:, _OWN:])
 
     def begun(self, rows: NDArray[np.intp], tilts: Array) -> Array:
-        """Return the parameters of each image (r, own, e) to begin with, from tilts (r, 2, e)."""
+        """Return start values of the parameters of each image (r, own, e), from tilts (r, 2, e)."""
         rest = np.ones((len(rows), self.own - 2, self.exposures))
         rest[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0
         return np.concatenate([tilts, rest], axis=1)
@@ -382,11 +382,11 @@ class _StarModel(RowModel):
 
     alternatives = False
     slopes = "all"
-    sharp = 0.0  # pixels^2: a blur below may become 0
+    sharp = 0.0  # squared width of blur, pixels^2, below which it may become 0
 
     def __init__(self, stars: FieldStars, chosen: NDArray[np.intp], shared: int, widest: float) -> None:
         self.of, self.chosen, self.widest = stars, chosen, widest
-        #: How many parameters are not those of single images; the last of them are the widths of the blur.
+        #: Number of parameters that do not belong to single images; the last of them are the widths of the blur.
         self.shared = shared
         self._widths = slice(shared - stars.exposures * stars.widths, shared)
 
@@ -409,7 +409,7 @@ class _StarModel(RowModel):
         return found[0], found[1:]
 
     def with_flux_background(self, x: Array, values: Any) -> Array:
-        """Return the parameters with flux and background of least squares."""
+        """Return the parameters with flux and background replaced by their least-squares values."""
         found = x.copy()
         own = self.parts(found)[2]
         own[:, 2:4] = self.of.light(self.chosen, values, own)
@@ -440,7 +440,7 @@ class SingleStars(_StarModel):
         return part.scores_of(x, *part.images(x, fast=fast))
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the same of all rows from images and slopes."""
+        """Return the quality of the fit of all rows, from images and slopes."""
         numbers, found, square = self.of.likelihood(self.chosen, [values, *slopes], self.parts(x)[2])
         deviance, total, spread = numbers
         quality = self.of.relative(self.chosen, square, total, spread, float(self.size))
@@ -548,7 +548,7 @@ class WholeField(_StarModel):
         return self.of.quality(self.chosen, values, self.parts(x)[2], self._each)
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
-        """Return the same from images and slopes."""
+        """Return the quality of each star from images and slopes."""
         (deviance, total, spread), found, square = self.of.likelihood(
             self.chosen, [values, *slopes], self.parts(x)[2]
         )
@@ -563,7 +563,7 @@ class WholeField(_StarModel):
         return Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step (1, p), the parameters of stars eliminated, and what it promises."""
+        """Return a damped step (1, p), solved with the parameters of stars eliminated, and its product with slopes."""
         blocks: Blocks = scores.information[0]
         slope = scores.slope[0]
         own = slope[self.shared :].reshape(len(self.chosen), -1)
@@ -578,7 +578,7 @@ class WholeField(_StarModel):
             shared = scale * np.linalg.solve(matrix, right)
             at = np.arange(self.shared - len(blocks.squares), self.shared)
             sharp = shared[at] < -blocks.squares
-            if sharp.any():  # images of stars sharper than any: blur ends at 0
+            if sharp.any():  # the squared width of the blur would be negative: the step ends at 0
                 bound = np.zeros(self.shared, dtype=bool)
                 bound[at[sharp]] = True
                 ended = (-blocks.squares / scale[at])[sharp]
@@ -594,5 +594,5 @@ class WholeField(_StarModel):
         return np.asarray(super().rms(steps).max(initial=0.0, keepdims=True))
 
     def covariance(self, scores: Scores) -> Array:
-        """Return the covariance (s, s) of shared parameters, places and light of stars being nuisance parameters."""
+        """Return the covariance (s, s) of shared parameters, with the parameters of star images as nuisance ones."""
         return covariance(scores.information[0].damped(0.0)[0])

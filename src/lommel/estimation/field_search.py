@@ -36,10 +36,7 @@ _MAX_BLUR = 0.15  # largest width of the blur of individual stars, as a fraction
 _SINGLE_TERMS = 3  # number of terms of the blur model for individual stars
 _SHAPE_STEPS = 6  # steps of a fit with another shape of blur
 _OUTER_GAIN = 5.0  # log-likelihood gain of seeing over a Gaussian, above which the outer scale is searched
-_BETTER, _AS_LIKELY = (
-    1.0,
-    2.0,
-)  # smallest log-likelihood gain of another minimum or outer scale, and of one more width
+_BETTER, _AS_LIKELY = 1.0, 2.0  # least log-likelihood gain of another minimum or outer scale; of one more width
 _NARROW = 0.06  # squared width of blur, pixels^2, below which its shape does not matter
 _SHIFTS = {(2, 0): (-2.0, -1.0, 0.0, 1.0, 2.0), (4, 0): (-1.2, 0.0, 1.2)}  # trial offsets of a term, radians rms
 _FEW, _SCANNED = 20, 2  # number of stars that rank the trial offsets, and number of best offsets that are fitted

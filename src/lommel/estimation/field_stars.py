@@ -563,7 +563,7 @@ class WholeField(_StarModel):
         return Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step (1, p), solved with the parameters of stars eliminated, and its product with slopes."""
+        """Return a damped step (1, p), with the parameters of stars eliminated, and its product with the slope."""
         blocks: Blocks = scores.information[0]
         slope = scores.slope[0]
         own = slope[self.shared :].reshape(len(self.chosen), -1)

@@ -76,11 +76,7 @@ _POLICY = (
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
     "img-src data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
-_HEADERS = (
-    ("Cache-Control", "no-store"),
-    ("Content-Security-Policy", _POLICY),
-    ("X-Content-Type-Options", "nosniff"),
-)
+_SHARED = (("Cache-Control", "no-store"), ("Content-Security-Policy", _POLICY), ("X-Content-Type-Options", "nosniff"))
 
 
 class PageServer(ThreadingHTTPServer):
@@ -133,7 +129,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def end_headers(self) -> None:
         """End the headers of a response, after those that all responses have, errors included."""
-        for name, value in _HEADERS:
+        for name, value in _SHARED:
             self.send_header(name, value)
         super().end_headers()
 

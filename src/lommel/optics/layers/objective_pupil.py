@@ -111,11 +111,8 @@ class ObjectivePupil(BasePupil):
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
-        """Return the largest distance from the axis, metres on the camera, of rays within 0.98 of the usable radius.
-
-        The usable radius of the pupil ends at its edge or at the critical angle, whichever is smaller.
-        """
-        # The slope of the phase diverges at the critical angle.
+        """Return the largest distance from the axis, metres on the camera, of rays in 0.98 of the usable pupil."""
+        # The usable radius ends at the edge of the pupil or at the critical angle, where slopes of the phase diverge.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)

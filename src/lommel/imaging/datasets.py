@@ -43,12 +43,15 @@ FORMATS = ("png", "tif", "exr", "zarr")
 """Formats of the images: 16-bit PNG in the encoding of the photo, or linear light in float32."""
 
 ON_ERROR = ("raise", "skip")
-"""Whether a photo or depth map that cannot be used raises an error or is skipped."""
+"""Options for a photo or depth map that cannot be used: raise an error, or skip it."""
 
-_CALLED = {"scale": "depth_scale", "inverse": "inverse_depth"}  # names of render_dataset for those of DepthValues
-_RECORD = "dataset.json"
-_FORMAT = 3
-_PARTS = "parts"
+_ARGUMENT_NAMES = {
+    "scale": "depth_scale",
+    "inverse": "inverse_depth",
+}  # fields of DepthValues: names in render_dataset
+_RECORD = "dataset.json"  # file of the arguments of a data set
+_FORMAT = 3  # version of the files of a data set
+_PARTS = "parts"  # folder of the pictures of incomplete shards
 
 Range = float | tuple[float, float]
 PathOf = str | PathLike[str]
@@ -56,27 +59,27 @@ PathOf = str | PathLike[str]
 
 @dataclass(frozen=True, kw_only=True)
 class LensRanges:
-    """Lenses drawn at random: each parameter is a number, or a pair of its least and greatest value.
+    """Random lenses: each parameter is a number, or a pair of its least and greatest value.
 
     Parameters
     ----------
     focal_length : float or (float, float)
-        Metres; drawn uniformly.
+        Focal length, metres; drawn uniformly.
     f_number : float or (float, float)
-        Drawn uniformly in stops (its logarithm).
+        F-number; its logarithm (stops) is drawn uniformly.
     focus_distance : float or (float, float)
-        Object distance in focus, metres, may be infinite; drawn uniformly in dioptres (its inverse).
+        Object distance in focus, metres, may be infinite; its inverse (dioptres) is drawn uniformly.
     pixel : float or (float, float)
         Pixel pitch, metres; drawn uniformly.
     spherical : float or (float, float), default 0
         Primary spherical aberration C_s, radians at the pupil edge (the coefficient of rho^4); drawn uniformly.
     wavelength : float, default 540e-9
-        Wavelength at which C_s is stated, metres, and that of grey photos.
+        Wavelength of C_s and of grey photos, metres.
 
     Raises
     ------
     TypeError, ValueError
-        If a value is not a number in its range, or a pair does not rise.
+        If a value is not a number in its valid range, or a pair does not rise.
 
     Examples
     --------
@@ -104,8 +107,8 @@ class LensRanges:
             raise ValueError(f"focus_distance must exceed the focal length, {longest:g} m, got {nearest:g}")
 
     def draw(self, random: np.random.Generator) -> tuple[Lens, float]:
-        """Return a lens and a pixel pitch in metres drawn by `random`, which always gives five numbers."""
-        # Five numbers even for constant parameters: those of the other parameters then stay the same.
+        """Return a random lens and pixel pitch in metres, from five numbers of `random`."""
+        # Five numbers even if some parameters are constant: the values of the others do not depend on that.
         length, stops, dioptres, pitch, spherical = random.random(5)
         (nearest, farthest), (least, most) = _ends(self.focus_distance), _ends(self.f_number)
         # Uniform in 1 / distance, as blur is linear in it.
@@ -122,13 +125,14 @@ class LensRanges:
 
 
 def _range(name: str, value: object) -> Range:
+    """Return a checked number, or pair of numbers that rises."""
     given = value if isinstance(value, tuple | list) else (value,)
     if len(given) not in (1, 2):
         raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
     above, infinite = -math.inf if name == "spherical" else 0.0, name == "focus_distance"
     ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in given)
     if ends[0] > ends[-1]:
-        raise ValueError(f"{name} must rise, got {validation.shown(value)}")
+        raise ValueError(f"{name} must rise (least, greatest), got {validation.shown(value)}")
     return ends[0] if len(ends) == 1 else (ends[0], ends[1])
 
 
@@ -136,28 +140,28 @@ def _ends(value: Range) -> tuple[float, float]:
     return value if isinstance(value, tuple) else (value, value)
 
 
-def _between(value: Range, share: float) -> float:
+def _between(value: Range, fraction: float) -> float:
     first, last = _ends(value)
-    return float(first + (last - first) * share)
+    return float(first + (last - first) * fraction)
 
 
 @dataclass(frozen=True)
 class Rendered:
-    """One picture of a data set: just written by :func:`lommel.imaging.render_dataset`, or why it could not be.
+    """One picture of a data set that :func:`lommel.imaging.render_dataset` has written or, for a reason, skipped.
 
     Attributes
     ----------
     number : int
-        Counted from 0: photo ``number // copies``.
+        Number of the picture, from 0; its photo is ``number // copies``.
     done, total : int
-        Pictures of the data set that there are now, and that there will be.
+        Number of pictures that are complete, and that of the whole data set.
     files : tuple of path
-        The files written; with `shard` the one that will hold them. None of a picture that could not be rendered.
+        The files of the picture, or with `shard` the tar file into which they are packed; empty if it was skipped.
     facts : dict
-        What ``NUMBER.json`` holds: names of the photo and the depth map, the lens (metres, radians), noise, errors.
-        Of a picture that could not be rendered, the names alone.
+        Content of ``NUMBER.json``: names of the photo and the depth map, lens (metres, radians), noise, errors. For a
+        skipped picture, the two names only.
     failure : str or None
-        Why the picture could not be rendered; with ``on_error="skip"`` only.
+        Reason why the picture was skipped; with ``on_error="skip"`` only.
     """
 
     number: int
@@ -169,7 +173,7 @@ class Rendered:
 
 
 def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[PathOf]) -> list[tuple[Path, Path]]:
-    """Return photos with their depth maps: sequences in their order, files of two folders by their names.
+    """Return pairs of photo and depth map: sequences are paired in order, files of two folders by name.
 
     Names are compared without the suffix. Raises ValueError if a file has no partner or two have the same name.
     """
@@ -179,16 +183,18 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
             folder = validation.path(name, given)
             if not folder.is_dir():
                 raise ValueError(f"{name} must be a folder or a list of files, got {validation.shown(str(folder))}")
-            found: dict[str, Path] = {}
+            by_name: dict[str, Path] = {}
             for file in sorted(folder.iterdir()):
                 if file.name.startswith(".") or not file.is_file():
                     continue
-                if file.stem in found:
-                    raise ValueError(f"{validation.line(file)} and {found[file.stem].name} have the same name")
-                found[file.stem] = file
-            if not found:
+                if file.stem in by_name:
+                    raise ValueError(
+                        f"{validation.line(file)} and {by_name[file.stem].name} have the same name; rename one"
+                    )
+                by_name[file.stem] = file
+            if not by_name:
                 raise ValueError(f"{name} must have files, got the empty folder {validation.shown(str(folder))}")
-            listed.append(found)
+            listed.append(by_name)
         else:
             listed.append({str(k): validation.path(name, file) for k, file in enumerate(given)})
     first, second = listed
@@ -214,11 +220,11 @@ class _Job:
     settings: Settings
 
     def record(self, pairs: Sequence[tuple[Path, Path]], shard: int | None) -> Json:
-        """Return the arguments that determine the pictures, as JSON holds them."""
-        apart = ("lenses", "noise", "settings", "values")
-        given = {name: value for name, value in vars(self).items() if name not in apart}
-        given |= {_CALLED.get(name, name): value for name, value in vars(self.values).items()}
-        # The number of threads changes no value.
+        """Return the arguments that determine the pictures, in JSON types."""
+        nested = ("lenses", "noise", "settings", "values")
+        given = {name: value for name, value in vars(self).items() if name not in nested}
+        given |= {_ARGUMENT_NAMES.get(name, name): value for name, value in vars(self.values).items()}
+        # The pictures do not depend on the number of threads.
         settings = {name: value for name, value in vars(self.settings).items() if name != "threads"}
         settings["dtype"] = np.dtype(self.settings.dtype).name
         given |= {
@@ -256,75 +262,74 @@ def render_dataset(
     workers: int = 1,
     **options: Unpack[Keywords],
 ) -> Iterator[Rendered]:
-    """Render photos with depth maps by random lenses into a folder, with ground truth, and yield each when written.
+    """Render photos with depth maps through random lenses into a folder, with ground truth; yield each when written.
 
-    Pictures that are there already are not rendered again: after an interruption the same call goes on. Each picture
-    depends on `seed` and its number alone, not on `workers` (but for rounding in its last bit). Its files are moved
-    into place together.
+    Pictures that are complete are not rendered again: after an interruption the same call continues. Each picture
+    depends on `seed` and its number only, not on `workers` (except for rounding in the last bit). The files of a
+    picture are moved into place together.
 
-    Of picture 12 the folder holds ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
-    ``000012.depth.npy`` (metres, float32), ``000012.json`` (lens, noise, names of the files), and for the PSF of each
-    pixel ``000012.index.png`` (16 bit) with ``000012.psfs.npz``: arrays `defocus` (n,), C_d in radians, and `psfs`
-    (n, channels, side, side), float32, each of unit sum; the pixel (y, x) of the scene is spread by about
-    ``psfs[index[y, x]]``, that of the nearest C_d. How far that may be off, over the peak of the PSF, is about
-    `psfs_error` in the JSON file: half of the largest difference between neighbours of the table. `error` is that of
-    the image, which is interpolated. WebDataset groups such names into samples.
+    For picture 12 the folder holds ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
+    ``000012.depth.npy`` (metres, float32) and ``000012.json`` (lens, noise, names of the files). ``000012.psfs.npz``
+    holds PSFs: arrays `defocus` (n,), the defocus coefficient C_d in radians, and `psfs` (n, channels, side, side),
+    float32, each of unit sum. ``000012.index.png`` (16 bit) holds the index of the nearest C_d: the scene pixel
+    (y, x) is blurred by about ``psfs[index[y, x]]``. In the JSON file, `psfs_error` estimates the error of this PSF
+    relative to its peak, half of the largest difference between adjacent PSFs, and `error` is the error of the image,
+    whose PSFs are interpolated. WebDataset groups such names into samples.
 
     Parameters
     ----------
     photos, depths : path or sequence of path
-        Folders whose files have the same names but for their suffixes, or files in the same order: photos as of
-        :func:`lommel.imaging.read_photo` and depth maps as of :func:`lommel.imaging.read_depth`, of equal sizes.
+        Folders whose files have the same names except for the suffixes, or files in the same order. Photos are read
+        by :func:`lommel.imaging.read_photo`, depth maps of equal size by :func:`lommel.imaging.read_depth`.
     out : path
-        Folder, made if there is none.
+        Output folder, created if it does not exist.
     lenses : LensRanges
-        From which the lens and the pixel pitch of each picture are drawn.
+        Ranges from which the lens and the pixel pitch of each picture are drawn.
     seed : int
-        Of the lenses and of the noise.
+        Random seed of the lenses and of the noise.
     copies : int, default 1
-        Number of pictures of each photo, by other lenses.
+        Number of pictures of each photo, each with another random lens.
     noise : Noise, optional
-        Photon and read noise of the blurred image, `white` being the electrons at white.
+        Photon and read noise of the blurred image; `white` is the number of electrons at the value 1.0.
     form : {"png", "tif", "exr", "zarr"}, default "png"
         Format of the images: 16-bit PNG in the encoding of the photo, or linear light in float32 (EXR needs the
         package OpenEXR). Zarr is a group of arrays for each picture, images in chunks of 512 by 512 pixels.
     shard : int, optional
-        Number of pictures in each tar file ``shard-000000.tar``, as WebDataset reads them; by default a file each.
+        Number of pictures in each tar file ``shard-000000.tar``, as WebDataset reads them; by default no tar files.
     encoding : {"srgb", "linear"}, optional
         Encoding of the photos; by default integers are sRGB and floats are linear.
     psfs : int, default 32
         Number of PSFs of a picture, 2 to 4096, at equal steps of C_d over its scene, or 0 for none.
     depth_scale, inverse_depth : optional
-        As `scale` and `inverse` of :func:`lommel.imaging.read_depth`: what makes metres of the values of depth maps.
+        Conversion of depth maps to metres, as `scale` and `inverse` of :func:`lommel.imaging.read_depth`.
     disparity, zero_is_unknown, unknown, resample : optional
-        As of :func:`lommel.imaging.read_depth`; see `missing` for what is unknown.
+        As of :func:`lommel.imaging.read_depth`; see `missing` for pixels of unknown depth.
     on_error : {"raise", "skip"}, default "raise"
-        Whether a photo or depth map that cannot be used ends the iteration, or is yielded with the reason as
-        `failure`, and the others are rendered. The next call tries it again. Its shard stays open: the other
-        pictures of the shard wait in the folder ``parts``, a tar file each.
+        Handling of a photo or depth map that cannot be used: raise an error, or yield the picture with the reason as
+        `failure` and continue. The next call tries a skipped picture again; until then the other pictures of its
+        shard stay in the folder ``parts``, one tar file each.
     workers : int, default 1
-        Number of processes, each with its share of the processors; 1 renders in this process. More are spawned: a
-        script must then call this below ``if __name__ == "__main__":``.
+        Number of processes, among which the processors are divided; 1 renders in this process. Several are spawned:
+        a script must then call this function below ``if __name__ == "__main__":``.
     {options}
 
     Yields
     ------
     Rendered
-        In the order in which they are finished.
+        Pictures in the order in which they are finished.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, files have no partner, or `out` holds pictures of other arguments or of other
-        photos of the same names, is damaged, or is being written by another call; then, named
-        with the photo, if one of its files cannot be used or its blur exceeds `largest`, unless `on_error` is "skip".
-        What is done is kept.
+        If an argument is out of range, a file has no partner, or `out` is damaged, being written by another call, or
+        made from other arguments or files. During the iteration, unless `on_error` is "skip", if a photo or depth map
+        cannot be used or the blur exceeds `largest`; complete pictures are kept.
     OSError
         If a file cannot be written or, unless `on_error` is "skip", read.
 
     Notes
     -----
-    Ctrl-C, or closing the iterator, keeps all that is done and lets each worker finish its picture.
+    Ctrl-C, or closing the iterator, keeps complete pictures and lets each worker finish its current one.
 
     Examples
     --------
@@ -359,8 +364,8 @@ def render_dataset(
     try:
         values = DepthValues(depth_scale, inverse_depth, disparity, zero_is_unknown, unknown, resample)
     except (TypeError, ValueError) as error:
-        said = re.sub(r"\b(scale|inverse)\b", lambda found: _CALLED[found[0]], str(error))
-        raise type(error)(said) from None
+        message = re.sub(r"\b(scale|inverse)\b", lambda match: _ARGUMENT_NAMES[match[0]], str(error))
+        raise type(error)(message) from None
     job = _Job(
         lenses=lenses,
         seed=validation.integer("seed", seed, least=0, most=2**63 - 1),
@@ -376,11 +381,11 @@ def render_dataset(
     count = validation.integer("workers", workers, least=1, most=1024)
     folder = validation.path("out", out)
     _begin(folder, job.record(pairs, shard))
-    return _missing(folder, job, pairs, shard, count, skip)
+    return _render_missing(folder, job, pairs, shard, count, skip)
 
 
 def _begin(folder: Path, record: Json) -> None:
-    """Create the folder of a data set and its file of arguments; ValueError if the folder has others."""
+    """Create the folder of a data set with its file of arguments; ValueError if it has other arguments."""
     file = folder / _RECORD
     if not file.exists():
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
@@ -388,13 +393,13 @@ def _begin(folder: Path, record: Json) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         with suppress(FileExistsError), atomic.temporary_for(file, new=True) as place:  # another call may begin, too
             place.write_text(json.dumps(record, indent=1), encoding="utf-8")
-    if not isinstance(known := _read(file), dict):
+    if not isinstance(existing := _read(file), dict):
         raise ValueError(
             f"{validation.line(file)} is damaged; remove {validation.line(folder)}, or give another folder"
         )
-    # Pictures of other arguments must not mix with those already written.
-    if known != record:
-        names = [name for name in record if known.get(name) != record[name]]
+    # A data set must not mix pictures of different arguments.
+    if existing != record:
+        names = [name for name in record if existing.get(name) != record[name]]
         raise ValueError(
             f"{validation.line(folder)} holds pictures of other arguments ({', '.join(names)}); give another folder"
         )
@@ -415,15 +420,15 @@ def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[
             facts = _read(folder / f"{number:06d}.json")
             with suppress(FileNotFoundError):
                 if isinstance(facts, dict) and all(
-                    of_file(folder / f"{number:06d}.{name}") == known
-                    for name, known in facts.get("files", {"": ""}).items()
+                    of_file(folder / f"{number:06d}.{name}") == checksum
+                    for name, checksum in facts.get("files", {"": ""}).items()
                 ):
                     yield number, facts
         return
     for index in range(-(-total // shard)):
         numbers = range(index * shard, min(total, (index + 1) * shard))
         whole = _shard(folder, index)
-        # Pictures are separate tar files until their shard is complete.
+        # Until all pictures of a shard are rendered, each one is a tar file of its own.
         tars = {whole: numbers} if whole.exists() else {_part(folder, number): [number] for number in numbers}
         for tar, held in tars.items():
             if tar.exists():
@@ -436,14 +441,14 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
         with tarfile.open(path) as tar:
             members = {member.name: member for member in tar}
 
-            def held(number: int, name: str) -> bytes:
+            def content(number: int, name: str) -> bytes:
                 file = tar.extractfile(members[f"{number:06d}.{name}"])
                 assert file is not None
                 return file.read()
 
             for number in numbers:
-                facts = reading.json(held(number, "json"))
-                if any(of_bytes(held(number, name)) != known for name, known in facts["files"].items()):
+                facts = reading.json(content(number, "json"))
+                if any(of_bytes(content(number, name)) != checksum for name, checksum in facts["files"].items()):
                     raise ValueError(f"the files of picture {number} were changed after they were written")
                 yield number, facts
     except (tarfile.TarError, KeyError, AssertionError, ValueError) as error:
@@ -451,35 +456,35 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
         raise ValueError(f"{validation.line(path)} is damaged ({reason}); remove it, and call again") from None
 
 
-def _missing(
+def _render_missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
-    """Yield the missing pictures as they are written."""
-    # A lock: two processes in one folder would render the same pictures.
+    """Render the missing pictures, and yield each when its files are written."""
+    # Locked: two processes in one folder would render the same pictures.
     with atomic.locked(folder / _RECORD, folder):
         total = len(pairs) * job.copies
         where = folder if shard is None else folder / _PARTS
         where.mkdir(exist_ok=True)
         # Copies share their photo: each file is read once for its checksum.
-        there, sums = set(), cache(of_file)
+        complete, checksum_of = set(), cache(of_file)
         for number, facts in _complete_pictures(folder, shard, total):
-            for file, known in zip(pairs[number // job.copies], facts["checksums"], strict=True):
-                if sums(file) != known:
+            for file, checksum in zip(pairs[number // job.copies], facts["checksums"], strict=True):
+                if checksum_of(file) != checksum:
                     raise ValueError(
-                        f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} ({known}, "
-                        f"now {sums(file)}); give another folder"
+                        f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} "
+                        f"({checksum}, now {checksum_of(file)}); give another folder"
                     )
-            there.add(number)
-        left = [number for number in range(total) if number not in there]
-        done = total - len(left)
+            complete.add(number)
+        missing = [number for number in range(total) if number not in complete]
+        done = len(complete)
         if shard is not None:
             for index in range(-(-total // shard)):
                 _pack(folder, index, shard, total)
         make = partial(_write, job, where, shard is not None, skip)
 
-        def told(number: int, files: list[str], facts: Json, failure: str | None, said: list[str]) -> Rendered:
+        def finish(number: int, files: list[str], facts: Json, failure: str | None, notes: list[str]) -> Rendered:
             nonlocal done
-            for note in said:
+            for note in notes:
                 validation.tell(note)
             if failure is not None:
                 return Rendered(number, done, total, (), facts, failure)
@@ -491,36 +496,36 @@ def _missing(
             return Rendered(number, done, total, named, facts)
 
         if workers == 1:
-            for number in left:
-                yield told(number, *make(number, *pairs[number // job.copies]))
+            for number in missing:
+                yield finish(number, *make(number, *pairs[number // job.copies]))
             return
-        # Processes share the processors: together as many threads as there are processors.
+        # The processes together have as many threads as there are processors.
         threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
         shared = replace(job, settings=replace(job.settings, threads=threads))
         make = partial(_write, shared, where, shard is not None, skip)
-        yield from (told(number, *made) for number, made in _by_processes(make, left, pairs, job.copies, workers))
+        results = _run_processes(make, missing, pairs, job.copies, workers)
+        yield from (finish(number, *written) for number, written in results)
 
 
-_Written = tuple[list[str], Json, str | None, list[str]]
-# Processes share the processors: together as many threads as there are processors.
+_Written = tuple[list[str], Json, str | None, list[str]]  # names of the files, facts, failure, notes
 
 
-def _by_processes(
+def _run_processes(
     make: Callable[[int, Path, Path], _Written],
-    left: list[int],
+    missing: list[int],
     pairs: list[tuple[Path, Path]],
     copies: int,
     workers: int,
 ) -> Iterator[tuple[int, _Written]]:
-    """Yield numbers of pictures and the results of a function for each, computed by other processes."""
+    """Run a function for each picture in worker processes; yield the number of the picture and the result."""
     from multiprocessing import get_context
 
-    # Spawned: a fork copies locks that other threads hold.
-    pool = ProcessPoolExecutor(min(workers, max(len(left), 1)), get_context("spawn"), initializer=_serve)
-    numbers, running = iter(left), dict[Future[_Written], int]()
+    # Spawned, not forked: a fork would copy locks that other threads hold.
+    pool = ProcessPoolExecutor(min(workers, max(len(missing), 1)), get_context("spawn"), initializer=_set_up_worker)
+    numbers, running = iter(missing), dict[Future[_Written], int]()
     try:
         while True:
-            # Two tasks a worker: none waits for the next, and few results are held in memory.
+            # Two tasks per worker: no worker waits for its next task, and few results are in memory.
             while len(running) < 2 * workers and (number := next(numbers, None)) is not None:
                 running[pool.submit(make, number, *pairs[number // copies])] = number
             if not running:
@@ -532,20 +537,20 @@ def _by_processes(
         pool.shutdown(cancel_futures=True)
 
 
-def _serve() -> None:
-    """Ignore Ctrl-C, which the parent handles, and end when the parent ends."""
+def _set_up_worker() -> None:
+    """Let the worker process ignore Ctrl-C, which the parent handles, and exit when the parent exits."""
     from multiprocessing import connection, parent_process
 
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = parent_process()
     if parent is not None:
 
-        def follow() -> None:
+        def exit_with_parent() -> None:
             connection.wait([parent.sentinel])
-            # Without clean-up: the parent that would wait for it is gone.
+            # Skip the clean-up, which needs the parent.
             os._exit(1)
 
-        threading.Thread(target=follow, daemon=True).start()
+        threading.Thread(target=exit_with_parent, daemon=True).start()
 
 
 def _shard(folder: Path, index: int) -> Path:
@@ -557,7 +562,7 @@ def _part(folder: Path, number: int) -> Path:
 
 
 def _pack(folder: Path, index: int, shard: int, total: int) -> None:
-    """Pack the pictures of a shard into one tar file, if all exist and it does not."""
+    """Pack the pictures of a shard into its tar file if all are rendered, then delete their separate tar files."""
     target = _shard(folder, index)
     numbers = range(index * shard, min(total, (index + 1) * shard))
     parts = [_part(folder, number) for number in numbers]
@@ -566,36 +571,35 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
             return
 
         def fill(path: Path) -> None:
-            with tarfile.open(path, "w") as made:
+            with tarfile.open(path, "w") as packed:
                 for part in parts:
                     with tarfile.open(part) as read:
                         for member in read:
-                            made.addfile(member, read.extractfile(member))
+                            packed.addfile(member, read.extractfile(member))
 
-        # Parts are removed only after the whole shard is in place.
         atomic.write_by(target, fill)
     for part in parts:
         part.unlink(missing_ok=True)
 
 
 def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Written:
-    """Render a picture and write its files; return their names, the facts, why it was skipped, and notes on it."""
-    said: list[str] = []
+    """Render a picture and write its files; return their names, the facts, the reason of a failure, and notes."""
+    notes: list[str] = []
     try:
         with warnings.catch_warnings(record=True) as seen:
-            # Warnings would stay in the worker process: they are recorded and shown by the parent.
+            # Record warnings: the parent shows them, as those of a worker process would be lost.
             warnings.simplefilter("always", UserWarning)
             try:
                 files, facts = _render(job, number, photo, depth)
             finally:
-                said += [f"{validation.line(photo)}: {each.message}" for each in seen]
+                notes += [f"{validation.line(photo)}: {each.message}" for each in seen]
     except (ValueError, OSError) as error:
         named = isinstance(error, PhotoError | OSError) or str(depth) in str(error)
         if skip:
             reason = str(error) if named else f"{validation.line(photo)}: {error}"
             if isinstance(error, OSError) and error.filename:
                 reason = f"{validation.line(error.filename)}: {error.strerror}"
-            return [], {"photo": photo.name, "depth": depth.name}, reason, said
+            return [], {"photo": photo.name, "depth": depth.name}, reason, notes
         if named:
             raise
         raise ValueError(f"{validation.line(photo)}: {error}") from None
@@ -603,30 +607,30 @@ def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo
     if packed:
         atomic.write(folder / f"{key}.tar", _tar({f"{key}.{name}": data for name, data in files.items()}))
     else:
-        # The last one says that all are there.
         with atomic.whole_files() as put:
             for name, data in files.items():
                 target = folder / f"{key}.{name}"
-                target.parent.mkdir(parents=True, exist_ok=True)  # of a Zarr array
+                target.parent.mkdir(parents=True, exist_ok=True)  # Zarr arrays are folders
                 put(target, data)
-    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None, said
+    return list(dict.fromkeys(f"{key}.{name.partition('/')[0]}" for name in files)), facts, None, notes
 
 
 def _tar(files: dict[str, bytes]) -> bytes:
-    made = io.BytesIO()
-    with tarfile.open(fileobj=made, mode="w") as tar:
+    """Return the content of a tar file of these files."""
+    buffer = io.BytesIO()
+    with tarfile.open(fileobj=buffer, mode="w") as tar:
         for name, data in files.items():
             entry = tarfile.TarInfo(name)
             entry.size = len(data)
             tar.addfile(entry, io.BytesIO(data))
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str, bytes], Json]:
-    """Return the files of a picture, the facts last."""
+    """Render a picture; return the contents of its files by name, the JSON file last, and its facts."""
     random = np.random.default_rng([job.seed, number])
     lens, pixel = job.lenses.draw(random)
-    sums = [of_file(photo), of_file(depth)]
+    checksums = [of_file(photo), of_file(depth)]
     picture = read_photo(photo, job.encoding)
     light = picture.light(job.settings.dtype)
     metres = read_depth(depth, shape=light.shape, **vars(job.values))
@@ -635,15 +639,15 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     metres = np.asarray(fill_missing(metres, job.settings.missing), dtype=np.float64)
     channels = job.settings.channels(light.shape, lens.wavelength)
     blur = DepthBlur(metres, lens, pixel, channels=channels, **job.settings.of_blur)
-    seen = (Occlusion(blur) if job.settings.occlusion else blur).forward(light)
+    image = (Occlusion(blur) if job.settings.occlusion else blur).forward(light)
     if job.noise is not None:
-        electrons = np.multiply(np.maximum(seen, 0.0), np.asarray(job.noise.white), dtype=np.float64)
-        seen = job.noise.record(electrons, random).astype(seen.dtype)
+        electrons = np.multiply(np.maximum(image, 0.0), np.asarray(job.noise.white), dtype=np.float64)
+        image = job.noise.record(electrons, random).astype(image.dtype)
     table = _psfs(blur, job.psfs) if job.psfs else None
     facts = {
         "photo": photo.name,
         "depth": depth.name,
-        "checksums": sums,
+        "checksums": checksums,
         "seed": [job.seed, number],
         "focal_length": lens.focal_length,
         "f_number": lens.f_number,
@@ -664,44 +668,45 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
     if table:
         facts["psfs_error"] = float(f"{_coarseness(table[2]):.2g}")
     if job.form == "zarr":
-        arrays = {"image": seen, "sharp": light, "depth": metres}
+        arrays = {"image": image, "sharp": light, "depth": metres}
         if table:
             arrays |= dict(zip(("defocus", "index", "psfs"), table, strict=True))
         files = _zarr(arrays, facts)
     else:
         files = {
-            f"image.{job.form}": _encoded(job.form, seen, picture.encoding),
-            f"sharp.{job.form}": _sharp(job.form, picture, light),
+            f"image.{job.form}": _encode(job.form, image, picture.encoding),
+            f"sharp.{job.form}": _encode_photo(job.form, picture, light),
             "depth.npy": atomic.contents(np.save, metres.astype(np.float32)),
         }
         if table:
             defocus, index, psfs = table
             files["index.png"] = png_of_16_bits(index, None, 1)
             files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
-    kept = {name: of_bytes(data) for name, data in files.items()}
-    files["json"] = json.dumps(facts | {"files": kept}, indent=1).encode()
+    # The JSON file is written last: it lists the checksums of the others.
+    facts_with_checksums = facts | {"files": {name: of_bytes(data) for name, data in files.items()}}
+    files["json"] = json.dumps(facts_with_checksums, indent=1).encode()
     return files, facts
 
 
-_CHUNK = 512  # pixels on each side
+_CHUNK = 512  # side of the chunks of Zarr images, pixels
 _AXES = {"defocus": ("step",), "psfs": ("step", "channel", "row", "column")}
 
 
 def _zarr(arrays: dict[str, Values], facts: Json) -> dict[str, bytes]:
-    """Return the files of a Zarr group of arrays, in single precision but for indices."""
+    """Return the files of a Zarr group of arrays, in single precision except for unsigned integers."""
     zarr = library("zarr", "Zarr groups need", "zarr")
     files: Json = {}
     group = zarr.open_group(zarr.storage.MemoryStore(files), mode="w", attributes=facts)
     for name, values in arrays.items():
-        kept = values if values.dtype.kind == "u" else values.astype(np.float32)
-        sides = kept.shape if name in _AXES else (*(min(side, _CHUNK) for side in kept.shape[:2]), *kept.shape[2:])
-        axes = _AXES.get(name, ("y", "x", "channel")[: kept.ndim])
-        group.create_array(name, data=kept, chunks=sides, dimension_names=axes)
+        data = values if values.dtype.kind == "u" else values.astype(np.float32)
+        sides = data.shape if name in _AXES else (*(min(side, _CHUNK) for side in data.shape[:2]), *data.shape[2:])
+        axes = _AXES.get(name, ("y", "x", "channel")[: data.ndim])
+        group.create_array(name, data=data, chunks=sides, dimension_names=axes)
     return {f"zarr/{name}": part.to_bytes() for name, part in files.items()}
 
 
 def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
-    """Return defocus at equal steps, the nearest of it for each pixel, and the PSFs there."""
+    """Return equally spaced values of C_d, the index of the nearest one for each pixel, and their PSFs."""
     low, high = float(blur.defocus.min()), float(blur.defocus.max())
     defocus = np.linspace(low, high, count)
     step = (high - low) / (count - 1)
@@ -716,25 +721,25 @@ def _psfs(blur: DepthBlur, count: int) -> tuple[Array, Values, Values]:
 
 
 def _coarseness(psfs: Values) -> float:
-    """Return half of the largest difference between PSFs next to each other, over the peak of the fainter one."""
+    """Return half of the largest difference between adjacent PSFs, divided by the lower of their two peaks."""
     peaks = psfs.max(axis=(2, 3))
-    apart = np.abs(np.diff(psfs, axis=0)).max(axis=(2, 3))
-    return float((0.5 * apart / np.minimum(peaks[1:], peaks[:-1])).max())
+    differences = np.abs(np.diff(psfs, axis=0)).max(axis=(2, 3))
+    return float((0.5 * differences / np.minimum(peaks[1:], peaks[:-1])).max())
 
 
-def _sharp(form: str, picture: Picture, light: Values) -> bytes:
-    """Return the photo as a file."""
+def _encode_photo(form: str, picture: Picture, light: Values) -> bytes:
+    """Return the unblurred photo as the content of an image file."""
     stored = picture.values
     if form != "png" or stored.dtype.kind != "u" or stored.dtype.itemsize > 2:
-        return _encoded(form, light, picture.encoding)
-    # 255 and 65535 are white.
+        return _encode(form, light, picture.encoding)
+    # 8-bit values times 257: white, 255, becomes 65535.
     return png_of_16_bits(stored.astype(np.uint16) * np.uint16(257 if stored.itemsize == 1 else 1), None, 1)
 
 
-def _encoded(form: str, light: Values, encoding: str) -> bytes:
-    """Return light as a file."""
+def _encode(form: str, light: Values, encoding: str) -> bytes:
+    """Return light as the content of an image file."""
     if form == "png":
-        # More pressing takes longer than the blur.
+        # Compression level 1: a higher level takes longer than the blur.
         return png_of_16_bits(from_light(light, encoding, np.uint16), None, 1)
     values = light.astype(np.float32, copy=False)
     return write_tiff(values, 100, None) if form == "tif" else photos.write_exr(values, 100, None)

@@ -1,4 +1,4 @@
-"""From the file of a microscope to a restored stack: metadata, noise, PSFs by depth, chunks, projections."""
+"""Restoration of microscope stacks from their files: metadata, noise, depth-dependent PSFs, chunks, projections."""
 
 from __future__ import annotations
 
@@ -63,20 +63,20 @@ if TYPE_CHECKING:
 
 
 INTERRUPTED = "interrupted"
-"""Why a restoration ended that was interrupted (Ctrl-C): what was done until then is kept."""
+"""Value of `stopped` after Ctrl-C: the result of the last complete step is kept."""
 
 MISFIT = "misfit"
-"""Why a restoration ended whose rest is more than noise."""
+"""Value of `stopped` where the residual exceeds the noise and no longer decreases."""
 
 _DIRECTIONS = ("auto", "up", "down")
-_MEMORY = 2.0**31  # bytes
-_OFF = 0.02  # largest relative difference of lengths of the file and of the objective
-_BELOW = 0.02  # share of the voxels that are not below the offset by chance
-_USUAL_STEPS = 60  # usual number of steps of a restoration
-_EARLY = 0.3  # share of the work done after the steps in which a misfit may be found
-_LEAST_PLANES = 8  # least margin in planes
+_MEMORY = 2.0**31  # default memory limit, bytes
+_TOLERANCE = 0.02  # relative difference between a value of the file and that of the objective that is not reported
+_DARK_FRACTION = 0.02  # fraction of voxels darker than the offset above which the offset is doubted
+_USUAL_STEPS = 60  # typical number of steps of a restoration, for the progress display
+_MISFIT_PROGRESS = 0.3  # progress shown after `EARLIEST` steps, when the restoration may end as a misfit
+_MIN_MARGIN = 8  # smallest default margin, planes
 
-Shown = Callable[[float, str], object]
+Report = Callable[[float, str], object]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -86,8 +86,10 @@ class RestoredChannel:
     Attributes
     ----------
     discrepancy, before : float
-        Poisson deviance per voxel of the result and of the recording itself; about 1 where PSF and noise fit.
+        Poisson deviance per voxel after the restoration, and before it, with the recording itself as the estimate;
+        about 1 where PSF and noise model fit.
     steps : int
+        Number of steps, that of the central chunk.
     stopped : str
         "noise", "steps" or "misfit" as of :class:`lommel.imaging.Restoration`; "interrupted" after Ctrl-C.
     noise : Noise
@@ -98,17 +100,17 @@ class RestoredChannel:
     psf_depths : ndarray of float
         Depths of the PSFs that were used.
     refined, errors : dict of float
-        Values found from the stack itself, by name, and their standard errors: those of photons, and the change
-        since half of the steps. They are inf where the stack does not determine a value.
+        Parameters of `refine` estimated from the stack, by name, and their standard errors, which combine photon
+        noise and the change since half of the steps; inf where the stack does not determine a parameter.
     projections : Projections
-        What :meth:`RestoredStack.plot` draws: the maxima of recording and result, and the residual, each along z and
-        along y. NaN in chunks that were restored by an earlier call.
+        Projections that :meth:`RestoredStack.plot` draws: maxima of recording and result, and the residual, each
+        along z and along y. NaN in chunks that were restored by an earlier call.
     background : float or ndarray of shape (height, width)
-        Light of each voxel that is no part of the values, in the unit of the recording, without the offset.
+        Background per voxel, in the unit of the recording without the offset; the restored values exclude it.
     strength : float or None
         Weight of the total variation.
     findings : Findings
-        What the checks of this channel found.
+        Results of the checks of this channel.
     """
 
     discrepancy: float
@@ -134,20 +136,20 @@ class RestoredStack(FitReport):
     Attributes
     ----------
     values : ndarray of float32, or array of Zarr
-        Restored light in the unit of the recording, without the offset of the camera; shape (planes, height, width),
-        or (channels, planes, height, width) of several channels and of `out`. In the order of the recording.
+        Restored light in the unit of the recording, without the offset of the camera, planes in the order of the
+        recording; shape (planes, height, width), or (channels, planes, height, width) for several channels and with
+        `out`.
     channels : tuple of RestoredChannel
     recording : Recording
-        With the voxel sizes and wavelengths that were used.
+        The recording, with the voxel sizes and wavelengths that were used.
     notes : tuple of str
-        What was taken from the file, estimated or assumed, in sentences.
+        Sentences on the values that were taken from the file, estimated or assumed.
     findings : Findings
-        What the checks found, of all channels. Errors are "misfit" and "too_quiet"; doubts "psf_doubtful", where
-        photons that were held out agree better with another PSF, "misfit" where none of those tried does,
-        "hot_pixels", "not_settled" and "interrupted"; the others are notes. What follows from them is
-        ``converged``, ``reliable`` and ``status``.
+        Results of the checks of all channels. Errors: "misfit" and "too_quiet". Doubts: "psf_doubtful", where
+        held-out photons agree better with another PSF; "misfit" where no other PSF fits better; "hot_pixels",
+        "not_settled" and "interrupted". The rest are notes. They set ``converged``, ``reliable`` and ``status``.
     summary : str
-        Discrepancies and steps.
+        Discrepancy and number of steps of each channel.
     """
 
     values: Any = field(repr=False)
@@ -174,24 +176,24 @@ class RestoredStack(FitReport):
         Returns
         -------
         dict
-            As of all fits, and the shape and voxel sizes (metres). Channels have their name and wavelength, least and
-            greatest depth, number of PSFs, and the mean of their background.
+            The entries of every fit, the shape and the voxel sizes (metres). Each channel has its name, wavelength,
+            least and greatest depth, number of PSFs, and mean background.
         """
-        found = super().to_dict()
-        told = zip(found["channels"], self.channels, self.recording.names, self.recording.emission, strict=False)
-        for channel, each, name, wave in told:
+        result = super().to_dict()
+        channels = zip(result["channels"], self.channels, self.recording.names, self.recording.emission, strict=False)
+        for channel, each, name, wave in channels:
             channel |= {"name": name, "wavelength": wave, "psfs": len(each.psf_depths)}
             channel["depths"] = [float(each.depths.min()), float(each.depths.max())]
             channel["background"] = float(np.mean(each.background))
         sizes = {"pixel_in_sample": self.recording.pixel, "step": self.recording.step}
-        return {"shape": list(self.values.shape[-3:])} | sizes | found
+        return {"shape": list(self.values.shape[-3:])} | sizes | result
 
     def plot(self) -> Figure:
-        """Return a matplotlib figure of maximum projections before and after, and of the residual over its noise.
+        """Return a matplotlib figure of maximum projections before and after, and of the normalized residual.
 
-        Projections along z (xy), and below them along y (xz), with a scale bar. The residual is the sum over each
-        projected line over the square root of its voxels: where PSF and noise are right it has no pattern, and hardly
-        exceeds 3.
+        Projections along z (xy) are above those along y (xz), with a scale bar. The residual is in units of the
+        noise, summed along each projected line and divided by the square root of its number of voxels: where PSF and
+        noise model are right it has no pattern, and hardly exceeds 3.
 
         Returns
         -------
@@ -203,17 +205,17 @@ class RestoredStack(FitReport):
             If matplotlib is not installed.
         """
         several = len(self.channels) > 1
-        drawn = [
+        labelled = [
             (f"{name}: " if several else "", each.projections)
             for name, each in zip(self.recording.names, self.channels, strict=False)
         ]
         assert self.recording.pixel is not None
         assert self.recording.step is not None
-        said = "; ".join(
+        caption = "; ".join(
             f"{name}discrepancy {each.before:#.3g} before, {each.discrepancy:#.3g} after {each.steps} steps"
-            for (name, _), each in zip(drawn, self.channels, strict=True)
+            for (name, _), each in zip(labelled, self.channels, strict=True)
         )
-        return pictures.projections(drawn, (self.recording.step, self.recording.pixel), said)
+        return pictures.projections(labelled, (self.recording.step, self.recording.pixel), caption)
 
     def save(self, *paths: str | PathLike[str]) -> None:
         """Write the stack with its voxel sizes, channels and wavelengths.
@@ -221,15 +223,15 @@ class RestoredStack(FitReport):
         Parameters
         ----------
         *paths : path
-            OME-TIFF where a name ends in .tif or .tiff, OME-Zarr (0.4) where it ends in .zarr; written under another
-            name and moved into place.
+            Files to write: OME-TIFF if the name ends in .tif or .tiff, OME-Zarr (0.4) if it ends in .zarr. Each is
+            written under a temporary name and moved into place.
 
         Raises
         ------
         ValueError
-            If a name ends otherwise, or is that of the recording.
+            If a name has another suffix, or is that of the recording.
         OSError, ImportError
-            If it cannot be written, or tifffile or zarr is not installed.
+            If a file cannot be written, or tifffile or zarr is not installed.
         """
         places = [validation.path("paths", path) for path in paths]
         for place in places:
@@ -270,10 +272,10 @@ def restore(
     diagnosis: bool = True,
     per_plane: bool = False,
     out: str | PathLike[str] | None = None,
-    progress: Shown | None = None,
+    progress: Report | None = None,
     threads: int | None = None,
 ) -> RestoredStack:
-    """Deconvolve the stack of a microscope, from its file: voxel sizes, noise and PSFs by depth are found for it.
+    """Deconvolve a microscope stack from its file: read voxel sizes, estimate noise, compute depth-dependent PSFs.
 
     Parameters
     ----------
@@ -281,80 +283,80 @@ def restore(
         As of :func:`lommel.microscopy.open_recording`: OME-TIFF, TIFF of ImageJ, OME-Zarr; arrays of NumPy, dask or
         Zarr, of shape (planes, height, width) or (channels, planes, height, width), of any real type.
     objective : Objective or Microscope
-        The objective; or the microscope of :func:`lommel.load_microscope`, whose depth, wavelength, pixel, step,
-        emitter and aberrations are used where the file has none.
+        The objective; or the microscope of :func:`lommel.load_microscope`, whose emitter and aberrations are used,
+        and whose depth, wavelength, pixel and step are the defaults where the file states none.
     depth : float, optional
         Depth below the cover glass that is in focus in plane ``planes // 2``, metres. By default that of the
-        Microscope; else half of the stack, as if it began at the glass.
+        Microscope; without one, half of the stack, as if the stack began at the glass.
     wavelength : float or sequence of float, optional
-        Of the emission, metres; one for each channel. By default that of the file.
+        Emission wavelength, metres; one for all channels or one for each. By default that of the file.
     pixel, step : float, optional
-        Pixel pitch on the camera, and distance of the stage between planes, metres. By default those of the file,
-        whose pixels are in the sample.
+        Pixel pitch on the camera, and stage displacement between planes, metres. By default those of the file, whose
+        pixel size in the sample is multiplied by the magnification.
     channel, time : int, optional
-        Which to restore; by default all channels, and the only time point.
+        Channel and time point to restore; by default all channels, and the only time point.
     axes : str, optional
         As of :func:`lommel.microscopy.open_recording`.
     noise : Noise, optional
-        Of the camera, in the unit of the file; maps per pixel apply to each plane. By default
+        Noise of the camera, in the unit of the file; maps per pixel apply to each plane. By default
         :func:`lommel.microscopy.estimate_noise` of each channel.
     saturation : float, optional
-        Value from which on voxels are saturated, and unknown. By default the largest value of 8, 10, 12, 14 or 16
-        bits, if integers have it at several voxels. NaN, what is masked, and hot pixels are unknown, too.
+        Smallest value of saturated voxels, which are ignored. By default the largest value of 8, 10, 12, 14 or 16
+        bits, if several integer voxels have it. NaN, masked voxels and hot pixels are ignored, too.
     mask : array_like of bool, optional
-        True for what is to be left out: of shape (height, width) for all planes, or of the stack. Masks of NumPy's
-        arrays count, too.
+        True for voxels to ignore, in the shape (height, width) for all planes, or of the stack. The mask of a NumPy
+        masked array applies, too.
     modality : {"widefield", "confocal", "spinning disc", "light sheet", "two-photon"}, default "widefield"
     excitation : float, optional
-        Vacuum wavelength of the excitation, metres: for "confocal", "spinning disc" and "two-photon", where the file
-        does not say.
+        Vacuum wavelength of the excitation, metres; needed for "confocal", "spinning disc" and "two-photon" if the
+        file does not state it.
     pinhole : float, default 1
-        Diameter in Airy units, for "confocal" and "spinning disc".
+        Pinhole diameter in Airy units, for "confocal" and "spinning disc".
     thickness : float, optional
-        Full width at half maximum of the "light sheet", metres, which stays in the focal plane.
+        Full width at half maximum of the "light sheet", metres; the sheet stays in the focal plane.
     direction : {"auto", "up", "down"}, default "auto"
-        "up": the first plane is the nearest to the cover glass. "auto" tries both and takes the one that the data
-        follow better; "up" where they do not tell.
+        "up": the first plane is the nearest to the cover glass. "auto" tries both directions and takes the one of
+        greater likelihood, or "up" where the data do not decide.
     slabs : int, optional
-        Number of PSFs over the depth of the stack, with linear weights between them; 1 for the same everywhere. By
-        default each plane has its own; with aberrations that are not rotationally symmetric, as many as are needed
-        for PSFs in between to be within 3 % of the light, up to 9.
+        Number of PSFs over the depth of the stack, interpolated linearly in depth; 1 for a single PSF. By default
+        each plane has its own; with aberrations that are not rotationally symmetric, as many as are needed for
+        interpolated PSFs to be within 3 % of the light, up to 9.
     refine : sequence of {"depth", "sample", "spherical"}
-        What is estimated from the stack by its likelihood first: the depth, the refractive index of the sample, or
+        Parameters estimated first, by maximum likelihood: the depth, the refractive index of the sample, or the
         spherical aberration (waves rms).
     method : RichardsonLucy or TotalVariation, optional
         As of :func:`lommel.microscopy.deconvolve`: ``lm.imaging.RichardsonLucy(target=1.0)`` by default.
     background : "flat", "uneven" or float, default "flat"
-        As of :func:`lommel.microscopy.deconvolve`. With `diagnosis` the flat one of up to 500000 voxels is found by
-        photons that are held out, and then held; else it is estimated with the specimen, in the central chunk. Each
-        chunk has its own uneven one, so that it is best used without chunks.
+        As of :func:`lommel.microscopy.deconvolve`. A "flat" background is estimated with the specimen, in the central
+        chunk; with `diagnosis` and up to 500000 voxels, it is instead fixed in advance by held-out photons. An
+        "uneven" background is estimated in each chunk separately, and is best used without chunks.
     psf_shape : (int, int), optional
-        Planes and pixels of the PSFs, odd. By default those of the cone of light over half of the planes, up to 97.
+        Planes and pixels of the PSFs, odd. By default the size of the light cone over half of the planes, up to 97.
     margin : (int, int), optional
         As of :func:`lommel.microscopy.deconvolve`.
     tile : int, optional
-        Side of lateral chunks, pixels. By default the whole, or what `memory` holds. Chunks overlap by the PSF, and
-        all take the steps of the central one, with its extrapolation: what differs from the whole is what some steps
-        change. In a test the sum of differences was 3 % of the light after 5 steps and 17 % after 25, of which 2 %
-        without extrapolation (``RichardsonLucy(accelerate=False)``).
+        Side of lateral chunks, pixels. By default one chunk, or as large as `memory` allows. Chunks overlap by the
+        PSF, and all repeat the steps of the central chunk, with the same extrapolation; the result differs from that
+        of one chunk. In a test the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25
+        steps, or 2 % without extrapolation (``RichardsonLucy(accelerate=False)``).
     memory : float, default 2**31
-        Bytes that may be used besides input and output.
+        Memory limit besides input and output, bytes.
     diagnosis : bool, default True
-        Whether some photons are held out, to find the background and when to stop, and to compare PSFs of other
-        indices of the sample in a part of the stack; and whether other PSFs are tried after a misfit. Stacks of
-        20 x 40 x 40 voxels take two to four times as long with it, those of 41 x 96 x 96 two to three times.
+        Whether some photons are held out, to estimate the background and the number of steps and to compare PSFs for
+        other sample indices in a part of the stack; and whether other PSFs are tried after a misfit. Computing time
+        increases by a factor of two to four at 20 x 40 x 40 voxels, of two to three at 41 x 96 x 96.
     per_plane : bool, default False
         Whether restored values are the light that the objective collects in one plane, rather than in all planes of
         the window of the PSF; for "widefield" and "light sheet".
     out : path, optional
-        A folder .zarr that values are written to, chunk by chunk, for stacks larger than memory; in place of a
-        restored stack, not of anything else. If it is interrupted, the same call goes on where it ended: chunks of
-        other values or arguments, and damaged ones, are computed again. Until then they are in a hidden folder
-        beside it, ``.NAME.unfinished``, that one call at a time writes into.
+        Folder NAME.zarr to which values are written chunk by chunk, for stacks larger than memory; it may replace
+        only an earlier restored stack. After an interruption the same call continues: only chunks that are damaged,
+        or of other data or arguments, are computed again. Until all are complete they lie in a hidden folder beside
+        `out`, ``.NAME.zarr.unfinished``, into which one call at a time may write.
     progress : callable, optional
-        Called as ``progress(share, words)`` with the share that is done, 0 to 1.
+        Called as ``progress(fraction, message)`` with the fraction of the work that is done, 0 to 1.
     threads : int, optional
-        By default as many as there are processors. The result does not depend on it.
+        Number of threads, by default that of processors. The result does not depend on it.
 
     Returns
     -------
@@ -371,12 +373,13 @@ def restore(
 
     Notes
     -----
-    Depths are those of the brightest focus of an emitter, by :meth:`lommel.Objective.focus`: restored points stay in
-    the plane in which they are brightest. Wide-field and light-sheet PSFs have all light that the objective collects
-    in each of their planes: that beyond their window is blurred on a coarse grid, and light from outside of the field
-    is estimated, one level for each plane. With `slabs` a stack is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s
-    and weights w_s of each plane. Transposes are exact. After Ctrl-C the steps that are done are kept, as
-    ``stopped="interrupted"``; with `out` it raises KeyboardInterrupt, and can be continued.
+    A point is restored in the plane in which it is brightest: its depth is that of its brightest focus, by
+    :meth:`lommel.Objective.focus`. Each plane of a wide-field or light-sheet PSF has all light that the objective
+    collects: light beyond the window of the PSF is blurred on a coarse grid, and light from outside of the field is
+    estimated, one level for each plane. With `slabs` a stack x is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s
+    and weights w_s for each plane. The transpose of the blur is exact. Ctrl-C keeps the completed steps of a stack
+    restored in one chunk, as ``stopped="interrupted"``; otherwise it raises KeyboardInterrupt, and with `out` the
+    same call continues.
     """
     validation.choice("modality", modality, MODALITIES)
     if validation.truth("per_plane", per_plane) and modality not in SPREADING:
@@ -434,7 +437,7 @@ def restore(
 
 @dataclass(frozen=True)
 class _Options:
-    """Arguments of :func:`restore` that say how a channel is restored."""
+    """Arguments of :func:`restore` that apply to the restoration of each channel."""
 
     noise: Noise | None
     saturation: float | None
@@ -456,7 +459,7 @@ class _Options:
         validation.optional("method", self.method, RichardsonLucy, TotalVariation)
         validation.truth("diagnosis", self.diagnosis)
         validation.real("memory", self.memory, least=2.0**24)
-        for name in _listed("refine", self.refine):
+        for name in _list_of_names("refine", self.refine):
             validation.choice("refine", name, PARAMETERS)
         if self.threads is not None:
             validation.integer("threads", self.threads, least=1, most=1024)
@@ -473,19 +476,19 @@ def _by_channel(
     left: NDArray[np.bool_] | None,
     target: _Target,
     notes: list[str],
-    tell: Shown,
+    report: Report,
 ) -> list[RestoredChannel]:
-    """Restore channels, those before an interruption; notes are those of the first."""
+    """Restore channels up to an interruption; only the first one adds to the notes."""
     made: list[RestoredChannel] = []
     for place, (number, model) in enumerate(zip(chosen, models, strict=True)):
-        job = _Job(opened.stack(number), model, options, notes if place == 0 else [], target, place)
-        share = _within(tell, place / len(chosen), (place + 1) / len(chosen))
+        job = _ChannelRestoration(opened.stack(number), model, options, notes if place == 0 else [], target, place)
+        share = _within(report, place / len(chosen), (place + 1) / len(chosen))
         name = "" if len(chosen) == 1 else f"{opened.names[number]}: "
 
-        def told(part: float, words: str, share: Shown = share, name: str = name) -> None:
-            share(part, name + words)
+        def report_named(part: float, message: str, share: Report = share, name: str = name) -> None:
+            share(part, name + message)
 
-        made.append(job.run(None if left is None else left[number], told))
+        made.append(job.run(None if left is None else left[number], report_named))
         if made[-1].stopped == INTERRUPTED:
             break
     return made
@@ -494,7 +497,7 @@ def _by_channel(
 def _mask_of(
     mask: ArrayLike | None, hidden: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
 ) -> NDArray[np.bool_] | None:
-    """Return what is to be left out of each channel, or None."""
+    """Return the mask of voxels to ignore in each channel, or None."""
     out = np.asarray(False if hidden is None else hidden)
     if mask is not None:
         given = validation.array("mask", mask)
@@ -507,14 +510,14 @@ def _mask_of(
     return np.broadcast_to(out, shape) if np.any(out) else None
 
 
-def _listed(name: str, given: object) -> list[str]:
+def _list_of_names(name: str, given: object) -> list[str]:
     if isinstance(given, str) or not isinstance(given, Sequence):
         raise TypeError(f'{name} must be a sequence of names, such as ("depth",), got {shown(given)}')
     return list(given)
 
 
 class MicroscopeData(Protocol):
-    """What :func:`lommel.load_microscope` returns: an objective, and how stacks are recorded with it."""
+    """Result of :func:`lommel.load_microscope`: an objective and its recording parameters (lengths in metres)."""
 
     objective: Objective
     wavelength: float
@@ -526,7 +529,7 @@ class MicroscopeData(Protocol):
 
 
 def _objective(given: Any) -> tuple[Objective, MicroscopeData | None]:
-    """Return an objective, and the microscope that it is of, if it is of one."""
+    """Return the objective, and the microscope if one was given."""
     if isinstance(given, Objective):
         return given, None
     if isinstance(getattr(given, "objective", None), Objective):
@@ -537,7 +540,7 @@ def _objective(given: Any) -> tuple[Objective, MicroscopeData | None]:
 
 
 class _Sizes:
-    """Pixel on the camera and step of the stage, metres."""
+    """Pixel pitch on the camera and stage step between planes, metres, by argument, file or microscope."""
 
     def __init__(
         self,
@@ -548,31 +551,32 @@ class _Sizes:
         step: float | None,
         notes: list[str],
     ) -> None:
-        told = None if opened.pixel is None else opened.pixel * lens.magnification
-        self.pixel = self._one("pixel", pixel, told, None if given is None else given.pixel, opened, notes)
-        self.step = self._one(
+        of_file = None if opened.pixel is None else opened.pixel * lens.magnification
+        self.pixel = self._length("pixel", pixel, of_file, None if given is None else given.pixel, opened, notes)
+        self.step = self._length(
             "step", step, opened.step, (None if given is None else abs(given.step)) or None, opened, notes
         )
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
         if not 0.0 < self.step < 1e-4:
             raise ValueError(f"step must be of the stage, in metres, above 0 and below 1e-4, got {self.step:g}")
-        if opened.NA is not None and abs(opened.NA - lens.NA) > _OFF * lens.NA:
+        if opened.NA is not None and abs(opened.NA - lens.NA) > _TOLERANCE * lens.NA:
             notes.append(f"The file says NA {opened.NA:g}, the objective {lens.NA:g}, which was used.")
 
-    def _one(
+    def _length(
         self,
         name: str,
-        asked: float | None,
-        told: float | None,
-        other: float | None,
+        argument: float | None,
+        of_file: float | None,
+        of_microscope: float | None,
         opened: Recording,
         notes: list[str],
     ) -> float:
-        if asked is not None:
-            value = validation.real(name, asked, above=0.0)
-            if told is not None and abs(value - told) > _OFF * told:
-                notes.append(f"Of the {name}, {name}={format_length(value)} was taken, not that of the file.")
+        """Return the argument, else the length of the file, else that of the microscope; note a disagreement."""
+        if argument is not None:
+            value = validation.real(name, argument, above=0.0)
+            if of_file is not None and abs(value - of_file) > _TOLERANCE * of_file:
+                notes.append(f"The argument {name}={format_length(value)} was used, not the value of the file.")
             return value
         what = "an array" if opened.path is None else line(opened.path)
         if name in opened.unusable:
@@ -581,38 +585,39 @@ class _Sizes:
                 f"{what} says {opened.unusable[name]} {where}, which cannot be used: give {name}=, in metres"
                 + (" on the camera" if name == "pixel" else "")
             )
-        if told is None and other is None:
+        if of_file is None and of_microscope is None:
             raise ValueError(
                 f"{what} does not say the voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
             )
-        if told is None:
+        if of_file is None:
             where = "on the camera" if name == "pixel" else "of the stage"
             notes.append(
                 f"The stack does not say its {name}: that of the objective file was taken, "
-                f"{format_length(float(other or 0.0))} {where}; {name}= states another."
+                f"{format_length(float(of_microscope or 0.0))} {where}; {name}= states another."
             )
-            return float(other or 0.0)
-        if other is not None and abs(other - told) > _OFF * told:
+            return float(of_microscope or 0.0)
+        if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
             notes.append(
-                f"The stack has a {name} of {format_length(told)}, the objective file {format_length(other)}: that "
-                "of the stack was taken."
+                f"The stack has a {name} of {format_length(of_file)}, the objective file "
+                f"{format_length(of_microscope)}: that of the stack was taken."
             )
-        return told
+        return of_file
 
 
 def _wavelengths(
     opened: Recording,
     given: MicroscopeData | None,
-    asked: float | Sequence[float] | None,
+    argument: float | Sequence[float] | None,
     chosen: range,
     notes: list[str],
 ) -> list[float]:
-    if asked is not None:
-        each = np.atleast_1d(validation.real_array("wavelength", asked)).tolist()
+    """Return the emission wavelength of each channel: the argument, else that of the file, else of the microscope."""
+    if argument is not None:
+        each = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
         if len(each) not in (1, len(chosen)):
             raise ValueError(f"wavelength must be one, or one for each of {len(chosen)} channels, got {len(each)}")
         return [validation.wavelength(float(wave)) for wave in (each * len(chosen) if len(each) == 1 else each)]
-    found = []
+    waves = []
     for number in chosen:
         wave = opened.emission[number]
         if wave is None:
@@ -628,13 +633,13 @@ def _wavelengths(
                 )
             wave = given.wavelength
             notes.append(f"The wavelength of the objective file, {format_length(wave)}, was taken.")
-        elif len(chosen) == 1 and given is not None and abs(wave - given.wavelength) > _OFF * wave:
+        elif len(chosen) == 1 and given is not None and abs(wave - given.wavelength) > _TOLERANCE * wave:
             notes.append(
                 f"The stack has an emission wavelength of {format_length(wave)}, the objective file "
                 f"{format_length(given.wavelength)}: that of the stack was taken; wavelength= states another."
             )
-        found.append(validation.wavelength(float(wave)))
-    return found
+        waves.append(validation.wavelength(float(wave)))
+    return waves
 
 
 def _model(
@@ -651,7 +656,7 @@ def _model(
     thickness: float | None,
     psf_shape: tuple[int, int] | None,
 ) -> DepthModel:
-    """Return the model of a channel, its arguments checked."""
+    """Return the PSF model of a channel; ValueError if an argument is out of range."""
     planes, height, width = opened.shape[1:]
     if planes < 3:
         raise ValueError(
@@ -708,8 +713,8 @@ class _ReversedStack:
 
     def __getitem__(self, at: PlanePart) -> Values:
         plane, *rest = at if isinstance(at, tuple) else (at,)
-        found: Values = self._stack[(len(self) - 1 - plane, *rest)]
-        return found
+        values: Values = self._stack[(len(self) - 1 - plane, *rest)]
+        return values
 
 
 Chunk = tuple[int, slice, slice, slice]
@@ -717,7 +722,7 @@ Chunk = tuple[int, slice, slice, slice]
 
 
 class _Target:
-    """The destination of values: an array, or an OME-Zarr folder that gets its name when it is complete."""
+    """Destination of restored values: an array, or an OME-Zarr folder that is renamed to `out` when complete."""
 
     def __init__(self, shape: tuple[int, ...], begun: Unfinished | None) -> None:
         self.shape, self.begun = shape, begun
@@ -730,7 +735,7 @@ class _Target:
         self._kept: list[tuple[str, Chunk]] = []
 
     def has(self, request: str, at: Chunk) -> bool:
-        """Return whether a chunk of a request is done."""
+        """Return whether a chunk was written for a request (a checksum) and is unchanged."""
         if self.begun is None or not self._same(request, at):
             return False
         self._kept.append((request, at))
@@ -742,7 +747,7 @@ class _Target:
             return self.begun.has(_name(at), request, np.asarray(self._array[at]))
 
     def put(self, request: str, at: Chunk, values: Values) -> None:
-        """Write a chunk."""
+        """Write a chunk, and record its request."""
         if self.begun is None:
             self._array[at] = values
             return
@@ -753,27 +758,27 @@ class _Target:
         self._kept.append((request, at))
 
     def finish(self, description: str, channels: int) -> Any:
-        """Return all values."""
+        """Rename a folder to its final name, and return the values of the restored channels."""
         if self.begun is None:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
         # Checked once more: chunks of an earlier call may have been replaced while this one wrote others.
         if not all(self._same(*each) for each in self._kept):
-            raise ValueError(f"chunks in {line(self.begun.room)} were changed while it was written; call again")
+            raise ValueError(f"chunks in {line(self.begun.room)} were changed by another process; call again")
         recordings.require_own(self.begun.place)
         with _damaged(self.begun):
             _opened(self.begun.new, "r+").attrs["lommel"] = {"description": description}
         self.begun.finish()
-        return _opened(self.begun.place, "r")["0"]  # of four axes, as stored
+        return _opened(self.begun.place, "r")["0"]  # shape (channels, planes, height, width), as stored
 
 
 @contextmanager
 def _damaged(begun: Unfinished) -> Iterator[None]:
-    """Turn errors of zarr into a sentence that names the folder."""
+    """Convert errors of zarr to a ValueError that names the folder."""
     try:
         with atomic.as_path_error(begun.place):
             yield
-    except Exception as error:  # of any kind
+    except Exception as error:  # zarr raises many types on damaged files
         if isinstance(error, OSError | MemoryError) or "can't start new thread" in str(error):
             raise
         raise ValueError(f"{line(begun.room)} is damaged ({reading.reason(error)}); remove it") from None
@@ -785,7 +790,7 @@ def _name(at: Chunk) -> str:
 
 @contextmanager
 def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], recording: Recording) -> Iterator[_Target]:
-    """Yield the destination of values of a shape."""
+    """Yield the destination of values: an array, or with `out` a folder that an earlier call may have begun."""
     if out is None:
         yield _Target(shape, None)
         return
@@ -794,46 +799,46 @@ def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], record
         raise ValueError(f"out must end in .zarr, which is written chunk by chunk, got {shown(place.name)}")
     if not place.parent.is_dir():
         raise FileNotFoundError(2, "No such file or directory", str(place.parent))
-    told = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
-    asked = {"software": f"lommel {version()}", "shape": shape} | told
+    described = {name: getattr(recording, name) for name in ("pixel", "step", "names", "emission")}
+    request = {"software": f"lommel {version()}", "shape": shape} | described
     with atomic.unfinished_folder(
-        place, asked, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
+        place, request, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
     ) as begun:
         yield _Target(shape, begun)
 
 
 def _opened(folder: Path, mode: Literal["r", "r+"]) -> Any:
-    """Return a group of Zarr."""
+    """Open the Zarr group in a folder."""
     import zarr
 
     return zarr.open(str(folder), mode=mode)
 
 
-def _hashed(stack: Stack) -> str:
+def _checksum(stack: Stack) -> str:
     """Return the checksum of all values of a stack."""
-    found = hashlib.sha256()
+    digest = hashlib.sha256()
     for plane in range(len(stack)):
-        found.update(np.asarray(stack[plane]).tobytes())
-    return found.hexdigest()
+        digest.update(np.asarray(stack[plane]).tobytes())
+    return digest.hexdigest()
 
 
 @dataclass
 class _Source:
-    """A stack whose planes run into the sample, its noise, and the value from which on voxels are unknown."""
+    """A stack, its noise, and the value from which on voxels are ignored."""
 
-    stack: Stack
+    stack: Stack  # from `_orient` on, the plane nearest to the cover glass is first
     camera: Noise
     limit: float
-    turned: bool = False  # whether the planes are in the other order than in the recording
+    turned: bool = False  # whether the order of the planes is reversed from that of the recording
 
 
 @dataclass
 class _Outcome:
-    """Sums over the voxels of chunks, and how the central one ended."""
+    """Sums of Poisson deviances over the voxels of all chunks, and the end of the iteration of the central chunk."""
 
     after: float = 0.0
     before: float = 0.0
-    known: float = 0.0
+    voxels: float = 0.0  # number of voxels that are not ignored
     steps: int = 0
     stopped: str = STEPS
     strength: float | None = None
@@ -841,8 +846,8 @@ class _Outcome:
     finding: Finding | None = None
 
 
-class _Job:
-    """The restoration of one channel; what was assumed is added to the notes."""
+class _ChannelRestoration:
+    """The restoration of one channel; each assumption is added to the notes."""
 
     def __init__(
         self, stack: Stack, model: DepthModel, options: _Options, notes: list[str], target: _Target, place: int
@@ -850,58 +855,59 @@ class _Job:
         self._stack, self._model, self._options, self._notes = stack, model, options, notes
         self._threads, self._target, self._place = options.threads or 0, target, place
         planes, height, width = stack.shape
-        self._projecting = Projecting((planes, height, width))
+        self._projections = ProjectionBuilder((planes, height, width))
         self._findings: list[Finding] = []
-        self._steps = 0  # that agree best with photons that were held out
+        self._best_steps = 0  # number of steps after which the result agrees best with held-out photons
 
-    def run(self, mask: NDArray[np.bool_] | None, tell: Shown) -> RestoredChannel:
-        """Restore the channel, without the voxels that a mask hides."""
+    def run(self, mask: NDArray[np.bool_] | None, report: Report) -> RestoredChannel:
+        """Restore the channel, ignoring masked voxels."""
         options, notes = self._options, self._notes
-        tell(0.0, "noise")
-        source = self._recorded(mask)
+        report(0.0, "noise")
+        source = self._prepare(mask)
         crop = select_crop(source.stack, self._model.window[1], source.limit)
         context = StackContext(source.stack, self._model, source.camera, source.limit, self._threads)
         background = background_of(options.background)
         estimate = background == Background(None)
-        parts = _shares(context, crop, options.direction == "auto", len(options.refine), options.diagnosis)
-        context = self._in_order(source, context, crop, _within(tell, 0.0, parts[0]))
-        context, estimated, errors = self._refined(context, crop, _within(tell, *parts[:2]))
-        level = self._held_out(context, estimate, _within(tell, *parts[1:]))
+        parts = _progress_parts(context, crop, options.direction == "auto", len(options.refine), options.diagnosis)
+        context = self._orient(source, context, crop, _within(report, 0.0, parts[0]))
+        context, estimated, errors = self._refine(context, crop, _within(report, *parts[:2]))
+        level = self._compare_held_out(context, estimate, _within(report, *parts[1:]))
         background = background if level is None else Background(level)
         margin = self._margin()
-        tell(parts[-1], "PSFs")
+        report(parts[-1], "PSFs")
         psfs = self._model.psfs(margin[0], options.slabs)
         depths = psfs.planes[margin[0] : margin[0] + len(self._stack)]
         self._note_psfs(psfs, depths)
-        specimens = 5.0 if isinstance(options.method, TotalVariation) else 4.0  # arrays as large as the specimen
+        specimens = 5.0 if isinstance(options.method, TotalVariation) else 4.0  # number of arrays of specimen size
         side = self._side(options.tile, margin, psfs, specimens)
         if options.margin is None and len(self._stack) < self._model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
         request = "" if self._target.begun is None else self._request(source, psfs, margin, side, background)
         reached = parts[-1]
 
-        def told(share: float, words: str) -> None:
+        def report_chunks(fraction: float, message: str) -> None:
             nonlocal reached
-            reached = parts[-1] + (1.0 - parts[-1]) * share
-            tell(reached, words)
+            reached = parts[-1] + (1.0 - parts[-1]) * fraction
+            report(reached, message)
 
-        found = self._by_chunks(source, psfs, margin, side, background, request, told)
+        outcome = self._restore_chunks(source, psfs, margin, side, background, request, report_chunks)
         if estimate or background.level is None:
-            low, high = float(np.min(found.background)), float(np.max(found.background))
-            said = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"
+            low, high = float(np.min(outcome.background)), float(np.max(outcome.background))
+            found = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"
             notes.append(
-                f"{said} counts per voxel was estimated, which is no part of the restored values; background= states "
+                f"{found} counts per voxel was estimated, which the restored values exclude; background= states "
                 "another, 0 for none."
             )
-        self._conclude(found, context, _within(tell, min(reached, 0.5), 1.0))
+        self._conclude(outcome, context, _within(report, min(reached, 0.5), 1.0))
         turned = source.turned
         return RestoredChannel(
-            found.after / found.known, found.before / found.known, found.steps, found.stopped, source.camera,
-            "down" if turned else "up", depths[::-1] if turned else depths, psfs.depths, estimated, errors,
-            self._projecting.made(turned=turned), found.background, found.strength, Findings(self._findings),
+            outcome.after / outcome.voxels, outcome.before / outcome.voxels, outcome.steps, outcome.stopped,
+            source.camera, "down" if turned else "up", depths[::-1] if turned else depths, psfs.depths, estimated,
+            errors, self._projections.result(turned=turned), outcome.background, outcome.strength,
+            Findings(self._findings),
         )  # fmt: skip
 
-    def _recorded(self, mask: NDArray[np.bool_] | None) -> _Source:
+    def _prepare(self, mask: NDArray[np.bool_] | None) -> _Source:
         """Return the stack without saturated, masked or hot voxels, and its noise."""
         given = self._options.noise
         limit = self._limit(self._options.saturation)
@@ -913,48 +919,48 @@ class _Job:
         if given is None:
             camera, error = measured_noise(self._stack)
             self._notes.append(
-                f"The noise was estimated from the stack: {_gain(camera, error)} and an offset of "
+                f"The noise was estimated from the stack: {_format_gain(camera, error)} and an offset of "
                 f"{float(camera.offset):.4g} counts; a read noise of {float(camera.read):g} electrons was assumed."
             )
         else:
             camera = given.require_shape(self._stack.shape)
-            self._doubt(camera)
-        return _Source(*self._without_hot(camera, limit))
+            self._check_noise(camera)
+        return _Source(*self._exclude_hot(camera, limit))
 
-    def _in_order(
-        self, source: _Source, context: StackContext, crop: tuple[slice, slice], tell: Shown
+    def _orient(
+        self, source: _Source, context: StackContext, crop: tuple[slice, slice], report: Report
     ) -> StackContext:
-        """Turn the planes of a stack that run towards the cover glass."""
+        """Reverse the planes where the first one is the farthest from the cover glass."""
         direction = self._options.direction
         if direction == "auto":
-            direction, words = estimate_z_direction(context, crop, tell)
-            self._notes.append(words)
+            direction, note = estimate_z_direction(context, crop, report)
+            self._notes.append(note)
         source.turned = direction == "down"
         if source.turned:
-            # Results are turned back at the end.
+            # Results are reversed again at the end.
             source.stack = _ReversedStack(source.stack)
         return context._replace(stack=source.stack)
 
-    def _refined(
-        self, context: StackContext, crop: tuple[slice, slice], tell: Shown
+    def _refine(
+        self, context: StackContext, crop: tuple[slice, slice], report: Report
     ) -> tuple[StackContext, dict[str, float], dict[str, float]]:
-        """Estimate parameters of the PSF from the stack, and take them; return them and their standard errors."""
+        """Estimate the parameters in `refine` from the stack, and use them in the model; return values and errors."""
         if not self._options.refine:
             return context, {}, {}
-        self._model, estimated, errors = refined(context, crop, self._options.refine, tell)
+        self._model, estimated, errors = refined(context, crop, self._options.refine, report)
         for name, value in estimated.items():
             self._notes.append(
-                f"Estimated from the stack: {PARAMETERS[name]} {_estimate(name, value, errors[name])}."
+                f"Estimated from the stack: {PARAMETERS[name]} {_format_estimate(name, value, errors[name])}."
             )
         return context._replace(model=self._model), estimated, errors
 
     def _margin(self) -> tuple[int, int]:
-        """Return the planes and pixels beyond the stack that are restored."""
+        """Return the margin beyond the stack that is restored, in planes and in pixels."""
         if self._options.margin is not None:
             planes, pixels = self._options.margin
             return int(planes), int(pixels)
         deep, side = self._model.window
-        return min(deep // 2, max(_LEAST_PLANES, len(self._stack) // 4)), side // 2
+        return min(deep // 2, max(_MIN_MARGIN, len(self._stack) // 4)), side // 2
 
     def _note_psfs(self, psfs: PSFs, depths: Array) -> None:
         """Note the depths of the PSFs, and the unit of a restored value."""
@@ -969,69 +975,68 @@ class _Job:
             each = "one for each plane and its margin" if psfs.radial is not None else "with weights between them"
             notes.append(f"{len(nodes)} PSFs were used, {each}, of depths from {between(nodes[0], nodes[-1])}.")
         if model.spreads and self._options.per_plane:
-            notes.append("Restored values are the light of one plane: a point of F counts in each plane has F.")
+            notes.append("Restored values are light per plane: a point with F counts in each plane has the value F.")
         elif model.spreads:
             notes.append(
-                f"Restored values are the light of {model.window[0]} planes together: a point of F counts in each "
-                f"plane has {model.window[0]} F; per_plane=True states F."
+                f"Restored values are the light summed over {model.window[0]} planes: a point with F counts in each "
+                f"plane has the value {model.window[0]} F; per_plane=True returns F."
             )
 
     def _request(
         self, source: _Source, psfs: PSFs, margin: tuple[int, int], side: int, background: Background
     ) -> str:
-        """Return the checksum of everything that restored values depend on."""
+        """Return the checksum of all inputs of the restored values."""
         model, options, stack = self._model, self._options, source.stack
-        # The first and last PSF stand for the model: a change of the optics changes these.
+        # The first and last PSF represent the optical model: a change of the optics changes them.
         ends = [hashlib.sha256(model.psf(psfs.depths[at]).values.tobytes()).hexdigest() for at in (0, -1)]
         content = (
-            _hashed(stack), stack.shape, str(stack.dtype), ends, model.pixel, model.step, model.depth,
+            _checksum(stack), stack.shape, str(stack.dtype), ends, model.pixel, model.step, model.depth,
             psfs.depths.tolist(), margin, side, source.turned, source.camera.to_dict(), options.method, source.limit,
             background, options.per_plane, options.background == FLAT, options.diagnosis,
         )  # fmt: skip
         return hashlib.sha256(repr(content).encode()).hexdigest()
 
-    def _conclude(self, found: _Outcome, context: StackContext, tell: Shown) -> None:
-        """Add the findings of the restoration, and of a misfit those PSFs that the stack follows better."""
-        options, finding = self._options, found.finding
+    def _conclude(self, outcome: _Outcome, context: StackContext, report: Report) -> None:
+        """Add the findings of the restoration; to a misfit, the alternative PSFs that fit the stack better."""
+        options, finding = self._options, outcome.finding
         if finding is not None:
-            if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubts():
-                # The restoration ended before its time.
-                finding = _explained(finding, rank_alternatives(context, tell, turned=options.direction != "auto"))
+            if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubt_codes():
+                finding = _explain_misfit(
+                    finding, rank_alternatives(context, report, turned=options.direction != "auto")
+                )
             self._findings.append(finding)
-        if found.stopped == INTERRUPTED:
-            self._findings.append(
-                Finding("interrupted", "doubt", "it was interrupted: steps that were done are kept")
-            )
+        if outcome.stopped == INTERRUPTED:
+            self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))
 
-    def _held_out(self, context: StackContext, estimate: bool, tell: Shown) -> float | None:
-        """Compare PSFs by held-out photons, and return the level of the background if it is to be estimated."""
+    def _compare_held_out(self, context: StackContext, estimate: bool, report: Report) -> float | None:
+        """Compare PSFs by held-out photons; return the background level with `estimate` and a stack small enough."""
         if not self._options.diagnosis:
             return None
-        held = HeldOut(context, tell)
+        held = HeldOut(context, report)
         if held.plain:
             text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
             self._findings.append(Finding("untested", "note", text))
             return None
         own = held.best("the PSF as given", context.model)
-        self._steps = own.steps
+        self._best_steps = own.steps
         if finding := held.finding(own):
             self._findings.append(finding)
-        # A part has the blurred light of what is beside it as well: the background is that of the whole.
+        # The background is estimated on the whole stack: a part also has blurred light from beside it.
         if not estimate or math.prod(context.stack.shape) > WHOLE:
             return None
         side = max(context.stack.shape[1:])
         if side > SIDE:
-            held = HeldOut(context, tell, side=side)
+            held = HeldOut(context, report, side=side)
             own = held.best("background", context.model)
-            self._steps = own.steps
+            self._best_steps = own.steps
         return held.level(own)
 
-    def _doubts(self) -> tuple[str, ...]:
-        """Return the codes of findings in doubt."""
+    def _doubt_codes(self) -> tuple[str, ...]:
+        """Return the codes of the findings of severity "doubt"."""
         return tuple(each.code for each in self._findings if each.severity == "doubt")
 
-    def _without_hot(self, camera: Noise, limit: float) -> tuple[Stack, Noise, float]:
-        """Return the stack without hot pixels and voxels, its noise, and the value that marks unknown voxels."""
+    def _exclude_hot(self, camera: Noise, limit: float) -> tuple[Stack, Noise, float]:
+        """Return the stack without hot pixels and voxels, its noise, and the value from which voxels are ignored."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
         if count := int(pixels.sum()):
@@ -1054,13 +1059,13 @@ class _Job:
             return stack, camera, limit
         text = f"{which}, in single planes: they were taken as cosmic rays or blinking pixels, and left out"
         self._findings.append(Finding("hot_pixels", "note", text, numbers))
-        known = LeftOut(stack, limit, voxels=hot)
-        return known, camera, known.limit
+        cleaned = LeftOut(stack, limit, voxels=hot)
+        return cleaned, camera, cleaned.limit
 
-    def _doubt(self, camera: Noise) -> None:
-        """Note where the stated noise differs from that of the stack."""
+    def _check_noise(self, camera: Noise) -> None:
+        """Add a note if the stack contradicts the stated noise."""
         planes, lowest = len(self._stack), math.inf
-        # Three standard deviations of reading; 0.3 counts for the rounding to integers.
+        # Three standard deviations of the read noise and of rounding to integers (about 0.3 counts).
         dark = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
         below = 0
         for plane in range(planes):
@@ -1068,16 +1073,16 @@ class _Job:
             below += int((values < dark).sum())
             lowest = min(lowest, float(np.nanpercentile(values, 1.0)))
         share = below / math.prod(self._stack.shape)
-        if share > _BELOW:
+        if share > _DARK_FRACTION:
             self._notes.append(
                 f"{100.0 * share:.2g} % of the voxels are below the offset by more than the read noise explains, and "
-                f"count as dark: is it right? The darkest of the stack have {lowest:.4g} counts."
+                f"count as dark. Check the offset of noise=: the darkest voxels have {lowest:.4g} counts."
             )
-        elif words := contradiction(self._stack, camera):
-            self._notes.append(words)
+        elif note := contradiction(self._stack, camera):
+            self._notes.append(note)
 
     def _limit(self, saturation: float | None) -> float:
-        """Return the value from which on voxels are saturated."""
+        """Return the value from which on voxels are saturated, infinity for none."""
         planes = self._stack
         if planes.dtype.kind not in "iu" and (
             lost := sum(int((~np.isfinite(planes[plane])).sum()) for plane in range(len(planes)))
@@ -1088,25 +1093,25 @@ class _Job:
         if assumed:
             self._notes.append(f"{assumed[0].upper()}{assumed[1:]}. Record with less light or time.")
         elif count:
-            whose = "the saturation that was stated" if saturation is not None else "the largest value of their type"
+            most = "the saturation that was stated" if saturation is not None else "the largest value of their type"
             share = 100.0 * count / math.prod(planes.shape)
-            self._notes.append(f"{count} voxels ({share:.2g} %) have {whose}, {limit:g}, or more, and were left out.")
+            self._notes.append(f"{count} voxels ({share:.2g} %) have {most}, {limit:g}, or more, and were left out.")
         return limit
 
     def _side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs, specimens: float) -> int:
-        """Return the side of the chunks."""
+        """Return the side of the chunks, pixels: `tile`, or the largest whose memory is within the limit."""
         _, height, width = self._stack.shape
         if tile is not None:
             return int(validation.integer("tile", tile, least=16, most=validation.MAX_SIDE))
         side, overlap = int(max(height, width)), self._model.window[1]
-        # Chunks of equal size: one more along each side until they fit.
-        while side > 64 and self._bytes(side, overlap, margin, psfs, specimens) > self._options.memory:
+        # Chunks are of equal size: their number along each side is increased until one fits into memory.
+        while side > 64 and self._chunk_memory(side, overlap, margin, psfs, specimens) > self._options.memory:
             pieces = math.ceil(max(height, width) / side) + 1
             side = math.ceil(max(height, width) / pieces)
         return side
 
-    def _bytes(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs, specimens: float) -> float:
-        """Return the approximate memory of a chunk, with `specimens` arrays as large as the specimen."""
+    def _chunk_memory(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs, specimens: float) -> float:
+        """Return the approximate memory of a chunk, bytes, with `specimens` arrays as large as the specimen."""
         planes, height, width = self._stack.shape
         given = math.prod(min(side + 2 * overlap, each) for each in (height, width))
         whole = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
@@ -1114,11 +1119,10 @@ class _Job:
         transfers = 2.0 * len(psfs.depths) * (planes + self._model.window[0]) * whole / 4.0
         if psfs.radial is not None:
             transfers = float(len(psfs.radial.frequencies) * planes * deep)
-        # With the transforms of all planes, and a tenth for the coarse grid.
-        # Four bytes a value.
+        # Four bytes a value, and a tenth for the coarse grid.
         return 4.4 * float(specimens * deep * whole + 3.0 * planes * given + transfers)
 
-    def _by_chunks(
+    def _restore_chunks(
         self,
         source: _Source,
         psfs: PSFs,
@@ -1126,9 +1130,9 @@ class _Job:
         side: int,
         background: Background,
         request: str,
-        tell: Shown,
+        report: Report,
     ) -> _Outcome:
-        """Restore chunk by chunk; the central one first, whose course the others follow."""
+        """Restore chunk by chunk: the central one first; the others repeat its step settings (its course)."""
         planes, height, width = source.stack.shape
         method, blurs = self._options.method, dict[tuple[int, int, int], PlaneOperator]()
         sides = [math.ceil(each / math.ceil(each / side)) for each in (height, width)]
@@ -1136,128 +1140,128 @@ class _Job:
             tiles_of((height, width), sides, self._model.window[1]),
             key=lambda tile: _distance_from_middle(tile[0], height, width),
         )
-        # All chunks start from the same light.
-        level = None if len(tiles) == 1 else _level(source)
+        # With several chunks, all start from the mean light of the whole stack.
+        level = None if len(tiles) == 1 else _mean_light(source)
         course: list[StepSettings] | None = None
-        per = np.float32(1.0 / self._model.window[0] if self._options.per_plane else 1.0)
-        found = _Outcome(background=np.zeros((height, width)) if background.points > 1 else 0.0)
+        factor = np.float32(1.0 / self._model.window[0] if self._options.per_plane else 1.0)
+        outcome = _Outcome(background=np.zeros((height, width)) if background.points > 1 else 0.0)
         for number, (place, around, within) in enumerate(tiles):
             at = np.s_[self._place, :, *place]
             if number and self._target.has(request, at):
                 continue
-            # The level is that of the whole stack where there are several chunks.
-            counted = PoissonCounts(_loaded(source.stack, *around), source.camera.part(*around), source.limit)
+            counted = PoissonCounts(_load(source.stack, *around), source.camera.part(*around), source.limit)
             counted.level = counted.level if level is None else level
             size = (planes, *(part.stop - part.start for part in around))
             if size not in blurs:
-                blurs.clear()  # one at a time is in memory
+                blurs.clear()  # keep a single operator in memory
                 blurs[size] = self._model.blur(size, margin, psfs, threads=self._threads)
             blur = blurs[size]
             if blur.outside is not None:
                 blur.outside[...] = counted.level
             before = counted.mean(counted.discrepancies(blur, counted.scene(*margin)))
             iteration = self._iteration(blur, counted, course, background)
-            told = _ChunkProgress(
-                tell, number, len(tiles), method.steps if course is None else len(course), method.target > 0.0
+            progress = _ChunkProgress(
+                report, number, len(tiles), method.steps if course is None else len(course), method.target > 0.0
             )
-            count, why, each = self._solved(iteration, told, alone=level is None)
+            count, stopped, discrepancies = self._solve(iteration, progress, alone=level is None)
+            after = counted.mean(discrepancies)
             if course is None:
-                course, found.steps, found.strength = iteration.course, count, iteration.strength
-                found.finding = self._central_finding(counted, why, count, counted.mean(each))
-                is_misfit = found.finding is not None and found.finding.code == "misfit"
-                found.stopped = MISFIT if is_misfit else why
-            if isinstance(found.background, np.ndarray):
-                found.background[place] = np.asarray(counted.background)[within]
+                course, outcome.steps, outcome.strength = iteration.course, count, iteration.strength
+                outcome.finding = self._central_finding(counted, stopped, count, after)
+                is_misfit = outcome.finding is not None and outcome.finding.code == "misfit"
+                outcome.stopped = MISFIT if is_misfit else stopped
+            if isinstance(outcome.background, np.ndarray):
+                outcome.background[place] = np.asarray(counted.background)[within]
             elif number == 0:
-                found.background = counted.background
+                outcome.background = counted.background
             voxels = float(counted.known.sum())
-            found.after += counted.mean(each) * voxels
-            found.before += before * voxels
-            found.known += voxels
-            kept = np.ascontiguousarray(iteration.inside(*margin)[:, *within])
-            kept *= per
+            outcome.after += after * voxels
+            outcome.before += before * voxels
+            outcome.voxels += voxels
+            restored = np.ascontiguousarray(iteration.inside(*margin)[:, *within])
+            restored *= factor
             corner = around[0].start, around[1].start
-            self._projecting.add(*place, corner, blur, counted, iteration.guess, kept)
-            # In the order of the recording.
-            self._target.put(request, at, kept[::-1] if source.turned else kept)
-        return found
+            self._projections.add(*place, corner, blur, counted, iteration.guess, restored)
+            # The target has the planes in the order of the recording.
+            self._target.put(request, at, restored[::-1] if source.turned else restored)
+        return outcome
 
     def _iteration(
         self, blur: PlaneOperator, counted: PoissonCounts, course: list[StepSettings] | None, background: Background
     ) -> Iteration:
-        """Return the steps of a chunk, which end early where photons that were held out agree with it."""
+        """Return the iteration of a chunk, which ends early after the best number of steps by held-out photons."""
         model, method = self._model, self._options.method
         aspect = model.pixel / model.objective.magnification / model.step
-        made = iteration_of(
+        iteration = iteration_of(
             method, blur, counted, course, background=background, aspect=aspect, threads=self._threads
         )
-        made.enough = enough(method, self._steps, counted)
-        return made
+        iteration.enough = enough(method, self._best_steps, counted)
+        return iteration
 
-    def _solved(self, iteration: Iteration, tell: ProgressCallback, *, alone: bool) -> tuple[int, str, Array]:
-        """Iterate; a single chunk in memory keeps what was done until Ctrl-C."""
+    def _solve(self, iteration: Iteration, report: ProgressCallback, *, alone: bool) -> tuple[int, str, Array]:
+        """Iterate; return the number of steps, why they ended, and the discrepancies. Ctrl-C keeps a single chunk."""
         try:
-            return iteration.solve(self._options.method, tell)
+            return iteration.solve(self._options.method, report)
         except KeyboardInterrupt:
             if not alone or self._target.begun is not None or not iteration.course:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
     def _central_finding(self, counted: PoissonCounts, why: str, steps: int, discrepancy: float) -> Finding | None:
-        """Return what is wrong with the central chunk."""
+        """Return the finding on the convergence of the central chunk, None if there is none."""
         finding = counted.finding(why, steps, discrepancy)
         is_settled = why != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
         if finding is not None or is_settled:
             return finding
-        text = f"more than noise is left after {steps} steps, with which the method ended"
+        text = f"the residual exceeds the noise after the {steps} steps of the method; allow more"
         return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
 
 
 class _ChunkProgress:
-    """Reports the steps of a chunk as a share of all work."""
+    """Progress of a chunk, reported as a fraction of the work of all chunks."""
 
-    def __init__(self, tell: Shown, number: int, count: int, steps: int, doubtful: bool) -> None:
-        self._tell, self._number, self._count, self._steps = tell, number, count, steps
-        self._doubtful = doubtful  # it may end as a misfit, after which other PSFs are tried
+    def __init__(self, report: Report, number: int, count: int, steps: int, doubtful: bool) -> None:
+        self._report, self._number, self._count, self._steps = report, number, count, steps
+        self._doubtful = doubtful  # whether it may end as a misfit, after which other PSFs are tried
         self._begun = clock.monotonic()
 
     def __call__(self, step: int, discrepancy: float, left: float) -> None:
-        words = f"step {step}, discrepancy {discrepancy:.3g}"
-        share = min(step / max(self._steps, 1), 1.0)
+        message = f"step {step}, discrepancy {discrepancy:.3g}"
+        fraction = min(step / max(self._steps, 1), 1.0)
         if self._count == 1:
             spent = clock.monotonic() - self._begun
-            share = spent / (spent + left) if spent + left > 0.0 else 0.0
+            fraction = spent / (spent + left) if spent + left > 0.0 else 0.0
             if self._doubtful and step <= EARLIEST:
-                share = min(share, _EARLY * step / EARLIEST)
+                fraction = min(fraction, _MISFIT_PROGRESS * step / EARLIEST)
         else:
-            words = f"chunk {self._number + 1} of {self._count}, {words}"
-        self._tell((self._number + share) / self._count, words)
+            message = f"chunk {self._number + 1} of {self._count}, {message}"
+        self._report((self._number + fraction) / self._count, message)
 
 
-def _within(tell: Shown, begin: float, end: float) -> Shown:
-    """Return the function that reports shares of a part of the work."""
-    return lambda share, words: tell(begin + (end - begin) * share, words)
+def _within(report: Report, begin: float, end: float) -> Report:
+    """Return a callback that maps the progress of one part, 0 to 1, to `begin` to `end` of the whole work."""
+    return lambda fraction, message: report(begin + (end - begin) * fraction, message)
 
 
-def _explained(misfit: Finding, others: list[str]) -> Finding:
-    """Return a misfit with the other PSFs that a stack follows better."""
+def _explain_misfit(misfit: Finding, others: list[str]) -> Finding:
+    """Return the misfit with the names of the PSFs that fit the stack better; a doubt if there are none."""
     if not others:
         text = (
-            "more than noise is left, but no other PSF fits better: points between voxels, or a gain that is off, "
-            "leave as much"
+            "the residual exceeds the noise, but no other PSF fits better: the cause may be points between voxels or "
+            "a wrong gain; check noise="
         )
         return replace(misfit, severity="doubt", text=text)
-    text = f"the stack follows PSFs of {others[0]} better"
+    text = f"PSFs with {others[0]} fit the stack better"
     if len(others) > 1:
         likeliest = ", ".join(others)
-        text = f"the stack follows other PSFs better; one of these may be wrong, the likeliest first: {likeliest}"
+        text = f"other PSFs fit the stack better; one of these may be wrong, the likeliest first: {likeliest}"
     return replace(misfit, text=text, numbers={**misfit.numbers, "others": others})
 
 
-def _shares(
+def _progress_parts(
     context: StackContext, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
 ) -> tuple[float, float, float]:
-    """Return the share of the work done after the direction of z, after the PSF, and after the background."""
+    """Return the progress, 0 to 1, after estimating the direction of z, the PSF, and the background."""
     height, width = context.stack.shape[1:]
     part = math.prod(at.stop - at.start for at in crop) / (height * width)
     first, second = (part * steps for steps in estimated_steps(direction, refine))
@@ -1266,7 +1270,7 @@ def _shares(
     return first / whole, (first + second) / whole, (first + second + third) / whole
 
 
-def _estimate(name: str, value: float, error: float) -> str:
+def _format_estimate(name: str, value: float, error: float) -> str:
     """Return a value and its standard error in words."""
     if not math.isfinite(error):
         return "is not determined by it"
@@ -1274,7 +1278,7 @@ def _estimate(name: str, value: float, error: float) -> str:
     return " +- ".join(with_error(factor * value, factor * error)) + unit
 
 
-def _gain(camera: Noise, error: float) -> str:
+def _format_gain(camera: Noise, error: float) -> str:
     """Return a measured gain in words."""
     gain = 1.0 if camera.white is None else float(camera.white)
     return " +- ".join(with_error(gain, gain * error)) + " electrons per count"
@@ -1285,8 +1289,8 @@ def between(low: float, high: float) -> str:
     return f"{format_length(low, like=high, digits=3).split()[0]} to {format_length(high, digits=3)}"
 
 
-def _level(source: _Source) -> float:
-    """Return the mean light of a stack, from which all chunks start."""
+def _mean_light(source: _Source) -> float:
+    """Return the mean light of a stack, weighted by the gain, without ignored voxels."""
     stack, camera, limit = source.stack, source.camera, source.limit
     total = weights = 0.0
     for plane in range(len(stack)):
@@ -1302,8 +1306,8 @@ def _distance_from_middle(part: tuple[slice, slice], height: int, width: int) ->
     return math.hypot(*(at.start + at.stop - side for at, side in zip(part, (height, width), strict=True)))
 
 
-def _loaded(source: Stack, rows: slice, columns: slice) -> Values:
-    """Return part of all planes in memory, read by one thread, as files must be."""
+def _load(source: Stack, rows: slice, columns: slice) -> Values:
+    """Read some rows and columns of all planes, in one thread, as files require."""
     out = np.empty((source.shape[0], rows.stop - rows.start, columns.stop - columns.start), source.dtype)
     for plane in range(len(out)):
         out[plane] = source[plane, rows, columns]
@@ -1318,8 +1322,8 @@ class Projections(NamedTuple):
     recorded, restored : (ndarray, ndarray)
         Maxima, in the unit of the recording without its offset.
     residual : (ndarray, ndarray)
-        Recording less model over the noise, summed over the square root of the number of voxels: of unit variance
-        where PSF and noise are right.
+        Differences of recording and model in units of the noise, summed along the line and divided by the square root
+        of the number of voxels: of unit variance where PSF and noise model are right.
     """
 
     recorded: tuple[Values, Values]
@@ -1328,7 +1332,7 @@ class Projections(NamedTuple):
 
 
 def blank(shape: tuple[int, int, int]) -> Projections:
-    """Return projections of which nothing is known, NaN."""
+    """Return projections filled with NaN."""
     planes, height, width = shape
     recorded, restored, residual = (
         (np.full((height, width), np.nan, np.float32), np.full((planes, width), np.nan, np.float32)) for _ in range(3)
@@ -1336,11 +1340,12 @@ def blank(shape: tuple[int, int, int]) -> Projections:
     return Projections(recorded, restored, residual)
 
 
-class Projecting:
-    """Projections of a stack whose chunks are restored one after another."""
+class ProjectionBuilder:
+    """Builder of the projections of a stack, chunk by chunk."""
 
     def __init__(self, shape: tuple[int, int, int]) -> None:
-        self._made, self._known = blank(shape), np.zeros((shape[0], shape[2]), np.float32)
+        self._projections = blank(shape)
+        self._voxels = np.zeros((shape[0], shape[2]), np.float32)  # numbers of voxels summed along y
 
     def add(
         self,
@@ -1352,49 +1357,50 @@ class Projecting:
         light: Part,
         restored: Values,
     ) -> None:
-        """Add a chunk: these rows and columns of the stack, of which those of a blur begin at the corner."""
+        """Add a chunk, `restored` at `rows` and `columns`; `corner` is the first (row, column) blurred."""
         down, across = (at.start - first for at, first in zip((rows, columns), corner, strict=True))
         height, width = rows.stop - rows.start, columns.stop - columns.start
-        sums, known, most = (np.zeros((height, width), np.float32) for _ in range(3))
-        along = np.zeros((3, len(restored), width), np.float32)
+        sums, voxels, maxima = (np.zeros((height, width), np.float32) for _ in range(3))
+        along_y = np.zeros((3, len(restored), width), np.float32)  # sums, numbers of voxels, maxima
         lock = Lock()
 
-        def compared(plane: int, y: slice, x: slice, model: Values) -> None:
-            counts, off, share = counted.residuals(plane, y, x, model)
+        def compare(plane: int, y: slice, x: slice, model: Values) -> None:
+            counts, residuals, weights = counted.residuals(plane, y, x, model)
             top, left = y.start - down, x.start - across
             inner = np.s_[max(-top, 0) : max(height - top, 0), max(-left, 0) : max(width - left, 0)]
-            counts, off, share = counts[inner], off[inner], share[inner]
-            at = np.s_[max(top, 0) : max(top, 0) + len(off), max(left, 0) : max(left, 0) + off.shape[1]]
+            counts, residuals, weights = counts[inner], residuals[inner], weights[inner]
+            rows_at = slice(max(top, 0), max(top, 0) + len(residuals))
+            at = rows_at, slice(max(left, 0), max(left, 0) + residuals.shape[1])
             with lock:
-                sums[at] += off
-                known[at] += share
-                np.maximum(most[at], counts, out=most[at])
-                part = along[:, plane, at[1]]
-                part[0] += off.sum(axis=0)
-                part[1] += share.sum(axis=0)
+                sums[at] += residuals
+                voxels[at] += weights
+                np.maximum(maxima[at], counts, out=maxima[at])
+                part = along_y[:, plane, at[1]]
+                part[0] += residuals.sum(axis=0)
+                part[1] += weights.sum(axis=0)
                 np.maximum(part[2], counts.max(axis=0, initial=0.0), out=part[2])
 
-        blur.forward(light, compared)
-        recorded, after, residual = self._made
-        recorded[0][rows, columns] = np.where(known > 0.0, most, np.float32(np.nan))
+        blur.forward(light, compare)
+        recorded, after, residual = self._projections
+        recorded[0][rows, columns] = np.where(voxels > 0.0, maxima, np.float32(np.nan))
         after[0][rows, columns] = restored.max(axis=0)
-        residual[0][rows, columns] = _over_root(sums, known)
-        # Chunks above and below have a part of each voxel of the projection along y.
-        before = self._known[:, columns]
-        off = along[0] + np.nan_to_num(residual[1][:, columns]) * np.sqrt(before)
-        self._known[:, columns] = before + along[1]
-        residual[1][:, columns] = _over_root(off, self._known[:, columns])
-        highest = np.where(along[1] > 0.0, along[2], np.float32(np.nan))
+        residual[0][rows, columns] = _over_root(sums, voxels)
+        # Chunks above and below contribute to the same voxels of the projection along y.
+        before = self._voxels[:, columns]
+        total = along_y[0] + np.nan_to_num(residual[1][:, columns]) * np.sqrt(before)
+        self._voxels[:, columns] = before + along_y[1]
+        residual[1][:, columns] = _over_root(total, self._voxels[:, columns])
+        highest = np.where(along_y[1] > 0.0, along_y[2], np.float32(np.nan))
         for whole, part in ((recorded, highest), (after, restored.max(axis=1))):
             whole[1][:, columns] = np.fmax(whole[1][:, columns], part)
 
-    def made(self, *, turned: bool) -> Projections:
-        """Return the projections, in the order of the recording if the planes were turned."""
+    def result(self, *, turned: bool) -> Projections:
+        """Return the projections, their planes reversed with `turned`."""
         if not turned:
-            return self._made
-        return Projections(*((each[0], each[1][::-1]) for each in self._made))
+            return self._projections
+        return Projections(*((each[0], each[1][::-1]) for each in self._projections))
 
 
-def _over_root(sums: Values, known: Values) -> Values:
-    """Return sums over the root of the number of voxels, NaN where there are none."""
-    return np.where(known > 0.0, sums / np.sqrt(np.maximum(known, 1.0)), np.float32(np.nan))
+def _over_root(sums: Values, voxels: Values) -> Values:
+    """Return sums divided by the square root of the number of voxels, NaN where there are none."""
+    return np.where(voxels > 0.0, sums / np.sqrt(np.maximum(voxels, 1.0)), np.float32(np.nan))

@@ -1,7 +1,8 @@
-"""Scanning microscopes and beads: intensities as azimuthal Fourier orders at given radii, interpolated between these.
+"""Scanning microscopes and beads: intensities as azimuthal Fourier orders on a table of radii, then interpolated.
 
 The intensity of any emitter is ``sum_m F_m(r) exp(i m phi)``, m from -2 to 2 and ``F_-m = conj(F_m)``; products of
-several have a few more orders. Radially symmetric intensities have the order 0 alone.
+intensities have a few more orders. Radially symmetric intensities have the order 0 only. v is the radius in optical
+units, ``k NA r``, and phi the azimuth; n is the number of planes.
 """
 
 from __future__ import annotations
@@ -39,69 +40,69 @@ from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Absorbed, Beam, Dipole
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-_LEAST = 1e-13
-_BRIGHT = np.array([0.0, BRIGHT_RING])  # radii at which most planes are bright
-_FINEST = 0.05
-_ROUNDING = 2.0**-50
-_AROUND = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)
-_SOME = 512  # radii at which the largest value is searched
-_PIXELS = 2**21  # values of all planes and orders, at once
+_MIN_ERROR = 1e-13  # smallest error that is requested of intensities of peak about 1
+_BRIGHT = np.array([0.0, BRIGHT_RING])  # radii v at which most planes are bright
+_FINEST = 0.05  # smallest error requested of one factor of a product, as a fraction of the tolerance
+_ROUNDING = 2.0**-50  # relative rounding error of an intensity or a product
+_AZIMUTHS = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)  # azimuths at which the peak is searched, radians
+_PEAK_RADII = 512  # approximate number of radii at which the peak is searched
+_BLOCK_VALUES = 2**21  # number of values of all planes and orders that are interpolated in one block of pixels
 
 
 class Orders(NamedTuple):
-    """Light at radii, as orders of the azimuth."""
+    """Intensity at given radii as azimuthal Fourier orders, for n planes."""
 
     values: Values  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
-    error: Array  # (n,), bound on the sum at these radii and any azimuth
+    error: Array  # (n,), bound on the error of the intensity at these radii and any azimuth
 
     @property
     def most(self) -> Array:
-        """Bound on the sum of the orders, for each plane."""
+        """Upper bound on the intensity at these radii, for each plane."""
         return np.asarray(np.abs(self.values).sum(axis=1).max(axis=1))
 
     @property
     def mean(self) -> Array:
         """Mean over all azimuths, shape (n, radii), not negative."""
-        return np.asarray(np.maximum(self._upper[:, 0].real, 0.0))
+        return np.asarray(np.maximum(self._nonnegative[:, 0].real, 0.0))
 
     @property
     def samples(self) -> Array:
-        """The sum at some azimuths and radii, shape (n, places)."""
-        some = self._upper[..., :: max(1, self.values.shape[2] // _SOME), None]
-        return _summed(some, np.exp(1j * _AROUND)).reshape(len(self.values), -1)
+        """Intensity on a coarse grid of radii and azimuths, shape (n, samples), to estimate the peak."""
+        coarse = self._nonnegative[..., :: max(1, self.values.shape[2] // _PEAK_RADII), None]
+        return _sum_orders(coarse, np.exp(1j * _AZIMUTHS)).reshape(len(self.values), -1)
 
     @property
-    def _upper(self) -> Values:
-        """The orders 0 to M, of which the others are conjugates."""
+    def _nonnegative(self) -> Values:
+        """The orders 0 to M; the order -m is the conjugate of the order m."""
         return self.values[:, self.values.shape[1] // 2 :]
 
     def at(self, which: NDArray[np.int64]) -> Orders:
-        """Return the light at some of the radii."""
+        """Return the intensity at the radii of the indices `which`."""
         return Orders(self.values[:, :, which], self.error)
 
     def times(self, factor: Array) -> Orders:
-        """Return the light times a factor of at least 0 for each plane."""
+        """Return the intensity times `factor`, one number of at least 0 for each plane."""
         return Orders(self.values * factor[:, None, None], self.error * factor)
 
 
 def highest(pupil: ObjectivePupil) -> int:
-    """Return the highest order of the light of a pupil."""
+    """Return the highest azimuthal order of the intensity of a pupil."""
     return max(h.order for h in pupil.light.harmonics)
 
 
-def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
-    """Return the light of a pupil at rising v.
+def light(pupil: ObjectivePupil, v: Array, accuracy: float, tol: float) -> Orders:
+    """Return the intensity of a pupil at rising v.
 
-    Its error is `asked` of its own peak, but at least 0.05 `tol`: errors relate to the same peak, and double
-    precision can hold that.
+    The requested error, relative to the peak of this intensity, is `accuracy`, but at least 0.05 `tol`, which double
+    precision can reach.
     """
-    made = profiles(pupil, v, max(asked, _FINEST * tol, Stratified.least_tol))
-    if made is None:
-        values, off = harmonics(pupil, v, LEAST)
-        made = np.moveaxis(values, 0, 1), off
-    values, off = made
+    computed = profiles(pupil, v, max(accuracy, _FINEST * tol, Stratified.least_tol))
+    if computed is None:
+        values, error = harmonics(pupil, v, LEAST)
+        computed = np.moveaxis(values, 0, 1), error
+    values, error = computed
     if (most := highest(pupil)) == 0:
-        return Orders(values, off)
+        return Orders(values, error)
     orders = np.zeros((len(values), 2 * most + 1, v.size), np.complex128)
     for h, each in zip(pupil.light.harmonics, np.moveaxis(values, 1, 0), strict=True):
         if h.order:
@@ -110,24 +111,24 @@ def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
         else:
             orders[:, most] = each
     orders[:, :most] = orders[:, :most:-1].conj()
-    return Orders(orders, off + _ROUNDING * np.abs(orders).sum(axis=1).max(axis=1))
+    return Orders(orders, error + _ROUNDING * np.abs(orders).sum(axis=1).max(axis=1))
 
 
 def product(one: Orders, other: Orders) -> Orders:
-    """Return the product of the light of the same planes at the same radii."""
+    """Return the product of two intensities in the same planes at the same radii."""
     first, second = one.values.shape[1], other.values.shape[1]
     kind = np.result_type(one.values, other.values)
     values = np.zeros((len(one.values), first + second - 1, one.values.shape[2]), kind)
     for j in range(first):
-        # Orders of a product are the convolution of those of its factors.
+        # The orders of a product are the convolution of the orders of its factors.
         values[:, j : j + second] += one.values[:, j, None] * other.values
     sizes = one.most, other.most
     error = one.error * sizes[1] + other.error * (sizes[0] + one.error) + _ROUNDING * sizes[0] * sizes[1]
     return Orders(values, error)
 
 
-def _summed(values: Values, turn: NDArray[np.complex128]) -> Array:
-    """Return the sum of orders from 0 up, the second axis of `values`, and of their conjugates, by ``exp(i phi)``."""
+def _sum_orders(values: Values, turn: NDArray[np.complex128]) -> Array:
+    """Return the sum over m = -M to M from `values` (n, orders 0 to M, ...); `turn` is ``exp(i phi)``."""
     total, power = values[:, 0].real * np.ones(turn.shape), np.ones_like(turn)
     for m in range(1, values.shape[1]):
         power = power * turn
@@ -136,71 +137,71 @@ def _summed(values: Values, turn: NDArray[np.complex128]) -> Array:
 
 
 class Table(NamedTuple):
-    """Equally spaced radii, between twelve of which light at pixels is interpolated."""
+    """Equally spaced radii, from which intensities at pixels are interpolated by the nearest 2 HALF radii."""
 
-    places: NDArray[np.int64]  # in units of `step`; negative ones lie beyond the axis
-    step: float  # in v
+    places: NDArray[np.int64]  # radii in units of `step`; a negative radius is at the opposite azimuth
+    step: float  # spacing of the radii in v
 
     @classmethod
     def around(cls, radius: Array, error: float, faster: float) -> Table:
-        """Return the table for pixels at `radius`, light of the exponential type ``2 faster`` and an error."""
+        """Return the table for pixels at `radius`, given the exponential type ``2 faster`` and the error."""
         step = table_step(error) / faster
         first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
         return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
 
     @property
     def radii(self) -> Array:
-        """Radii at which light must be known, rising."""
+        """Radii v, rising, at which the intensity has to be computed."""
         return self.step * np.unique(np.abs(self.places))
 
     def error(self, found: Orders) -> Array:
-        """Bound the error of pixels, ``(n,)``, without that of :meth:`around`."""
+        """Bound the error of pixels, ``(n,)``, without the interpolation error that is passed to :meth:`around`."""
         return growth() * (found.error + 8.0 * _ROUNDING * found.most)
 
-    def painted(self, found: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
-        """Return light known at :attr:`radii` on pixels, ``(n, pixels)``; `turn` is ``exp(i phi)`` of the pixels."""
+    def painted(self, tabulated: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
+        """Interpolate the intensity from :attr:`radii` to pixels, ``(n, pixels)``; `turn` is ``exp(i phi)``."""
         from scipy.sparse import csr_array
 
-        values = found._upper
-        # Beyond the axis the azimuth changes by pi: F_m(-r) = (-1)^m F_m(r), certificate, "Scanning microscopes and
+        orders = tabulated._nonnegative
+        # At negative radii the azimuth changes by pi: F_m(-r) = (-1)^m F_m(r), certificate, "Scanning microscopes and
         # beads".
-        beyond = np.where(self.places < 0, -1.0, 1.0)
+        sign = np.where(self.places < 0, -1.0, 1.0)
         row = np.searchsorted(np.unique(np.abs(self.places)), np.abs(self.places))
-        known = np.stack([values[:, m][:, row] * beyond**m for m in range(values.shape[1])], axis=1)
-        out = np.empty((len(values), radius.size))
-        each = max(1, _PIXELS // (known.shape[0] * known.shape[1]))
-        for part in (slice(k, k + each) for k in range(0, radius.size, each)):
+        extended = np.stack([orders[:, m][:, row] * sign**m for m in range(orders.shape[1])], axis=1)
+        out = np.empty((len(orders), radius.size))
+        block = max(1, _BLOCK_VALUES // (extended.shape[0] * extended.shape[1]))
+        for part in (slice(k, k + block) for k in range(0, radius.size, block)):
             at, where = np.unique(radius[part], return_inverse=True)
             first, weights = between(at / self.step)
             columns = (first - self.places[0])[:, None] + np.arange(2 * HALF)
             ends = np.arange(0, columns.size + 1, 2 * HALF)
             matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(at.size, self.places.size))
-            lines = (matrix @ known.reshape(-1, self.places.size).T).T.reshape(*known.shape[:2], at.size)
-            out[:, part] = _summed(lines[..., where], turn[part])
+            lines = (matrix @ extended.reshape(-1, self.places.size).T).T.reshape(*extended.shape[:2], at.size)
+            out[:, part] = _sum_orders(lines[..., where], turn[part])
         return np.maximum(out, 0.0, out=out)
 
 
 class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
-    """Base of methods for objectives that compute orders of the azimuth; subclasses are dataclasses with a `tol`."""
+    """Base of methods for objectives that compute azimuthal orders; subclasses are dataclasses with a `tol`."""
 
     @abstractmethod
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return the light at rising v, to about the accuracy `asked`."""
+        """Return the image intensity at rising v, with an error of about `asked`."""
 
     @abstractmethod
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the light of pupils with aberrations at pixel centres, to about the accuracy `asked`."""
+        """Return the image intensity with aberrations at pixel centres, with an error of about `asked`."""
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
-        """Return whether any of the light has aberrations."""
+        """Return whether the emission, excitation or depletion has aberrations."""
         return pupil.aberrated
 
     def _ceiling(self, pupil: ObjectivePupil) -> float:
-        """Return an upper bound on the light and on the integral of the modulus of its transfer function."""
+        """Return an upper bound on the intensity and on the integral of the modulus of its transfer function."""
         return 1.0
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
-        """Return the mean over all azimuths at rising v, which is the light itself if it is radial."""
+        """Return the mean intensity over all azimuths at rising v."""
         if self._aberrated(pupil):
             raise ValueError(
                 f"{type(self).__name__} has no profiles of light with aberrations; compute an image, and measure that"
@@ -211,11 +212,11 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             found = self._orders(pupil, at, asked)
             return found.mean, found.error
 
-        made = refine_until(made_of, self.tol, start=0.1 * self.tol, floor=_LEAST, named=self.tol)
+        made = refine_until(made_of, self.tol, start=0.1 * self.tol, floor=_MIN_ERROR, named=self.tol)
         return made._replace(values=made.values[:, where[: v.size]])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        """Return I at the distinct radii of the pixels if it is radially symmetric, else at every pixel."""
         if self.along_radius(pupil) is not None:
             return super().intensity(pupil, grid, threads)
         return self.images(pupil, grid, Wanted(threads=threads)).intensities
@@ -230,49 +231,52 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted, band)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return I at pixel centres."""
+        """Return I at pixel centres, interpolated from a table of radii unless there are aberrations."""
         grid.require_one_axis()
         if self._aberrated(pupil):
-            return self._by_pixels(pupil, grid, tol, wanted)
+            return self._aberrated_samples(pupil, grid, tol, wanted)
         x, y = pupil.v(grid.x), pupil.v(grid.y)[:, None]
         radius, turn = np.hypot(x, y).ravel(), np.exp(1j * np.arctan2(y, x)).ravel()
         faster, ceiling = self.stretch(pupil), self._ceiling(pupil)
-        # Values divided by their own largest one have twice the error; 0.48 leaves a reserve.
+        # `alone`: images are divided by their own peak, which doubles the relative error; 0.48 leaves a reserve.
         alone = wanted.scale is None
         aim = (0.48 if alone else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
-        # The peak of a plane may lie beside the window; then values at the axis and on a bright ring bound it from
-        # below.
+        # Otherwise errors relate to the peak of the plane, which may lie outside of the window: intensities on the
+        # axis and on a bright ring are then a lower bound of the peak.
         bright = _BRIGHT[:0] if alone else _BRIGHT
         latest: list[tuple[Table, Orders]] = []
 
         def made_of(asked: float) -> tuple[Array, Array]:
             table = Table.around(radius, 0.25 * asked / ceiling, faster)
             at, where = np.unique(np.append(table.radii, bright), return_inverse=True)
-            found, count = self._orders(pupil, at, asked), where.size - bright.size
-            known, beside = found.at(where[:count]), found.at(where[count:])
-            latest[:] = [(table, known)]
-            values = table.painted(known, radius, turn) if alone else np.append(known.samples, beside.samples, axis=1)
-            return values, table.error(found) + 0.25 * asked
+            orders, count = self._orders(pupil, at, asked), where.size - bright.size
+            tabulated, on_ring = orders.at(where[:count]), orders.at(where[count:])
+            latest[:] = [(table, tabulated)]
+            if alone:
+                values = table.painted(tabulated, radius, turn)
+            else:
+                values = np.append(tabulated.samples, on_ring.samples, axis=1)
+            return values, table.error(orders) + 0.25 * asked
 
-        made = refine_until(made_of, aim, start=0.03 * aim, floor=_LEAST * ceiling, named=self.tol)
-        table, known = latest[0]
-        pixels = made.values if alone else table.painted(known, radius, turn)
+        made = refine_until(made_of, aim, start=0.03 * aim, floor=_MIN_ERROR * ceiling, named=self.tol)
+        table, tabulated = latest[0]
+        pixels = made.values if alone else table.painted(tabulated, radius, turn)
         values = pixels.reshape(-1, *grid.shape)
         return to_images(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
 
-    def _by_pixels(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return the same for light with aberrations, relative to the largest value in the window."""
+    def _aberrated_samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        """Return I with aberrations at pixel centres, its error relative to the largest value in the window."""
         aim = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
 
         def made_of(asked: float) -> tuple[Array, Array]:
             found = self._pixels(pupil, grid, asked, wanted.threads)
             return np.maximum(found.values, 0.0), found.error
 
-        return to_images(refine_until(made_of, aim, start=0.1 * aim, floor=_LEAST, named=self.tol), grid, wanted)
+        return to_images(refine_until(made_of, aim, start=0.1 * aim, floor=_MIN_ERROR, named=self.tol), grid, wanted)
 
 
-_NODES_MOST = 200
-_DIAMETER_MOST = 1e-5
+_MAX_HEIGHTS = 200  # largest number of heights of Gauss's rule over a bead
+_MAX_DIAMETER = 1e-5  # metres
 
 
 @dataclass(frozen=True)
@@ -280,25 +284,26 @@ class Bead(ProvenMethod):
     r"""A bead uniformly filled with emitters, centred on the emitter of the pupil.
 
     The ball is integrated over discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D being the mean PSF over a disc of
-    radius ``R sqrt(1 - u^2)`` at the depth ``d + R u``. Gauss's rule for the weight ``1 - u^2`` has a number of
-    heights that is proven to suffice.
+    radius ``R sqrt(1 - u^2)`` at the depth ``d + R u``, with d the depth of its centre and R its radius. The integral
+    is computed by Gauss's rule for the weight ``1 - u^2``, whose number of heights u is proven to suffice.
 
     Parameters
     ----------
     diameter : float
-        Metres, in the sample.
+        Diameter of the bead, metres; at most 1e-5.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
     Raises
     ------
     TypeError, ValueError
-        If one of them is out of range.
+        If `diameter` or `tol` is out of range.
 
     Notes
     -----
-    The light is band-limited along the height as well as laterally: fields vary by at most ``k n_s (1 - c)``, and
-    decay beyond the critical angle like ``exp(-k n_s kappa h)``, so the sum over heights converges geometrically.
+    The intensity is band-limited along the height h as well as laterally: the phase of a plane wave in the sample
+    (wavenumber ``k n_s``) varies by at most ``k n_s (1 - c) h``, c being the smallest cosine of its angle, and beyond
+    the critical angle it decays like ``exp(-k n_s kappa h)``. The sum over heights therefore converges geometrically.
     Refraction by the bead itself is neglected.
     """
 
@@ -306,12 +311,12 @@ class Bead(ProvenMethod):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        size = validation.real("diameter", self.diameter, above=0.0, most=_DIAMETER_MOST, unit="metres")
+        size = validation.real("diameter", self.diameter, above=0.0, most=_MAX_DIAMETER, unit="metres")
         object.__setattr__(self, "diameter", size)
         super().__post_init__()
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason if the bead would reach into the glass."""
+        """Return the reason why a pupil is not supported, such as a bead that extends into the glass; else None."""
         radius = 0.5 * self.diameter
         near = float(pupil.depth.min())
         if near < radius * (1.0 - 1e-9):
@@ -319,19 +324,19 @@ class Bead(ProvenMethod):
         return super().unsupported(pupil)
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return the light at rising v."""
+        """Return the image intensity of the bead at rising v."""
         radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
         size = layers.wavenumber * layers.NA * radius
-        heights, stack, share, off = self._planes(pupil, asked)
+        heights, stack, share, rule_error = self._planes(pupil, asked)
         depths = stack.depth
         half = heights.size // 2
         discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
-        discs = discs[: -half - 1 : -1] + discs  # discs below the middle have the radii of those above
+        discs = discs[: -half - 1 : -1] + discs  # the disc at -u has the radius of the disc at u
         places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
-        found = light(stack, places, asked, self.tol)
-        values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
+        points = light(stack, places, asked, self.tol)
+        values_at, errors = points.values.reshape(*depths.shape, -1, places.size), points.error.reshape(depths.shape)
         values: Values = np.zeros(1)
-        error, first = np.full(depths.shape[1], off), 0
+        error, first = np.full(depths.shape[1], rule_error), 0
         for k, means in enumerate(discs):
             here = rows[first : first + means.places.size]
             first += means.places.size
@@ -340,12 +345,12 @@ class Bead(ProvenMethod):
         return Orders(values, error)
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the light at the centres of pixels."""
+        """Return the image intensity of the bead at pixel centres."""
         size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
-        heights, stack, share, off = self._planes(pupil, asked)
+        heights, stack, share, rule_error = self._planes(pupil, asked)
         count = math.prod(pupil.shape)
-        values, error = np.zeros((count, *grid.shape)), np.full(count, off)
-        # Discs below the middle have the radii, and hence the filters, of those above.
+        values, error = np.zeros((count, *grid.shape)), np.full(count, rule_error)
+        # The discs at heights u and -u have the same radius, and hence the same filter.
         for k, other in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
             means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), asked)
             for j in {k, other}:
@@ -356,45 +361,48 @@ class Bead(ProvenMethod):
         return SampledLight(values, error)
 
     def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
-        """Return heights, planes at these without aberrations (heights, n), their shares of light, and an error."""
+        """Return heights, a pupil per height and plane (heights, n), their fractions of the light, the rule's error.
+
+        The pupils are without aberrations; the fractions sum to 1 over the heights.
+        """
         # Gauss's rule for the weight 1 - u^2 over heights in units of the radius.
-        heights, weights, off = _rule(self._growth(pupil), asked)
+        heights, weights, error = _height_rule(self._growth(pupil), asked)
         depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
         focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
         stack = replace(pupil, depth=depths, focus=focus, z=z, aberrations=None)
         share = weights[:, None] * stack.power.reshape(depths.shape)
-        return heights, stack, share / share.sum(axis=0), off
+        return heights, stack, share / share.sum(axis=0), error
 
     def _growth(self, pupil: ObjectivePupil) -> Array:
-        """Return the logarithm of the growth of the intensity on ellipses of complex heights."""
+        """Return the logarithm of a bound on the intensity on each of the ellipses `ETA` of complex heights."""
         layers, radius = pupil.layers, 0.5 * self.diameter
         eta, ratio = ETA, layers.NA / layers.sample
-        within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))
-        fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))
-        # abs(Im) of the disc is R sinh(eta) abs(cos), that of the height R sinh(eta) abs(sin).
-        # Certificate, "Beads".
+        within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))  # 1 - c, for propagating waves
+        fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))  # largest kappa, for waves beyond the critical angle
+        # On the ellipse abs(Im) of the disc's radius is R sinh(eta) abs(cos t), that of the height R sinh(eta)
+        # abs(sin t): certificate, "Beads".
         across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
         return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
 
 
-def _rule(growth: Array, error: float) -> tuple[Array, Array, float]:
-    """Return heights, weights of sum 1, and the error of sums over them: `error`, or more at the most nodes."""
+def _height_rule(growth: Array, error: float) -> tuple[Array, Array, float]:
+    """Return heights u, weights of sum 1, and the error bound: at most `error` for up to `_MAX_HEIGHTS`."""
     from scipy.special import roots_jacobi
 
     nodes = 2
-    # Twice: intensities are divided by such a sum too.
-    while (off := 2.0 * gauss_error(growth, nodes)) > error and nodes < _NODES_MOST:
+    # Twice the error: the sum of intensities is divided by a sum of powers, by the same rule.
+    while (bound := 2.0 * gauss_error(growth, nodes)) > error and nodes < _MAX_HEIGHTS:
         nodes += 1
-    # Gauss-Jacobi with the weight (1 - u)(1 + u): areas of the discs of a ball.
+    # Gauss-Jacobi with the weight (1 - u)(1 + u), proportional to the area of the disc at the height u.
     u, w = roots_jacobi(nodes, 1.0, 1.0)
-    return u, w / w.sum(), off
+    return u, w / w.sum(), bound
 
 
 AIRY = 2.0 * math.pi * 0.61  # ``0.61 lambda / NA``, half an Airy unit, in v
-_PINHOLE_MOST = 100.0
-_SATURATION_MOST = 1e4
-_SHARE = 0.02  # of the tolerance: difference between the polynomial and the exponential
-_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # v, search for the crest
+_MAX_PINHOLE = 100.0  # Airy units
+_MAX_SATURATION = 1e4
+_POLYNOMIAL_ERROR = 0.02  # largest error of the polynomial for the depletion, as a fraction of the tolerance
+_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # radii v, offsets; search of the peak
 
 
 @dataclass(frozen=True)
@@ -403,14 +411,15 @@ class Confocal(ProvenMethod):
 
     ``E(r) P(r)``, r being the distance of the emitter from the axis: E is the excitation intensity, relative to the
     focus of a uniform scalar aperture that sends as much light through the same plane of the sample; P is the
-    fraction of the collected emission that passes the pinhole. The pupil is that of the emission, and gives the
-    planes. A :class:`lommel.Dipole` absorbs the field along its moment: E is then three times the intensity of that
-    component, averaged over its wobble; for a freely rotating dipole it is the total intensity.
+    fraction of the collected emission that passes the pinhole. The pupil for which an image is computed is that of
+    the emission; its planes are used for the excitation, too. A :class:`lommel.Dipole` absorbs the field along its
+    moment: E is then three times the intensity of that component, averaged over its wobble; for a freely rotating
+    dipole it is the total intensity.
 
     Parameters
     ----------
     excitation : ObjectivePupil
-        Excitation light, in any planes.
+        Pupil of the excitation; its own planes are not used.
     pinhole : float, default 1
         Diameter of the pinhole in Airy units, ``1.22 lambda / NA`` of the emission.
     tol : float, default 1e-6
@@ -423,11 +432,13 @@ class Confocal(ProvenMethod):
 
     Notes
     -----
-    ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, the integral over the plane of the emitter, the same at every
-    focus; for circular light ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2`` of :meth:`lommel.Objective.fields`.
-    The integral includes Fresnel losses and light beyond the critical angle; near the glass it changes with depth.
+    ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, with the integral over the plane of the emitter, which does not
+    depend on the focus; for circular polarization ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2``, with K0 to K2 of
+    :meth:`lommel.Objective.fields`. The integral includes Fresnel losses and light beyond the critical angle; near
+    the glass it changes with depth.
 
-    E P has the spatial frequencies of both, ``1 + lambda_emission / lambda_excitation`` times those of a field.
+    The spatial frequencies of E P are the sums of those of E and P: its cutoff is that of the emission times
+    ``1 + lambda_emission / lambda_excitation``.
 
     References
     ----------
@@ -441,15 +452,15 @@ class Confocal(ProvenMethod):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        pupil = _given("excitation", self.excitation)
+        pupil = _pupil_of("excitation", self.excitation)
         if not (pupil.light.radial or isinstance(pupil.emitter, Beam)):
             raise ValueError(f"excitation must be the light of a Beam, got that of {pupil.emitter!r}")
         object.__setattr__(self, "excitation", _one_plane("excitation", pupil))
-        pinhole = validation.real("pinhole", self.pinhole, above=0.0, most=_PINHOLE_MOST, unit="Airy units")
+        pinhole = validation.real("pinhole", self.pinhole, above=0.0, most=_MAX_PINHOLE, unit="Airy units")
         object.__setattr__(self, "pinhole", pinhole)
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason where the excitation is that of another objective, or leaves the emitter dark."""
+        """Return the reason if the excitation has another magnification or does not excite the emitter, else None."""
         if pupil.magnification != self.excitation.magnification:
             return (
                 f"has an excitation of the magnification {self.excitation.magnification:g}, "
@@ -457,78 +468,84 @@ class Confocal(ProvenMethod):
             )
         if reason := super().unsupported(pupil):
             return reason
-        if _fixed(pupil) and not isinstance(self.excitation.emitter, Beam):
+        if _fixed_dipole(pupil) and not isinstance(self.excitation.emitter, Beam):
             return f"needs an excitation by a Beam for {pupil.emitter!r}, got {self.excitation.emitter!r}"
-        if not self._lit(pupil).power.min() > 0.0:
+        if not self._absorbed_excitation(pupil).power.min() > 0.0:
             return f"has an excitation without a field along {pupil.emitter!r}"
         return None
 
     def along_radius(self, pupil: ObjectivePupil) -> RadialMethod | None:
-        """Return the method itself if neither light depends on the azimuth, else None."""
-        return self if pupil.radial and self._lit(pupil).radial and not self._aberrated(pupil) else None
+        """Return the method itself if neither emission nor excitation depends on the azimuth, else None."""
+        return (
+            self if pupil.radial and self._absorbed_excitation(pupil).radial and not self._aberrated(pupil) else None
+        )
 
     def _ceiling(self, pupil: ObjectivePupil) -> float:
         """Return an upper bound on the product and on the integral of the modulus of its transfer function."""
-        return max(1.0, self._share) * float(self._absorbed(pupil).max())
+        return max(1.0, self._pinhole_area) * float(self._absorbed_fraction(pupil).max())
 
     @property
-    def _share(self) -> float:
-        """Area of the pinhole: light through it over the mean intensity across it."""
+    def _pinhole_area(self) -> float:
+        """Power through the pinhole divided by the mean intensity over it."""
         return 0.25 * (AIRY * self.pinhole) ** 2
 
-    def _lit(self, pupil: ObjectivePupil) -> ObjectivePupil:
-        """Return the excitation in the planes of the emission, as the emitter absorbs it."""
+    def _absorbed_excitation(self, pupil: ObjectivePupil) -> ObjectivePupil:
+        """Return the pupil of the absorbed excitation in the planes of the emission."""
         beam = self.excitation.emitter
-        if isinstance(beam, Beam) and (dipole := _fixed(pupil)):
+        if isinstance(beam, Beam) and (dipole := _fixed_dipole(pupil)):
             beam = Absorbed(beam.polarization, dipole)
         return replace(pupil, layers=self.excitation.layers, emitter=beam, aberrations=self.excitation.aberrations)
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
-        """Return whether any of the light has aberrations."""
+        """Return whether the emission or the excitation has aberrations."""
         return pupil.aberrated or self.excitation.aberrated
 
-    def _absorbed(self, pupil: ObjectivePupil) -> Array:
-        """Return the largest light absorbed in each plane, over that of the beam."""
-        lit = self._lit(pupil)
+    def _absorbed_fraction(self, pupil: ObjectivePupil) -> Array:
+        """Return the absorbed power in each plane, divided by the power of the beam."""
+        lit = self._absorbed_excitation(pupil)
         return lit.power / replace(lit, emitter=self.excitation.emitter).power
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return the exponential type of a field whose square is the product: the sum of both types."""
+        """Return the exponential type in v of a field whose square is E P: 1 plus that of the excitation field."""
         return 1.0 + pupil.scale / self.excitation.scale
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return the product at rising v, of the emission."""
+        """Return the product E P at rising v of the emission."""
         # The same radius in metres is another v at the wavelength of the excitation.
-        excited = light(self._lit(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
-        means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._share), highest(pupil))
+        excited = light(self._absorbed_excitation(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
+        means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._pinhole_area), highest(pupil))
         seen = light(pupil, means.places, asked, self.tol)
         passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)
-        return product(excited.times(self._absorbed(pupil)), passed.times(np.full(len(seen.error), self._share)))
+        return product(
+            excited.times(self._absorbed_fraction(pupil)), passed.times(np.full(len(seen.error), self._pinhole_area))
+        )
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the product at the centres of pixels."""
-        accuracy = asked / max(1.0, self._share)
+        """Return the product E P at pixel centres."""
+        accuracy = asked / max(1.0, self._pinhole_area)
         means = disc_filter(grid.step(pupil), AIRY * self.pinhole, accuracy)
         seen = means.of(light_samples(pupil, means.samples(grid), accuracy / means.gain, threads), threads)
-        excited = light_samples(self._lit(pupil), grid, asked, threads).times(self._absorbed(pupil))
-        return excited.times(seen.times(np.full(len(seen.error), self._share)))
+        excited = light_samples(self._absorbed_excitation(pupil), grid, asked, threads).times(
+            self._absorbed_fraction(pupil)
+        )
+        return excited.times(seen.times(np.full(len(seen.error), self._pinhole_area)))
 
 
 def _one_plane(name: str, pupil: ObjectivePupil) -> ObjectivePupil:
-    """Return the pupil in one of its planes, which must share their aberrations."""
+    """Return the pupil in its first plane; ValueError if the aberrations differ from plane to plane."""
     if pupil.aberrations is not None and pupil.aberrations.shape:
         raise ValueError(f"{name} must have one set of aberrations for all planes, got a stack")
     return pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
 
 
-def _given(name: str, given: object) -> ObjectivePupil:
-    """Return the given pupil, or rebuild it from its description."""
+def _pupil_of(name: str, given: object) -> ObjectivePupil:
+    """Return the given pupil, rebuilt if it is a dictionary; TypeError for anything else."""
     pupil = ObjectivePupil.from_dict(given) if isinstance(given, dict) else given
     return cast("ObjectivePupil", validation.instance(name, pupil, ObjectivePupil))
 
 
-def _fixed(pupil: ObjectivePupil) -> Dipole | None:
-    """Return the dipole of a pupil, None if it rotates freely."""
+def _fixed_dipole(pupil: ObjectivePupil) -> Dipole | None:
+    """Return the dipole of a pupil, None if the emitter rotates freely."""
     emitter = pupil.emitter
     return emitter if isinstance(emitter, Dipole) and emitter.wobble < 1.0 else None
 
@@ -537,7 +554,7 @@ def _fixed(pupil: ObjectivePupil) -> Dipole | None:
 class TwoPhoton(ProvenMethod):
     r"""Two-photon microscope: the squared excitation intensity; all emitted light is collected.
 
-    The pupil is that of the excitation.
+    The pupil for which an image is computed is that of the excitation.
 
     Parameters
     ----------
@@ -557,7 +574,7 @@ class TwoPhoton(ProvenMethod):
     tol: float = 1e-6
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return 2: the square of an intensity."""
+        """Return 2, the exponential type of a field whose square is the squared intensity."""
         return 2.0
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
@@ -566,7 +583,7 @@ class TwoPhoton(ProvenMethod):
         return product(once, once)
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the square of the intensity at the centres of pixels."""
+        """Return the square of the intensity at pixel centres."""
         once = light_samples(pupil, grid, asked, threads)
         return once.times(once)
 
@@ -576,8 +593,8 @@ class Sted(Confocal):
     r"""Confocal microscope with stimulated emission depletion (STED).
 
     ``E(r) P(r) 2^(-s D(r))``: E and P as of :class:`lommel.methods.Confocal`, D the intensity of the depletion beam
-    in the units of E. This holds for pulses that are short compared with the lifetime of the excited state; s D is
-    the intensity relative to that which depletes half.
+    in the units of E, and s the saturation. This holds for pulses that are short compared with the lifetime of the
+    excited state; s D is the intensity divided by the saturation intensity, which depletes half of the emitters.
 
     Parameters
     ----------
@@ -586,7 +603,8 @@ class Sted(Confocal):
     depletion : ObjectivePupil
         A rotationally symmetric beam that is dark on the axis: ``lm.Beam("vortex")``, in any planes.
     saturation : float
-        s, at most 1e4; :func:`lommel.microscopy.sted` takes it relative to the maximum of the beam.
+        The factor s of D, at most 1e4. :func:`lommel.microscopy.sted` takes the saturation at the peak of the beam
+        instead.
 
     Raises
     ------
@@ -595,9 +613,10 @@ class Sted(Confocal):
 
     Notes
     -----
-    ``exp(-2 a D)``, D between 0 and 1, differs by at most ``2 sum_(k > n) exp(-a) I_k(a)`` from its Chebyshev series
-    of degree n, which has n times the bandwidth of D, so that it can be interpolated with a proven error. n grows
-    like the square root of `saturation`, as does the resolution.
+    With ``a = s ln(2) / 2`` the factor is ``exp(-2 a D)``. For D between 0 and 1 its Chebyshev series of degree n has
+    an error of at most ``2 sum_(k > n) exp(-a) I_k(a)``, I_k the modified Bessel functions, and n times the bandwidth
+    of D, so that it can be interpolated with a proven error. n grows like the square root of `saturation`, as does
+    the resolution.
 
     References
     ----------
@@ -610,7 +629,7 @@ class Sted(Confocal):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        pupil = _given("depletion", self.depletion)
+        pupil = _pupil_of("depletion", self.depletion)
         if not pupil.light.radial:
             raise ValueError(f"depletion must not depend on the direction, got {pupil!r}")
         if self.excitation.magnification != pupil.magnification:
@@ -619,17 +638,17 @@ class Sted(Confocal):
                 f"got {pupil.magnification:g}"
             )
         object.__setattr__(self, "depletion", _one_plane("depletion", pupil))
-        saturation = validation.real("saturation", self.saturation, least=0.0, most=_SATURATION_MOST)
+        saturation = validation.real("saturation", self.saturation, least=0.0, most=_MAX_SATURATION)
         object.__setattr__(self, "saturation", saturation)
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason if emitters do not rotate freely, or that of a confocal microscope."""
-        if _fixed(pupil):
+        """Return the reason if emitters do not rotate freely, or if :class:`Confocal` does not support the pupil."""
+        if _fixed_dipole(pupil):
             return f"supports emitters that turn freely only, got {pupil.emitter!r}"
         return super().unsupported(pupil)
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return the exponential type of a field whose square is the product within the tolerance."""
+        """Return the exponential type in v of a field whose square is E P times the depletion polynomial."""
         return super().stretch(pupil) + self._degree * pupil.scale / self.depletion.scale
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
@@ -639,68 +658,71 @@ class Sted(Confocal):
         return super().images(pupil, grid, wanted)
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
-        """Return whether any of the light has aberrations."""
+        """Return whether the emission, excitation or depletion has aberrations."""
         return super()._aberrated(pupil) or self.depletion.aberrated
 
-    def _depleting(self, pupil: ObjectivePupil) -> ObjectivePupil:
-        """Return the depletion beam in the planes of the emission."""
+    def _depletion_pupil(self, pupil: ObjectivePupil) -> ObjectivePupil:
+        """Return the pupil of the depletion beam in the planes of the emission."""
         beam = self.depletion
         return replace(pupil, layers=beam.layers, emitter=beam.emitter, aberrations=beam.aberrations)
 
     def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the product after depletion at pixel centres."""
+        """Return the product ``E P 2^(-s D)`` at pixel centres."""
         rate = math.log(2.0) * self.saturation
         excited = super()._pixels(pupil, grid, asked, threads)
-        depleting = light_samples(self._depleting(pupil), grid, asked / max(1.0, rate), threads)
-        left = np.exp(-rate * np.maximum(depleting.values, 0.0))
-        return excited.times(SampledLight(left, rate * depleting.error))
+        depleting = light_samples(self._depletion_pupil(pupil), grid, asked / max(1.0, rate), threads)
+        undepleted = np.exp(-rate * np.maximum(depleting.values, 0.0))
+        return excited.times(SampledLight(undepleted, rate * depleting.error))
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return the product after depletion at rising v of the emission."""
-        beam, slower = self.depletion, super().stretch(pupil)
-        planes = self._depleting(pupil)
-        rate, faster = math.log(2.0) * self.saturation, pupil.scale / beam.scale
+        """Return the product ``E P 2^(-s D)`` at rising v of the emission."""
+        beam, excited_type = self.depletion, super().stretch(pupil)
+        planes = self._depletion_pupil(pupil)
+        rate, depletion_type = math.log(2.0) * self.saturation, pupil.scale / beam.scale
         finer, ceiling = max(1.0, rate), self._ceiling(pupil)
-        # Both factors are band-limited: they are computed at few radii and interpolated at many.
-        # Discs of radius 0 interpolate, from a table as fine as the band of the product needs.
-        means = disc_means(slower * v, 0.0, 0.1 * asked / ceiling, highest(self._lit(pupil)))
-        known = super()._orders(pupil, means.places / slower, asked)
-        excited = Orders(means.of(known.values), known.error * means.gain + ceiling * means.error)
-        means = disc_means(faster * v, 0.0, 0.1 * asked / finer)
-        known = light(planes, means.places, asked / finer, self.tol / finer)
-        depleting = Orders(means.of(known.values), known.error * means.gain + means.error)
-        left = np.exp(-rate * depleting.mean)
-        # Twice the share: values known and values interpolated each differ by it from the polynomial.
-        off = rate * depleting.error + 2.0 * _SHARE * self.tol
-        return Orders(excited.values * left[:, None], excited.error + excited.most * off)
+        # Both factors are band-limited: they are computed at few radii and interpolated to the radii v.
+        # A disc mean of radius 0 is an interpolation, from a table as fine as the bandwidth requires.
+        means = disc_means(excited_type * v, 0.0, 0.1 * asked / ceiling, highest(self._absorbed_excitation(pupil)))
+        tabulated = super()._orders(pupil, means.places / excited_type, asked)
+        excited = Orders(means.of(tabulated.values), tabulated.error * means.gain + ceiling * means.error)
+        means = disc_means(depletion_type * v, 0.0, 0.1 * asked / finer)
+        tabulated = light(planes, means.places, asked / finer, self.tol / finer)
+        depleting = Orders(means.of(tabulated.values), tabulated.error * means.gain + means.error)
+        undepleted = np.exp(-rate * depleting.mean)
+        # Twice the polynomial's error: that of the values in the table and that of the interpolated values.
+        error = rate * depleting.error + 2.0 * _POLYNOMIAL_ERROR * self.tol
+        return Orders(excited.values * undepleted[:, None], excited.error + excited.most * error)
 
     @property
     def _degree(self) -> int:
-        """Degree of the polynomial."""
+        """Degree of the Chebyshev series of the depletion factor that has the error `_POLYNOMIAL_ERROR`."""
         from scipy.special import ive
 
         # exp(-2 a D), D from 0 to 1, has the coefficients 2 exp(-a) I_k(a) in Chebyshev polynomials of 2 D - 1.
         a = 0.5 * math.log(2.0) * self.saturation
-        # Beyond 40 terms more than the root of 80 a what is left is below 1e-17.
+        # The sum over k > sqrt(80 a) + 40 is below 1e-17.
         k = np.arange(1, math.ceil(math.sqrt(80.0 * a)) + 41)
-        beyond = 2.0 * np.cumsum(ive(k, a)[::-1])[::-1]  # of degrees below each
-        return int(np.argmax(beyond <= _SHARE * self.tol))
+        remainders = 2.0 * np.cumsum(ive(k, a)[::-1])[::-1]  # error of the series of degree 0, 1, 2, ...
+        return int(np.argmax(remainders <= _POLYNOMIAL_ERROR * self.tol))
 
 
 def crest(pupil: ObjectivePupil) -> float:
-    """Return the largest intensity of a radial beam over its planes, without the phase of the layers."""
+    """Return the peak intensity of a radial beam over its planes if the layers caused no aberration.
+
+    The unit is that of E of :class:`lommel.methods.Confocal`; the relative error is about 1e-6.
+    """
     # Each plane wave keeps its transmission by interfaces and films and its decay with depth, but loses the phase psi
-    # of :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
+    # of :meth:`lommel.Objective.phase`.
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, model, depth, focus, float(_COARSE[-1] + _FINE[-1]), 1e-10)
     waves = np.abs(rule.waves(depth, focus))
 
-    def bright(v: Array) -> Array:
+    def intensity(v: Array) -> Array:
         arguments = np.multiply.outer(rule.rho, v)
         each = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
         total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in each)
         return np.asarray((total / pupil.power[:, None]).max(axis=0))
 
-    return float(bright(_COARSE[bright(_COARSE).argmax()] + _FINE).max())
+    return float(intensity(_COARSE[intensity(_COARSE).argmax()] + _FINE).max())

@@ -1,7 +1,7 @@
 r"""Blurs as factors of the transfer function: seeing, jitter, motion, charge diffusion.
 
-Every one is a density of shifts b, nowhere negative and of all light 1: the image is ``I * b``, its transfer function
-``OTF(f) T(f)``. Here are their Fourier transforms ``T(f) = int b(r) exp(-2 pi i f.r) dr``; convolution.py convolves.
+A blur is a probability density b(r) of image shifts r. The blurred image is the convolution ``I * b``
+(convolution.py); its transfer function is ``OTF(f) T(f)`` with ``T(f) = int b(r) exp(-2 pi i f.r) dr``, as below.
 """
 
 from __future__ import annotations
@@ -19,22 +19,21 @@ from lommel.base.arrays import Array, Json, Numbers, numbers
 from lommel.optics.base_pupil import BasePupil
 
 KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
-"""Constant of Kolmogorov's transfer function ``exp(-KOLMOGOROV q^(5/3))``, q over the coherence frequency: 3.441939.
+"""Constant 3.441939 of Kolmogorov's transfer function ``exp(-KOLMOGOROV q^(5/3))``, q = f / coherence frequency.
 
 Half of Fried's ``2 (24/5 Gamma(6/5))^(5/6) = 6.883877``.
 """
 FWHM = 0.9758634299
 """Full width at half maximum of a star through Kolmogorov's turbulence, in units of wavelength / r0.
 
-Twice the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at 0, in 25 digits of
-mpmath with q = s^3, in which the integrand is analytic; a test computes it again.
+Twice the x at which ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` is half of its value at x = 0, to 25 digits by
+mpmath with the substitution q = s^3, which makes the integrand analytic; a test repeats the computation.
 """
-# Order of the Bessel function of von Karman's structure function: half of the exponent 5/3.
-_NU = 5.0 / 6.0
+_NU = 5.0 / 6.0  # order of the Bessel function of von Karman's structure function, half of the exponent 5/3
 
 
 def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
-    """Return checked frequencies along columns and rows, broadcast to one shape."""
+    """Return checked spatial frequencies along columns and rows, broadcast to one shape."""
     across, down = validation.broadcast("fx and fy", validation.real_array("fx", fx), validation.real_array("fy", fy))
     return across, down
 
@@ -42,17 +41,22 @@ def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
 class Blur:
     """Blur described by its transfer function; lengths in metres, or in lambda*N for pupils without wavelength.
 
-    A kind of blur states its `covariance` and its `streak`: PSFs and their bounds are computed from these, not from
-    `transfer`, which follows from them. Of other kinds there is :class:`Seeing`, which has integrals of its own.
+    Subclasses define `covariance` and `streak`, from which `transfer`, PSFs and error bounds are computed; only
+    :class:`Seeing` overrides `transfer`. They list their parameters in lengths on the sensor as `length_names`.
     """
 
-    metric: ClassVar[bool | None] = None
+    metric: ClassVar[bool | None] = None  # whether the pupil must have a wavelength; None for either
+    length_names: ClassVar[tuple[str, ...]]
 
     def __init_subclass__(cls) -> None:
         if "transfer" in vars(cls) and cls.__module__ != __name__:
             raise TypeError(
                 f"{cls.__name__} must state covariance and streak, from which PSFs are computed, and leave "
-                "transfer as it is: a PSF would lack what transfer alone has"
+                "transfer as it is: PSFs would not include a blur of transfer alone"
+            )
+        if "length_names" not in vars(cls):
+            raise TypeError(
+                f"{cls.__name__} must state length_names, the names of its parameters that are lengths on the sensor"
             )
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
@@ -61,9 +65,9 @@ class Blur:
         Parameters
         ----------
         fx, fy : array_like
-            Cycles per metre, or per lambda*N; they broadcast.
+            Spatial frequencies, cycles per metre or per lambda*N; they broadcast.
         wavelength : float, optional
-            Of the light, metres; it matters to :class:`lommel.Seeing`.
+            Wavelength of the light, metres; only :class:`lommel.Seeing` depends on it.
 
         Returns
         -------
@@ -73,18 +77,18 @@ class Blur:
         Raises
         ------
         TypeError, ValueError
-            If the frequencies are no finite numbers, or do not broadcast.
+            If the frequencies are not finite, or do not broadcast.
         """
         x, y = frequencies(fx, fy)
         (xx, xy), (_, yy) = self.covariance
         dx, dy = self.streak
-        # A product of independent blurs: the characteristic function of the Gaussian, then of the uniform streak.
-        found = np.ones(x.shape)
+        # Gaussian and uniform streak are independent: T is the product of their characteristic functions.
+        result = np.ones(x.shape)
         if xx or yy:
-            found = found * np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
+            result = result * np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
         if dx or dy:
-            found = found * np.sinc(x * dx + y * dy)
-        return numbers(found, x.shape)
+            result = result * np.sinc(x * dx + y * dy)
+        return numbers(result, x.shape)
 
     @property
     def covariance(self) -> Array:
@@ -93,23 +97,23 @@ class Blur:
 
     @property
     def streak(self) -> tuple[float, float]:
-        """Vector (x, y) of a uniform linear smear."""
+        """Vector (x, y) from one end of a uniform linear streak to the other."""
         return 0.0, 0.0
 
     @property
     def isotropic(self) -> bool:
-        """Whether it is the same in all directions."""
+        """Whether the blur is the same in all directions."""
         (xx, xy), (_, yy) = self.covariance
-        # A rounded rotation leaves some 1e-16 of the variance in xy.
+        # Rounding of the rotation makes xy about 1e-16 times the variance.
         return self.streak == (0.0, 0.0) and bool(abs(xy) <= 1e-15 * xx and abs(xx - yy) <= 1e-15 * xx)
 
     @property
     def lengths(self) -> tuple[float, ...]:
-        """Parameters that are lengths on the sensor."""
-        return tuple(vars(self)[name] for name in ("sigma", "across", "length") if name in vars(self))
+        """Values of the parameters that are lengths on the sensor, to check their unit."""
+        return tuple(vars(self)[name] for name in self.length_names)
 
     def to_dict(self) -> Json:
-        """Return its name and options in plain types."""
+        """Return the name and the parameters of the blur in plain types."""
         return {"name": type(self).__name__} | asdict(self)  # type: ignore[call-overload, no-any-return]
 
 
@@ -117,19 +121,21 @@ class Blur:
 class Seeing(Blur):
     r"""Long-exposure seeing of a turbulent atmosphere (Kolmogorov or von Karman).
 
-    ``T = exp(-D / 2)``, D the structure function of the phase over the distance ``wavelength * focal_length * f`` in
-    the aperture: ``D / 2 = 3.441939 (distance / r0)^(5/3)`` after Kolmogorov and Fried, with an outer scale that of
-    von Karman's spectrum. The constant is ``(24/5 Gamma(6/5))^(5/6)``, half of the 6.88 of textbooks in full.
+    ``T = exp(-D / 2)``, D being the phase structure function at the separation ``s = wavelength * focal_length * f``
+    in the aperture. Without an outer scale ``D / 2 = 3.441939 (s / r0)^(5/3)`` (Kolmogorov, Fried); the constant
+    ``(24/5 Gamma(6/5))^(5/6)`` is half of the 6.88 of textbooks. With an outer scale D is that of von Karman's
+    spectrum.
 
     Parameters
     ----------
     r0 : float
-        Fried parameter at `wavelength`, metres at the entrance pupil. For pupils without a wavelength: divided by the
-        diameter of the aperture.
+        Fried parameter at `wavelength`, metres at the entrance pupil. For pupils without a wavelength, the Fried
+        parameter divided by the diameter of the aperture.
     focal_length : float, optional
-        Focal length in metres; together with `wavelength`, for pupils with a wavelength.
+        Focal length in metres, for pupils with a wavelength; to be given together with `wavelength`.
     wavelength : float, optional
-        Wavelength of `r0`, metres. At another wavelength r0 is scaled by ``(other / wavelength)^(6/5)``.
+        Wavelength at which `r0` is stated, metres. At another wavelength r0 is multiplied by
+        ``(other / wavelength)^(6/5)``.
     outer_scale : float, optional
         Outer scale, in the unit of `r0`; by default infinite (Kolmogorov).
 
@@ -151,21 +157,22 @@ class Seeing(Blur):
     0.1006
     """
 
+    length_names: ClassVar = ()  # r0 is a length at the pupil
     r0: float
     focal_length: float | None = None
     wavelength: float | None = None
     outer_scale: float | None = None
 
     def __post_init__(self) -> None:
-        # The dataclass is frozen: converted values are written into its dictionary once, here.
+        # The dataclass is frozen: converted values are written to the dictionary of the instance.
         vars(self)["r0"] = validation.real("r0", self.r0, above=0.0)
         if self.outer_scale is not None:
             outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True)
             vars(self)["outer_scale"] = None if math.isinf(outer) else outer
-        # One of the two alone leaves the unit of r0 open: metres at the pupil or parts of its diameter.
+        # With only one of the two the unit of r0 is ambiguous: metres, or fractions of the diameter of the aperture.
         if (self.focal_length is None) != (self.wavelength is None):
             raise ValueError(
-                "focal_length and wavelength must be given together (pupils in metres) or not at all (r0 over the "
+                "focal_length and wavelength must be given together (r0 in metres) or not at all (r0 divided by the "
                 f"diameter), got focal_length={self.focal_length!r}, wavelength={self.wavelength!r}"
             )
         if self.wavelength is not None:
@@ -199,17 +206,14 @@ class Seeing(Blur):
 
     @property
     def metric(self) -> bool:  # type: ignore[override]
-        """Whether it applies to pupils with a wavelength."""
+        """Whether the pupil must have a wavelength (True) or must not (False)."""
         return self.wavelength is not None
 
     def coherence(self, wavelength: float | None = None) -> float:
-        """Return the coherence frequency ``r0 / (wavelength focal_length)`` at a `wavelength`.
-
-        Cycles per metre, or per lambda*N.
-        """
+        """Return the coherence frequency ``r0 / (wavelength focal_length)``, cycles per metre, or per lambda*N."""
         if self.wavelength is None or self.focal_length is None:
             return self.r0
-        # r0 grows like wavelength^(6/5) (Fried), and the frequency r0 / (wavelength f) like its fifth root.
+        # r0 is proportional to wavelength^(6/5) (Fried), and so r0 / (wavelength f) to wavelength^(1/5).
         colour = 1.0 if wavelength is None else wavelength / self.wavelength
         return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
@@ -223,39 +227,42 @@ class Seeing(Blur):
         q = np.hypot(x, y) / self.coherence(given)
         if self.outer_scale is None:
             return numbers(np.exp(-KOLMOGOROV * q ** (5.0 / 3.0)), x.shape)
-        size, rate = karman(self, given)
-        return numbers(np.exp(-_von_karman(rate * q, size)), x.shape)
+        factor, rate = karman(self, given)
+        return numbers(np.exp(-_von_karman(rate * q, factor)), x.shape)
 
 
 def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
-    """Return size s and rate a of half of von Karman's structure function, ``s (limit - z^nu K_nu(z))``, z = a q."""
+    """Return (s, a) of half of von Karman's structure function, ``s (limit - z^nu K_nu(z))``, z = a q, nu = 5/6.
+
+    q is the frequency divided by the coherence frequency, and limit the value of z^nu K_nu(z) at z = 0.
+    """
     assert air.outer_scale is not None
-    # The outer scale is a length, but r0 grows like wavelength^(6/5), so their ratio falls.
+    # r0 is proportional to wavelength^(6/5); the outer scale does not depend on the wavelength.
     colour = 1.0 if wavelength is None or air.wavelength is None else (wavelength / air.wavelength) ** 1.2
-    scales = air.outer_scale / (air.r0 * colour)
-    # Normalised so that small z gives Kolmogorov's law KOLMOGOROV q^(5/3).
-    size = 0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0)
-    return size * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / scales
+    ratio = air.outer_scale / (air.r0 * colour)
+    # Normalised such that small z gives Kolmogorov's law, KOLMOGOROV q^(5/3).
+    factor = 0.5 * KOLMOGOROV * ratio ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0)
+    return factor * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / ratio
 
 
 def _von_karman(at: Array, factor: float) -> Array:
-    """Return ``factor (limit - z^nu K_nu(z))`` at z, half of the structure function; limit its z^nu K_nu at 0."""
+    """Return ``factor (limit - z^nu K_nu(z))`` at z, half of the structure function; see :func:`karman`."""
     from scipy.special import gamma, kv
 
     z = np.atleast_1d(at)
     # lim z^nu K_nu(z) = 2^(nu - 1) Gamma(nu) for z -> 0, nu - 1 = -1/6.
-    all_of_it = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
-    # Clipped at 700: K_nu underflows beyond, where the structure function has reached its limit long before.
+    limit = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
+    # Clipped at z = 700, before K_nu underflows: there the structure function equals its limit in all digits.
     far = np.minimum(np.maximum(z, 1.0), 700.0)
-    found = np.where(z > 1.0, all_of_it - far**_NU * kv(_NU, far), 0.0)
-    # For small z the two terms cancel; so K is the difference of two series in z^2 / 4 (DLMF 10.27.4 and 10.25.2).
-    # Without the first term of the even series, which is the limit itself; 14 terms give all digits for z <= 1.
+    large = np.where(z > 1.0, limit - far**_NU * kv(_NU, far), 0.0)
+    # For small z the difference cancels: K_nu is replaced by two series in z^2 / 4 (DLMF 10.27.4 and 10.25.2),
+    # without the first term of the even series, which is the limit itself. 14 terms give all digits for z <= 1.
     k, near = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
     powers = (0.25 * near * near) ** k / gamma(k + 1.0)
     rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
     even = (powers[1:] / gamma(k[1:] + 1.0 - _NU)).sum(axis=0) * 2.0**_NU
     series = 0.5 * math.pi / math.sin(math.pi * _NU) * (rising - even)
-    return np.asarray(factor * np.where(z > 1.0, found, series.reshape(z.shape))).reshape(at.shape)
+    return np.asarray(factor * np.where(z > 1.0, large, series.reshape(z.shape))).reshape(at.shape)
 
 
 @dataclass(frozen=True)
@@ -265,10 +272,10 @@ class Jitter(Blur):
     Parameters
     ----------
     sigma : float
-        Standard deviation of the position along one axis, on the sensor: metres, or units of lambda*N of a pupil
-        without a wavelength. An angle times the focal length.
+        Standard deviation of the image position in the direction `angle`: metres on the sensor, or units of lambda*N
+        for a pupil without a wavelength. For an angular jitter, its standard deviation times the focal length.
     across : float, optional
-        Standard deviation at right angles to `angle`; by default `sigma` too.
+        Standard deviation at right angles to `angle`, in the same unit; by default `sigma`.
     angle : float, default 0
         Direction of `sigma` in radians, from the columns (x) to the rows (y).
 
@@ -278,12 +285,13 @@ class Jitter(Blur):
         If a number is not finite, or a standard deviation is negative.
     """
 
+    length_names: ClassVar = ("sigma", "across")
     sigma: float
     across: float | None = None
     angle: float = 0.0
 
     def __post_init__(self) -> None:
-        # By default round: the same deviation in both directions.
+        # By default round: the same standard deviation in both directions.
         across = self.sigma if self.across is None else self.across
         vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
         vars(self)["across"] = validation.real("across", across, least=0.0)
@@ -306,7 +314,7 @@ class ChargeDiffusion(Blur):
     Parameters
     ----------
     sigma : float
-        Standard deviation along each axis, on the sensor: metres, or units of lambda*N of a pupil without a
+        Standard deviation along each axis: metres on the sensor, or units of lambda*N for a pupil without a
         wavelength.
 
     Raises
@@ -315,6 +323,7 @@ class ChargeDiffusion(Blur):
         If `sigma` is not a finite number of at least 0.
     """
 
+    length_names: ClassVar = ("sigma",)
     sigma: float
 
     def __post_init__(self) -> None:
@@ -333,7 +342,8 @@ class Motion(Blur):
     Parameters
     ----------
     length : float
-        Length of the path on the sensor, centred on the unblurred image: metres, or units of lambda*N.
+        Length of the path, centred on the unblurred image: metres on the sensor, or units of lambda*N for a pupil
+        without a wavelength.
     angle : float, default 0
         Direction of the motion in radians, from the columns (x) to the rows (y).
 
@@ -343,6 +353,7 @@ class Motion(Blur):
         If a number is not finite, or the length is negative.
     """
 
+    length_names: ClassVar = ("length",)
     length: float
     angle: float = 0.0
 
@@ -360,27 +371,27 @@ KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter,
 
 
 def blurs(value: object) -> tuple[Blur, ...]:
-    """Return the blurs that an option names, one or several, as a tuple; TypeError for anything else."""
+    """Return one blur, or several, as a tuple, None as an empty one; TypeError for anything else."""
     if value is None:
         return ()
     several = (value,) if isinstance(value, Blur) else value
-    # A string iterates too, over its letters: the message would name one of them.
+    # Strings are iterable, too, but the message must show the whole string, not a letter.
     if not isinstance(several, Iterable) or isinstance(several, str | bytes):
         raise TypeError(f"blur must be one of {', '.join(KINDS)}, or several, got {validation.shown(value)}")
-    found = tuple(several)
-    for one in found:
+    checked = tuple(several)
+    for one in checked:
         if type(one) not in KINDS.values():
             raise TypeError(f"blur must be made of {', '.join(KINDS)}, got {validation.shown(one)}")
-    return found
+    return checked
 
 
 def blurs_from_dicts(descriptions: Iterable[Json]) -> tuple[Blur, ...]:
     """Rebuild blurs from the dictionaries of :meth:`Blur.to_dict`; TypeError or ValueError if one is not valid."""
-    found = []
-    for described in descriptions:
-        parts = dict(described)
-        found.append(KINDS[validation.choice("name", parts.pop("name"), KINDS)](**parts))
-    return tuple(found)
+    rebuilt = []
+    for description in descriptions:
+        parameters = dict(description)
+        rebuilt.append(KINDS[validation.choice("name", parameters.pop("name"), KINDS)](**parameters))
+    return tuple(rebuilt)
 
 
 def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
@@ -391,14 +402,14 @@ def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
             how = (
                 "focal_length and wavelength"
                 if metric
-                else "r0 over the diameter alone, as this one has no wavelength"
+                else "only r0 divided by the diameter, as it has no wavelength"
             )
             raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {how}, got {blur!r}")
         for length in blur.lengths:
-            # Ratios beyond these limits come from a length in the wrong unit (metres for lambda*N, or millimetres).
+            # Ratios beyond these limits indicate a wrong unit, such as metres for lambda*N or millimetres.
             ratio = length / pupil.scale
             if length and (not ratio <= 1e4 or (not metric and ratio < 1e-4)):
                 raise ValueError(
                     f"blur must be at most 1e4 lambda*N wide, and lengths are in {pupil.unit} here, got {blur!r}, "
-                    f"that is {ratio:.3g} lambda*N"
+                    f"that is {ratio:.3g} lambda*N; check its unit"
                 )

@@ -1,4 +1,4 @@
-"""The command ``lommel watch``: depth of video."""
+"""The command ``lommel watch``: depth from defocus for video."""
 
 from __future__ import annotations
 
@@ -40,35 +40,34 @@ if TYPE_CHECKING:
 
 Map = NDArray[np.float32]
 
-_BRIGHT = 99.5  # percentile of the first sharp image that is white in pictures of linear video
-_COUNTED = 2**16  # pairs that medians are taken of: the last ones
-_JUMP = 6.0  # standard errors of a block, by which the median depth of two pairs does not differ by chance
-_SOON = 25  # pairs after which compression is told, as well as at the end
-_TOP = 65535  # levels of lossless depth
-_CURVE = 4096  # levels of linear light that are encoded beforehand
+_WHITE_PERCENTILE = 99.5  # percentile of the first all-in-focus image that is shown as white, for linear video
+_MAX_PAIRS = 2**16  # number of the most recent pairs over which statistics are computed
+_JUMP = 6.0  # change of the median depth from pair to pair that is reported, in standard errors of a block
+_COMPRESSION_PAIRS = 25  # number of pairs after which strong compression is reported; for fewer pairs, at the end
+_MAX_LEVEL = 65535  # largest level of lossless depth
+_CURVE_LEVELS = 4096  # number of levels of linear light in the sRGB lookup table
 _COLUMNS = ["time (s)", "known", "unfit", "depth (m)", "error (m)", "misfit", "frame time (s)", "dropped"]
 
 
-class Seen(NamedTuple):
-    """A pair of frames: its time from the first one, what was found, and how long that took; seconds.
+class PairResult(NamedTuple):
+    """The depth of a pair of frames.
 
-    `known` is a share of the blocks, and `unfit` that of those with a depth but a misfit above the limit; `median`
-    those of depth and its error of the former and of the misfit of both, NaN where there are none.
+    A block is known if it has a depth and a misfit up to the limit, and unfit if it has a depth and a larger misfit.
     """
 
-    time: float
-    depth: Map | None
-    errors: Map | None
-    image: Map | None
-    known: float
-    unfit: float
-    median: tuple[float, float, float]
-    took: float
-    light: float  # mean electrons of a pixel
+    time: float  # time of the pair since the first pair, seconds
+    depth: Map | None  # metres, NaN in blocks that are not known
+    errors: Map | None  # standard errors of depth, metres, infinite in blocks that are not known
+    image: Map | None  # all-in-focus image, electrons
+    known: float  # fraction of the blocks that are known
+    unfit: float  # fraction of the blocks that are unfit
+    median: tuple[float, float, float]  # depth and standard error of known blocks, misfit of all with a depth; or NaN
+    duration: float  # time of the computation, seconds
+    light: float  # mean electrons per pixel
 
 
 class Files(Group):
-    """What is written, depth in levels of `scale` metres, and whether a window is shown."""
+    """Output files and window; `scale` is the size of a level of lossless depth, metres."""
 
     # fmt: off
     output: Path | None = option("-o", "--output", type=OUTPUT,
@@ -84,7 +83,7 @@ class Files(Group):
     scale: float
 
     def require(self) -> None:
-        """Refuse what could not be shown or written, before anything is opened."""
+        """Raise ValueError or OSError if an output cannot be shown or written, before any source is opened."""
         windowless = "" if self.show is False else no_window()
         if self.show and windowless:
             raise ValueError(f"--show is not possible: {windowless}")
@@ -102,12 +101,12 @@ class Files(Group):
 
     @property
     def all(self) -> list[Path]:
-        """All files."""
+        """Paths of all output files."""
         return [path for path in (self.output, *self.depths, self.table) if path is not None]
 
 
 class FrameCamera(Group, heading="Camera"):
-    """The lenses and the camera of pairs of frames."""
+    """Lens settings and camera of the two frames of a pair."""
 
     # fmt: off
     foci, f_numbers = lens_options("both frames")
@@ -122,7 +121,7 @@ class FrameCamera(Group, heading="Camera"):
 
 
 class Estimation(Group, heading="Estimation"):
-    """Windows, and which depth counts as known."""
+    """Window size, misfit limit, and scale of the depth."""
 
     # fmt: off
     window: float = documented(LiveDepth, "window", type=float)
@@ -162,9 +161,11 @@ def watch(
     instrument = radial_instrument(lens, camera=taken.camera, pixel=taken.pixel)
     lenses = each_lens(instrument.lens, 2, taken.foci, taken.f_numbers, "frames")
     if lenses[0] == lenses[1]:
-        raise ValueError("--focus must be given for each of two frames, or --f-number: the frames must differ in one")
+        raise ValueError(
+            "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
+        )
     limit = validation.real("misfit", estimation.misfit, least=1.0, infinite=True)
-    files.scale = _scale(between[1])
+    files.scale = _default_scale(between[1])
     if estimation.depth_scale is not None:
         files.scale = validation.real("depth_scale", estimation.depth_scale, above=0.0)
     files.require()
@@ -185,13 +186,13 @@ def watch(
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         ended = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
         status("finishing")
-        bits, lossy = coding.check_compression(pairs.bits, tally.light)
-        if lossy and tally.pairs < _SOON:
-            status.tell(lossy)
+        bits, compression = coding.check_compression(pairs.bits, tally.light)
+        if compression and tally.pairs < _COMPRESSION_PAIRS:
+            status.tell(compression)
         if not tally.pairs:
-            raise ValueError(f"no pair of frames came: {ended}")
+            raise ValueError(f"no pair of frames came: {ended}; check that the times of the sources overlap")
     verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
-    read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, lossy) if each])
+    read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, compression) if each])
     height, width = pairs.shape
     (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
     setting = Report(
@@ -208,15 +209,15 @@ def watch(
             f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
-    found = tally.summary(limit, taken.magnification == "registered", verdict) + outputs.report()
-    return read + setting + _counts(tally, pairs, ended) + found + Report({}, [], pairs.lost is None)
+    result = tally.summary(limit, taken.magnification == "registered", verdict) + outputs.report()
+    return read + setting + _counts(tally, pairs, ended) + result + Report({}, [], pairs.lost is None)
 
 
 def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:
-    """Refuse anything but two sources, or one whose focus alternates."""
+    """Raise ValueError unless there are two sources, or one whose focus alternates."""
     if len(sources) != (1 if alternating else 2):
-        with_it = " and --alternating" if alternating else ""
-        raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{with_it}")
+        also = " and --alternating" if alternating else ""
+        raise ValueError(f"--source must be given twice, or once with --alternating; got {len(sources)}{also}")
     if len(set(sources)) < len(sources):
         raise ValueError(f"--source must be two cameras or files, or one with --alternating; got {sources[0]} twice")
 
@@ -231,63 +232,66 @@ def _estimate_all(
     *,
     alternating: bool,
 ) -> str:
-    """Estimate and write the depth of all pairs, and return why they ended."""
+    """Estimate and write the depth of all pairs; return the reason why the pairs ended."""
     tally.start = time.perf_counter()
     closed = False
     with stop.signals():
         while not closed and (pair := stop.next(pairs)) is not None:
-            seen, fault = estimator(pair)
-            if fault and not tally.failed:
-                status.tell(f"no depth at {seen.time:.2f} s: {fault} (further ones are counted)")
-            if alternating and not tally.jumped and (jump := tally.jump(seen)):
+            result, failure = estimator(pair)
+            if failure and not tally.failed:
+                status.tell(f"no depth at {result.time:.2f} s: {failure} (further pairs without depth are counted)")
+            if alternating and not tally.jumped and (jump := tally.jump(result)):
                 status.tell(jump)
-            tally.add(seen, bool(fault))
-            if tally.pairs == _SOON and (lossy := estimator.coding.check_compression(pairs.bits, tally.light)[1]):
-                status.tell(lossy)
-            closed = outputs(seen)
+            tally.add(result, bool(failure))
+            if tally.pairs == _COMPRESSION_PAIRS:
+                _, compression = estimator.coding.check_compression(pairs.bits, tally.light)
+                if compression:
+                    status.tell(compression)
+            closed = outputs(result)
             if not closed:
-                status(tally.words(pairs.dropped))
+                status(tally.progress(pairs.dropped))
         tally.stop = time.perf_counter()
     return "interrupted" if stop.requested else pairs.lost or ("the window was closed" if closed else "the end")
 
 
-def _scale(far: float) -> float:
-    """Return the finest power of ten of which 65535 reach a distance; 1 mm for infinity."""
-    return 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _TOP)))
+def _default_scale(far: float) -> float:
+    """Return the smallest power of ten (metres per level) whose 65535 levels reach `far`; 1 mm for infinity."""
+    return 1e-3 if math.isinf(far) else float(10.0 ** math.ceil(math.log10(far / _MAX_LEVEL)))
 
 
 @dataclass
 class Estimator:
-    """Depth of pairs of frames, known where the misfit is up to a limit; `even` are frames of one brightness."""
+    """Depth estimator for pairs of frames."""
 
     live: LiveDepth
     coding: Coding
-    limit: float
-    sharp: bool
-    even: bool
+    limit: float  # largest misfit of blocks whose depth is known
+    sharp: bool  # whether all-in-focus images are computed
+    even: bool  # whether the brightness of the two frames is equalized row by row
     first: float = math.nan  # time of the first pair
 
-    def __call__(self, pair: videos.FramePair) -> tuple[Seen, str]:
-        """Return the depth of a pair, and why there is none, as in a black frame."""
+    def __call__(self, pair: videos.FramePair) -> tuple[PairResult, str]:
+        """Return the depth of a pair and "", or a result without depth and the reason (such as a black frame)."""
         self.first = pair.time if math.isnan(self.first) else self.first
-        passed, start = pair.time - self.first, time.perf_counter()
+        elapsed, start = pair.time - self.first, time.perf_counter()
         try:
             frames = self.coding.light(pair.first), self.coding.light(pair.second)
-            found = self.live(*(equalize_rows(*frames, self.coding) if self.even else frames))
+            estimate = self.live(*(equalize_rows(*frames, self.coding) if self.even else frames))
         except ValueError as error:
-            took = time.perf_counter() - start
-            fault = with_options(str(error))
+            duration = time.perf_counter() - start
+            failure = with_options(str(error))
             for k, name in enumerate(("the first frame", "the second frame")):
-                fault = fault.replace(f"frames[{k}]", name)
-            return Seen(passed, None, None, None, 0.0, 0.0, (math.nan,) * 3, took, math.nan), fault
+                failure = failure.replace(f"frames[{k}]", name)
+            return PairResult(elapsed, None, None, None, 0.0, 0.0, (math.nan,) * 3, duration, math.nan), failure
         image = self.live.sharp() if self.sharp else None
-        took = time.perf_counter() - start
-        estimated = np.isfinite(found.errors)
-        known = estimated & (found.misfit <= self.limit)
-        median = _median(found.depth[known]), _median(found.errors[known]), _median(found.misfit[estimated])
-        found.depth[~known], found.errors[~known] = np.nan, np.inf
-        share, unfit = float(known.mean()), float((estimated & ~known).mean())
-        return Seen(passed, found.depth, found.errors, image, share, unfit, median, took, found.light), ""
+        duration = time.perf_counter() - start
+        depth, errors, misfit = estimate.depth, estimate.errors, estimate.misfit
+        estimated = np.isfinite(errors)
+        known = estimated & (misfit <= self.limit)
+        median = _median(depth[known]), _median(errors[known]), _median(misfit[estimated])
+        depth[~known], errors[~known] = np.nan, np.inf
+        fraction, unfit = float(known.mean()), float((estimated & ~known).mean())
+        return PairResult(elapsed, depth, errors, image, fraction, unfit, median, duration, estimate.light), ""
 
 
 def _median(values: Map) -> float:
@@ -296,81 +300,81 @@ def _median(values: Map) -> float:
 
 @dataclass
 class Tally:
-    """Figures of the pairs so far."""
+    """Statistics of the pairs so far."""
 
-    start: float = 0.0
-    stop: float = 0.0
+    start: float = 0.0  # begin of the computation on the clock of time.perf_counter, seconds
+    stop: float = 0.0  # end of the computation on the same clock
     pairs: int = 0
-    failed: int = 0
-    took: deque[float] = field(default_factory=lambda: deque(maxlen=_COUNTED))
-    rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_COUNTED))
-    light: float = math.nan
-    jumped: str = ""
+    failed: int = 0  # number of pairs without depth
+    durations: deque[float] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # seconds
+    rows: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=_MAX_PAIRS))  # known, unfit, *median
+    light: float = math.nan  # mean electrons per pixel of the last pair with depth
+    jumped: str = ""  # sentence on a jump of depth, or ""
 
-    def jump(self, seen: Seen) -> str:
-        """Return a sentence, kept as well, where most of the depth is suddenly another, as after a frame is lost."""
-        depth, error = seen.median[:2]
+    def jump(self, result: PairResult) -> str:
+        """Set and return `jumped` if the median depth jumps, as it does after the loss of one frame."""
+        depth, error = result.median[:2]
         before = self.rows[-1][2] if self.rows else math.nan
         if abs(depth - before) > _JUMP * error:
             self.jumped = (
-                f"Depth jumps at {seen.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene did, "
-                "a frame was lost, and near and far are exchanged since."
+                f"Depth jumps at {result.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene "
+                "did, a frame was lost, and near and far are exchanged since."
             )
         return self.jumped
 
-    def add(self, seen: Seen, failed: bool) -> None:
+    def add(self, result: PairResult, failed: bool) -> None:
         """Count a pair."""
         self.pairs += 1
         self.failed += failed
-        self.took.append(seen.took)
-        self.light = self.light if failed else seen.light
-        self.rows.append((seen.known, seen.unfit, *seen.median))
+        self.durations.append(result.duration)
+        self.light = self.light if failed else result.light
+        self.rows.append((result.known, result.unfit, *result.median))
 
-    def words(self, dropped: int) -> str:
+    def progress(self, dropped: int) -> str:
         """Return the line of progress."""
         rate = self.pairs / (time.perf_counter() - self.start)
         known, _, depth, error, misfit = self.rows[-1]
-        text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.took[-1]:.3g} ms; dropped {dropped}"
+        text = f"{self.pairs} pairs, {rate:.3g}/s, {1e3 * self.durations[-1]:.3g} ms; dropped {dropped}"
         if known:
             text += f"; {percent(known)} {depth:.4g} m +- {1e3 * error:.2g} mm, misfit {misfit:.2f}"
         return text
 
     def summary(self, limit: float, registered: bool, last: DefocusVerdict) -> Report:
-        """Return the report of known share, depth and misfit over the pairs, and of the verdict of the last one."""
+        """Return the report of mean fractions and median depth and misfit, and of the verdict on the last pair."""
         rows = np.array(self.rows)
-        share, unfit = rows[:, :2].mean(axis=0).tolist()
+        known, unfit = rows[:, :2].mean(axis=0).tolist()
         depth, error, misfit = (_median(each[np.isfinite(each)]) for each in rows.T[2:])
         verdict = DefocusVerdict.of(misfit, last.scale, last.scale_error, last.others, last.changes)
         lines = ["no depth found: the frames have no texture, or all of it is out of range"]
         if self.failed == self.pairs:
-            lines = ["no depth found: no pair could be used, for the reason told at the first"]
-        if share:
+            lines = ["no depth found: no pair could be used, for the reason given at the first pair"]
+        if known:
             lines = [
-                f"depth known at {100.0 * share:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
+                f"depth known at {100.0 * known:.3g} % of the blocks of {BLOCK} x {BLOCK} pixels; medians "
                 f"{format_length(depth)}, standard error {format_length(error, digits=2)}"
             ]
         elif unfit:
             lines = ["no depth found that fits the frames"]
         if unfit:
-            also = ", magnification that differs (--magnification lens)" if registered else ""
+            also = ", different magnification (--magnification lens)" if registered else ""
             lines.append(
-                f"not known for a misfit above {limit:g} (--misfit): {100.0 * unfit:.2g} % of the blocks: motion "
-                f"from frame to frame, edges of depth{also}"
+                f"not known for a misfit above {limit:g} (--misfit): {100.0 * unfit:.2g} % of the blocks; causes: "
+                f"motion from frame to frame, depth edges{also}"
             )
         if self.jumped:
             lines.append(self.jumped)
         values = {"depth": depth, "error": error, "misfit": misfit}
-        facts = {"known": share, "unfit": unfit, "jump": self.jumped or None} | {
+        facts = {"known": known, "unfit": unfit, "jump": self.jumped or None} | {
             name: None if math.isnan(each) else each for name, each in values.items()
         }
         return Report(facts, lines) + verdict_report(verdict)
 
 
 def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
-    """Return the report of times and of frames that are missing."""
+    """Return the report of computation times, and of the numbers of frames and pairs that were not used."""
     seconds = tally.stop - tally.start
-    usual, slow = np.percentile(tally.took, [50.0, 95.0]).tolist()
-    left = {
+    usual, slow = np.percentile(tally.durations, [50.0, 95.0]).tolist()
+    unused = {
         "frames dropped": pairs.dropped,
         "frames without a partner": pairs.alone,
         "frames of another size": pairs.refused,
@@ -387,13 +391,13 @@ def _counts(tally: Tally, pairs: videos.FramePairs, ended: str) -> Report:
     lines = [
         f"{tally.pairs} pairs in {seconds:.3g} s: {tally.pairs / seconds:.3g} pairs/s, {1e3 * usual:.3g} ms each "
         f"(95 %: {1e3 * slow:.3g} ms); ended: {ended}",
-        ", ".join(f"{name}: {count}" for name, count in left.items() if count or name == "frames dropped"),
+        ", ".join(f"{name}: {count}" for name, count in unused.items() if count or name == "frames dropped"),
     ]
-    return Report(facts | {name.replace(" ", "_"): count for name, count in left.items()}, lines)
+    return Report(facts | {name.replace(" ", "_"): count for name, count in unused.items()}, lines)
 
 
 class Outputs:
-    """What is made of each pair: a video in colours, lossless depth, a table and a window."""
+    """Outputs for each pair: a video in colours, lossless depth, a table and a window."""
 
     def __init__(self, files: Files, between: tuple[float, float], pairs: videos.FramePairs, coding: Coding) -> None:
         height, width = pairs.shape
@@ -401,22 +405,22 @@ class Outputs:
         self._blocks = height // BLOCK, width // BLOCK
         coloured = files.output is not None or files.show
         self._colours = DepthColours(between, (height, width), BLOCK, files.sharp) if coloured else None
-        self._curve = from_light(np.linspace(0.0, 1.0, _CURVE, dtype=np.float32), "srgb", np.uint8)
-        # Linear video may be far below its white.
+        self._curve = from_light(np.linspace(0.0, 1.0, _CURVE_LEVELS, dtype=np.float32), "srgb", np.uint8)
+        # Linear video may be far darker than its white: `_grey` then sets the white from the first image.
         self._white = coding.white if coding.encoding == "srgb" else math.nan
-        self._stack, self._beyond = ExitStack(), 0
+        self._stack, self._clipped = ExitStack(), 0  # _clipped: number of values above the largest level
 
     def __enter__(self) -> Self:
         files, interval = self._files, self._pairs.interval
 
-        def writer(path: Path, words: str) -> videos.VideoWriter:
-            made: videos.VideoWriter = self._stack.enter_context(videos.find(path).write(path, interval, words))
-            return made
+        def open_writer(path: Path, title: str) -> videos.VideoWriter:
+            writer: videos.VideoWriter = self._stack.enter_context(videos.find(path).write(path, interval, title))
+            return writer
 
         level = f"metres per level {files.scale:g}, 0 where not known"
-        self._picture = None if files.output is None else writer(files.output, "depth")
-        words = (f"depth: {level}", f"standard error of depth: {level}")
-        self._lossless = [writer(*each) for each in zip(files.depths, words, strict=False)]
+        self._colour_video = None if files.output is None else open_writer(files.output, "depth")
+        titles = (f"depth: {level}", f"standard error of depth: {level}")
+        self._lossless = [open_writer(*each) for each in zip(files.depths, titles, strict=False)]
         self._table = None
         if files.table is not None:
             file = atomic.opened(files.table, "w", encoding="utf-8", newline="")
@@ -430,38 +434,39 @@ class Outputs:
     ) -> None:
         self._stack.__exit__(kind, error, trace)
 
-    def __call__(self, seen: Seen) -> bool:
-        """Write what is made of a pair; return whether the window has been closed."""
+    def __call__(self, result: PairResult) -> bool:
+        """Write and show the result of a pair; return whether the window has been closed."""
         if self._table is not None:
-            numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in (seen.known, seen.unfit, *seen.median)]
+            values = (result.known, result.unfit, *result.median)
+            numbers = ["" if math.isnan(each) else f"{each:.6g}" for each in values]
             assert self._files.table is not None
             with atomic.as_path_error(self._files.table):
-                self._table.writerow([f"{seen.time:.4f}", *numbers, f"{seen.took:.5f}", self._pairs.dropped])
-        for writer, metres in zip(self._lossless, (seen.depth, seen.errors), strict=False):
-            writer(self._levels(metres), seen.time)
+                self._table.writerow([f"{result.time:.4f}", *numbers, f"{result.duration:.5f}", self._pairs.dropped])
+        for writer, metres in zip(self._lossless, (result.depth, result.errors), strict=False):
+            writer(self._levels(metres), result.time)
         if self._colours is None:
             return False
         unknown = np.full(self._blocks, np.nan, np.float32)
-        image = None if seen.image is None else self._grey(seen.image)
-        picture = self._colours(unknown if seen.depth is None else seen.depth, image)
-        if self._picture is not None:
-            self._picture(picture, seen.time)
-        return self._window is not None and self._window(picture, None if self._pairs.live else seen.time)
+        image = None if result.image is None else self._grey(result.image)
+        picture = self._colours(unknown if result.depth is None else result.depth, image)
+        if self._colour_video is not None:
+            self._colour_video(picture, result.time)
+        return self._window is not None and self._window(picture, None if self._pairs.live else result.time)
 
     def _levels(self, metres: Map | None) -> NDArray[np.uint16]:
-        """Return levels, of 1 and more where known, and count those of which there are too few."""
+        """Return metres as levels, 1 to 65535 or 0 where not known; count the values above the largest level."""
         if metres is None:
             return np.zeros(self._blocks, np.uint16)
         known = np.isfinite(metres)
         levels = np.rint(np.where(known, metres, 0.0) / self._files.scale)
-        self._beyond += int(np.count_nonzero(levels > _TOP))
-        return np.where(known, np.clip(levels, 1, _TOP), 0).astype(np.uint16)
+        self._clipped += int(np.count_nonzero(levels > _MAX_LEVEL))
+        return np.where(known, np.clip(levels, 1, _MAX_LEVEL), 0).astype(np.uint16)
 
     def _grey(self, electrons: Map) -> NDArray[np.uint8]:
-        """Return a sharp image in sRGB, as bright as sRGB video; of linear video the first one sets the white."""
+        """Return an all-in-focus image in sRGB; the white is that of sRGB video, or set by the first linear image."""
         if math.isnan(self._white):
-            self._white = max(float(np.percentile(electrons, _BRIGHT)), 1.0)
-        levels = np.clip(electrons * ((_CURVE - 1) / self._white), 0.0, _CURVE - 1.0)
+            self._white = max(float(np.percentile(electrons, _WHITE_PERCENTILE)), 1.0)
+        levels = np.clip(electrons * ((_CURVE_LEVELS - 1) / self._white), 0.0, _CURVE_LEVELS - 1.0)
         return np.asarray(self._curve[levels.astype(np.uint16)])
 
     def report(self) -> Report:
@@ -471,14 +476,14 @@ class Outputs:
         if files.output is not None:
             lines.append(f"colours: yellow at {near} to violet at {far}, even in 1 / distance; grey: not known")
         if files.depths:
-            beyond = f"; {self._beyond} values beyond the last one" if self._beyond else ""
-            lines.append(f"--depth: levels of {format_length(files.scale)}, 0 where not known{beyond}")
-        facts = {"depth_scale": files.scale, "beyond_scale": self._beyond} if files.depths else {}
+            clipped = f"; {self._clipped} values beyond the last one" if self._clipped else ""
+            lines.append(f"--depth: levels of {format_length(files.scale)}, 0 where not known{clipped}")
+        facts = {"depth_scale": files.scale, "beyond_scale": self._clipped} if files.depths else {}
         return Report(facts, lines) + written(files.all)
 
 
 class Window:
-    """A window of OpenCV, which q, Esc and its own button close."""
+    """OpenCV window for pictures; q, Esc and the close button of the window close it."""
 
     def __init__(self, title: str, stack: ExitStack) -> None:
         self._cv2, self._title = optional.library("cv2", "a window needs", "video"), title
@@ -486,18 +491,18 @@ class Window:
         stack.callback(self._cv2.destroyAllWindows)
 
     def __call__(self, picture: NDArray[np.uint8], due: float | None) -> bool:
-        """Show a picture, when its time has come if that is stated; return whether the window has been closed."""
+        """Show a picture until `due`, seconds after the first picture; return whether the window has been closed."""
         now = time.monotonic()
         if math.isnan(self._begun):
             self._begun = now
-        late = 0.0 if due is None else self._begun + due - now
+        wait = 0.0 if due is None else self._begun + due - now
         self._cv2.imshow(self._title, picture[..., ::-1])
-        key = self._cv2.waitKey(max(1, round(1e3 * late))) & 0xFF
+        key = self._cv2.waitKey(max(1, round(1e3 * wait))) & 0xFF
         return key in (27, ord("q")) or self._cv2.getWindowProperty(self._title, self._cv2.WND_PROP_VISIBLE) < 1.0
 
 
 def no_window() -> str:
-    """Return why there can be no window, or ""."""
+    """Return the reason why no window can be shown, or ""."""
     if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         return "there is no display"
     try:

@@ -33,29 +33,29 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     ----------
     psf : PSF
     radius : array_like
-        Metres if the pupil has a wavelength, else units of lambda*N; >= 0. It may exceed the window.
+        Radius, metres if the pupil has a wavelength, else units of lambda*N; >= 0. It may exceed the window.
     about : {"axis", "centroid"}, default "axis"
         The centroid is :func:`image_centroid`; of a radially symmetric PSF it is the axis.
     of : {"image", "optics"}, default "image"
-        "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": the same without the pixel.
+        "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": optics and blur only.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        Computed from the transfer function, independent of pixel pitch and window. For radially symmetric lenses the
-        error is at most 1e-9, or the tolerance of the method for images without pixels and blur. For other lenses it
-        is at most 2e-8 plus ``4 A e``, where A is the area of the circle and e the error bound of the light per area
+        Fraction of all light, independent of pixel pitch and window. For radially symmetric lenses the error is at
+        most 1e-9, or the tolerance of the method for images without pixels and blur. For other lenses it is at most
+        2e-8 plus ``4 A e``, where A is the area of the circle and e the error bound of the light per area
         (`error_bound` times the peak). The actual error is far smaller, since this bound assumes errors of equal sign
-        everywhere. With :class:`lommel.Seeing` the error is at most about 1e-5 for every aperture and radius; it is
-        that of the autocorrelation of the pupil on 1024 to 4096 cells across.
+        everywhere. With :class:`lommel.Seeing` the error is at most about 1e-5 for every aperture and radius, from
+        the autocorrelation of the pupil on 1024 to 4096 cells across.
 
     Raises
     ------
     TypeError, ValueError
         If a radius is not a finite number of at least 0, or too large for a pupil that is not radially symmetric
-        (about 700 lambda*N, less the reach of the blur; no limit with seeing); if the circle reaches
-        farther than half of the period of an image of samples (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`);
-        or `about` or `of` is unknown.
+        (about 700 lambda*N, less the extent of the blur; no limit with seeing); if the circle extends beyond half of
+        the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`); or if `about` or `of` is
+        unknown.
     """
     model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
     centers = energy_centers(psf, about) / psf.pupil.scale
@@ -78,11 +78,12 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
         Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
     about : {"axis", "centroid"}, default "axis"
     of : {"image", "optics"}, default "image"
-        As in :func:`lommel.measures.energy.encircled_energy`, with the same error.
+        As in :func:`lommel.measures.energy.encircled_energy`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + half_width.shape``
+        Fraction of all light; its error is that of :func:`lommel.measures.energy.encircled_energy`.
 
     Raises
     ------
@@ -106,8 +107,8 @@ def _light_within(
 ) -> Numbers:
     """Return ``light_within(image, sizes, center)`` for each image of a stack, shape ``pupil.shape + sizes.shape``.
 
-    `sizes` are in the unit of the pupil, `centers` (n, 2) and their `offsets` from the axis in lambda*N, as are the
-    arguments of `light_within`.
+    `sizes` are in the unit of the pupil. `centers` (n, 2), their `offsets` from the axis, and the arguments of
+    `light_within` are in units of lambda*N.
     """
     pupil, flat = model.pupil, sizes.ravel() / model.pupil.scale
     reach = float(flat.max(initial=0.0)) + float(offsets.max(initial=0.0))
@@ -130,7 +131,7 @@ def image_centroid(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Metres or units of lambda*N. For lenses exact except for rounding.
+        Position in metres or units of lambda*N; for lenses exact except for rounding.
 
     Raises
     ------
@@ -141,7 +142,7 @@ def image_centroid(psf: PSFLike) -> Array:
     if not isinstance(psf.pupil, Pupil):
         return window_centroid(psf)
     parts = psf.method.components(psf.pupil)
-    # The centroids of components (wavelengths) are weighted by their light.
+    # The centroids of the components (wavelengths) are averaged with their light as weights.
     total = sum(part.share * aperture_means.centroid(part.pupil) for part in parts)
     return np.asarray(total / sum(part.share for part in parts))
 
@@ -149,8 +150,8 @@ def image_centroid(psf: PSFLike) -> Array:
 def window_centroid(psf: PSFLike) -> Array:
     """Return the centroid of the values in the window, (x, y) from the axis: a sum over pixels.
 
-    It differs from :func:`image_centroid`, the centroid of all light, by the light outside the window. The difference
-    falls slowly, like the reciprocal of the window's size.
+    It differs from :func:`image_centroid`, the centroid of all light, as it omits the light outside the window. The
+    difference decreases slowly, like the reciprocal of the size of the window.
 
     Parameters
     ----------
@@ -159,7 +160,7 @@ def window_centroid(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Metres or units of lambda*N.
+        Position in metres or units of lambda*N.
 
     Raises
     ------
@@ -167,11 +168,11 @@ def window_centroid(psf: PSFLike) -> Array:
         If no light falls into the window.
     """
     checked(psf)
-    share = energy_per_pixel(psf)
-    total = share.sum(axis=(-2, -1))
+    light = energy_per_pixel(psf)
+    total = light.sum(axis=(-2, -1))
     if not np.all(total > 0):
         raise ValueError("the centroid of no light is unknown: none falls into the window")
-    x, y = (share.sum(axis=-2) * psf.grid.x).sum(axis=-1), (share.sum(axis=-1) * psf.grid.y).sum(axis=-1)
+    x, y = (light.sum(axis=-2) * psf.grid.x).sum(axis=-1), (light.sum(axis=-1) * psf.grid.y).sum(axis=-1)
     return np.stack([x / total, y / total], axis=-1)
 
 
@@ -185,27 +186,29 @@ def energy_centers(psf: PSFLike, about: str) -> Array:
 
 
 def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
-    """Raise ValueError if a pupil is not radially symmetric, or not supported."""
+    """Raise ValueError if a pupil is not radially symmetric, or not supported by a method."""
     method.require(pupil)
     if not pupil.radial:
         raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
 
 
 def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> Numbers:
-    """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature.
+    """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 tau)``, by quadrature.
+
+    v is the radius in optical units, and tau the transmission (``1 - eps^2`` for an annulus of obscuration eps).
 
     Parameters
     ----------
     method : RadialMethod
     pupil : Pupil
-        A radial one.
+        A radially symmetric pupil.
     radius : array_like
-        Metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+        Radius, metres if the pupil has a wavelength, else units of lambda*N; >= 0.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        Within the tolerance of the method.
+        Fraction of all light, within the tolerance of the method.
 
     Raises
     ------
@@ -217,10 +220,10 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     method.require(pupil)
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
-    # v refers to the reference wavelength; light of shorter wavelengths oscillates faster by this factor.
+    # v refers to the reference wavelength; light of the shortest wavelength oscillates faster by `stretch`.
     stretch = method.stretch(pupil)
     edges, index = np.unique(_v_within_reach(pupil, "radius", at, stretch), return_inverse=True)
-    # A node on the axis with weight 0: errors of a profile are relative to its largest value.
+    # A node on the axis with weight 0, so that the profile, whose error is relative to its peak, includes the axis.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
         # I v is of exponential type 2 `stretch`: 0.6 nodes per unit of v and 24 more give spectral accuracy.
@@ -229,7 +232,7 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
         weights.append(w * x)
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
-    # Panels end at the radii, so that a single cumulative sum contains all integrals.
+    # Panels end at the radii, so that one cumulative sum contains the integrals to all of them.
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
     # E = int I v dv / (2 tau): the integral of I over the plane, with 2 pi v dv, is 4 pi times the transmission tau.
     return numbers(light[:, np.cumsum(counts)[index]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
@@ -259,13 +262,13 @@ def window_energy(psf: PSFLike) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        The error is that of :func:`lommel.measures.energy.encircled_energy`. For pixel-integrated values this is
-        their sum.
+        Fraction of all light; its error is that of :func:`lommel.measures.energy.encircled_energy`. For
+        pixel-integrated values with a fill factor of 1 it is the sum of the values.
 
     Raises
     ------
     ValueError
-        If the window is too wide: its limits are those of :func:`lommel.measures.energy.encircled_energy`.
+        If the window exceeds the limits of the radius in :func:`lommel.measures.energy.encircled_energy`.
     """
     checked(psf)
     pupil, grid = psf.pupil, psf.grid
@@ -281,8 +284,8 @@ def window_energy(psf: PSFLike) -> Numbers:
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        # A window of an even number of pixels may exceed half a period of a sampled image by half a pixel on one
-        # side.
+        # A window with an even number of pixels is off-centre: one side may exceed half of the period of a sampled
+        # image by half a pixel.
         reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
         images = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
         return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in images], pupil.shape)
@@ -320,11 +323,11 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
     pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
     nodes, weights = [], []
     for low, high in pieces:
-        # v = low + (high - low) s^2: where a circle begins to leave the rectangle its arc shortens like a square
-        # root.
+        # v = low + (high - low) s^2, as the arc has a square-root singularity where the circle starts to leave the
+        # rectangle.
         s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
-        # Angle of the arc of radius v within the rectangle.
+        # Angle of the arc of radius v within the rectangle, radians.
         arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
         nodes.append(v)
         weights.append(2.0 * (high - low) * s * w * v * np.maximum(arc, 0.0))
@@ -333,7 +336,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
 
 def energy_per_pixel(psf: PSFLike) -> Array:
     """Return the values as fractions of all light per pixel, for any normalisation."""
-    # Values are `scale` times I, and all light is 4 pi times the transmission, integrated over v.
+    # Values are `scale` times I, and the integral of I over the plane in v is 4 pi times the transmission.
     factor = psf.grid.cell(psf.pupil) / (4.0 * math.pi * psf.pupil.transmission)
     return np.asarray(psf.values * (factor / psf.scale)[..., None, None], dtype=np.float64)
 
@@ -350,8 +353,7 @@ class Encircled(NamedTuple):
     fraction : ndarray
         Fraction of the light within each radius.
     error : float or None
-        Bound on the error of the fractions; None if the method has no error bound, or the pupil is radially
-        symmetric.
+        Error bound of the fractions; None if the method has no error bound, or the pupil is radially symmetric.
     """
 
     fraction: NDArray[np.float64]
@@ -364,9 +366,10 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     Parameters
     ----------
     pupil : Pupil
-        A single one.
+        A single pupil.
     radius : array_like, shape (n,)
-        Metres if the pupil has a wavelength, else units of lambda*N; 0 to 250 lambda*N unless the pupil is radial.
+        Radius, metres if the pupil has a wavelength, else units of lambda*N; at most 250 lambda*N unless the pupil is
+        radially symmetric.
     method : Method, optional
         Method that computes the image; by default that of :func:`lommel.psf`. Ignored for a radially symmetric pupil.
 
@@ -397,15 +400,15 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if method is not None:
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
-    # Worst case: errors of samples that have the same sign everywhere (certificate, "From samples").
+    # Worst case: the errors of all samples have the same sign (certificate, "From samples").
     area = math.pi * float(reach.max(initial=0.0)) ** 2
-    bounded = isinstance(image, CartesianImage) and not math.isnan(image.error)
-    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if bounded else None
+    has_bound = isinstance(image, CartesianImage) and not math.isnan(image.error)
+    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if has_bound else None
     return Encircled(image.circles(reach), error)
 
 
 def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
-    """Return the model of the image by the optics alone, without pixel and blur, with `method` or the default one."""
+    """Return the model of the image without pixel and blur, by `method` or the default method."""
     return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[-1])
 
 
@@ -420,23 +423,24 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     pupil : Pupil
         A single pupil.
     radius : float
-        Metres if the pupil has a wavelength, else units of lambda*N. Above 0.
+        Radius above 0, metres if the pupil has a wavelength, else units of lambda*N.
     method : RadialMethod, default NijboerZernike(tol=1e-6)
 
     Returns
     -------
     float
+        Defocus coefficient C_d, radians.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, the pupil is a stack or not radially symmetric, or the method does not support
-        it.
+        If an argument is out of range, or the pupil is a stack, not radially symmetric, or not supported by the
+        method.
 
     Notes
     -----
-    Defocus is scanned in steps of half a radian over the range in which some zone of the pupil is in focus, then
-    refined by Brent's method to 1e-6 rad.
+    Defocus is scanned in steps of half a radian over the range in which some zone of the pupil is in focus, and
+    beyond it by 6 rad, then refined by Brent's method to 1e-6 rad.
     """
     from scipy.optimize import minimize_scalar
 
@@ -447,10 +451,11 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     if not pupil.radial:
         raise ValueError(
             "pupil must be radially symmetric for its best focus in a circle, got other terms or another aperture; "
-            "compare psf.encircled_energy of some defoci"
+            "compare psf.encircled_energy at several values of defocus"
         )
     require_radial(radial_method, pupil)
-    # A zone of the pupil is in focus where its slope dPhi/d(rho^2) is cancelled by that of the added defocus, 2 C_d.
+    # A zone of the pupil is in focus where the slope dPhi/d(rho^2) of its phase and that of the added defocus, 2 C_d,
+    # cancel.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     low, high = -0.5 * slope.max() - 6.0, -0.5 * slope.min() + 6.0

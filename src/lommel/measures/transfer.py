@@ -1,7 +1,7 @@
 """Optical and modulation transfer functions of pupils, from the wavefront.
 
-The OTF is the Fourier transform of the PSF over all the light,
-``OTF(f) = int I(r) exp(-2 pi i f.r) dr / int I dr``, which is the autocorrelation of the pupil function: overlap.py.
+The OTF is the normalized Fourier transform of the PSF, ``OTF(f) = int I(r) exp(-2 pi i f.r) dr / int I dr``. It is
+computed as the autocorrelation of the pupil function (overlap.py).
 """
 
 from __future__ import annotations
@@ -29,7 +29,6 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 
 Complexes = np.complex128 | NDArray[np.complex128]
-
 
 Pitch = float | tuple[float, float]
 """Pixel pitch: one number, or height and width."""
@@ -62,37 +61,40 @@ def otf(
     pupil : Pupil, PSF, ColourPSF or PSFGrid
         A PSF includes its pixels (if pixel-integrated), blur and spectrum.
     fx, fy : array_like
-        Spatial frequencies along columns and rows: cycles per metre if the pupil has a wavelength, else cycles per
+        Spatial frequencies in x and y: cycles per metre if the pupil has a wavelength, else cycles per
         lambda*N. They broadcast: ``fx[None, :], fy[:, None]`` is a grid.
     pixel : float or (float, float), optional
-        Pixel pitch, or height and width: multiplies by ``sinc(fx width) sinc(fy height)``, the transfer function of
-        pixel integration.
+        Pixel pitch, or (height, width). The OTF is multiplied by the transfer function of pixel integration,
+        ``sinc(fx width) sinc(fy height)`` for pixels without gaps.
     fill : float or (float, float), default 1
-        Fill factor of the pixel, of its area or of height and width; see :func:`lommel.psf`.
+        Fill factor of the pixel: of its area, or of (height, width); see :func:`lommel.psf`.
     blur : Blur or sequence of Blur, default ()
-        Further blur, each a factor of the transfer function; see :func:`lommel.psf`.
+        Blur other than that of the pupil, each a factor of the transfer function; see :func:`lommel.psf`.
     spectrum : Polychromatic, optional
-        Sum over a spectrum with constant optical path differences, as in the images of that method.
+        Spectrum over which the OTF is summed, with constant optical path differences, as in images by this method.
     tol : float, default 1e-10
-        Absolute tolerance, 1e-13 to 0.1. Of circular and annular apertures nodes are added until two quadratures
-        agree within it; for all others it is a proven bound, but for rounding, and a frequency takes a few
-        milliseconds. Ignored where there is a mask.
+        Absolute tolerance, 1e-13 to 0.1. For circular and annular apertures quadrature nodes are added until two
+        quadratures agree within `tol`; for other apertures `tol` is a proven bound, except for rounding, and each
+        frequency takes a few milliseconds. Ignored for apertures with a mask.
 
     Returns
     -------
     complex or complex ndarray, shape ``pupil.shape + s``
-        With s what fx and fy broadcast to. 1 at frequency 0, and 0 from ``pupil.cutoff`` on. A shift of
-        the image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``. With a mask it is that of square cells of
-        constant amplitude and phase, exact but for rounding, and reaches as far beyond the cutoff as cells that the
-        rim crosses; at multiples of ``1 / side`` of the cutoff it is also that of one period of the image of samples
-        (:class:`lommel.Mask`). Of a PSF whose pupil is an Objective's, or whose method is `Geometric`, from samples
-        to 64 lambda*N around the image: off by up to 1e-3 below a fifth of the cutoff, and by 1e-4 above.
+        OTF at each frequency; s is the shape to which `fx` and `fy` broadcast. It is 1 at frequency 0, and 0 from
+        ``pupil.cutoff`` on. A shift of the image by (a, b) multiplies it by ``exp(-2 pi i (fx a + fy b))``.
+
+        For a mask, the aperture consists of square cells of constant amplitude and phase; the OTF is exact except for
+        rounding, and extends beyond the cutoff where cells extend beyond the rim. At multiples of ``1 / side`` of the
+        cutoff it is also the OTF of one period of the sampled image (:class:`lommel.Mask`).
+
+        For a PSF of an Objective or by the method `Geometric`, the OTF is computed from samples within 64 lambda*N of
+        the image, with an error of up to 1e-3 below a fifth of the cutoff, and up to 1e-4 above.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is not real and finite or out of range, the frequencies do not broadcast, or pixel, fill, blur
-        or spectrum are given with a PSF, which has its own.
+        If an argument is not real and finite, or out of range; if the frequencies do not broadcast; or if pixel,
+        fill, blur or spectrum is given with a PSF, which includes these.
     ToleranceError
         If `tol` needs more than 4096 nodes along a line of a circular or annular aperture.
 
@@ -103,39 +105,41 @@ def otf(
     0.391002
     """
     if isinstance(pupil, Measurable):
-        _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
+        _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != (), spectrum=spectrum is not None)
         return pupil.measured(lambda one: image_otf(one, fx, fy, tol=tol))
     checked(pupil)
     across, down = frequencies(fx, fy)
-    goal = validation.real("tol", tol, least=1e-13, most=0.1)
-    rest, several = _of_pixels(pupil, across, down, pixel, fill), blurs(blur)
+    tolerance = validation.real("tol", tol, least=1e-13, most=0.1)
+    pixel_transfer, several = _pixel_transfer(pupil, across, down, pixel, fill), blurs(blur)
     require_unit(several, pupil)
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
     parts = [Component(1.0, 1.0, pupil)]
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
     for share, _, part in parts:
-        # Frequencies over the cutoff of this wavelength, 1 / (lambda N).
+        # Frequencies in units of 1 / (lambda N) at the wavelength of the component.
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
-        # Blur multiplies the transfer function; that of seeing depends on the wavelength.
+        # Blur multiplies the transfer function; the factor of seeing depends on the wavelength.
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
-        total += share * autocorrelation(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
-    result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
+        total += (
+            share * autocorrelation(part, f, tolerance) * np.prod([np.ravel(factor) for factor in factors], axis=0)
+        )
+    result: Complexes = (total.reshape(pupil.shape + across.shape) * pixel_transfer)[()]
     return result
 
 
 def image_otf(
     psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image", tol: float = 1e-10
 ) -> Complexes:
-    """Return the optical transfer function of the image of a PSF, of which its values are samples.
+    """Return the optical transfer function of the continuous image that the values of a PSF sample.
 
     Parameters
     ----------
     psf : PSF
     fx, fy : array_like
-        As of :func:`lommel.otf`, also beyond the Nyquist frequency of the pixels.
+        As of :func:`lommel.otf`; they may exceed the Nyquist frequency of the pixels.
     of : {"image", "optics"}, default "image"
-        With the factor of pixel integration, or without.
+        "image": with the factor of pixel integration if values are pixel-integrated; "optics": without it.
     tol : float, default 1e-10
         As of :func:`lommel.otf`.
 
@@ -163,11 +167,13 @@ def image_otf(
     return result
 
 
-def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Pitch | None, fill: Pitch) -> Array:
+def _pixel_transfer(pupil: Pupil, across: Array, down: Array, pixel: Pitch | None, fill: Pitch) -> Array:
     """Return the transfer function of pixel integration; 1 without pixels."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):
-            raise ValueError(f"fill must be left out where there is no pixel, got {validation.shown(fill)}")
+            raise ValueError(
+                f"fill must be left out where there is no pixel; give pixel=, got {validation.shown(fill)}"
+            )
         return np.ones(across.shape)
     metric, sensor = pupil.wavelength is not None, Grid(1, pixel, integrate=True, fill=fill)
     for side in sensor.pitch:
@@ -193,14 +199,14 @@ def mtf(
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
     fx, fy : array_like
-        Cycles per metre if the pupil has a wavelength, else per lambda*N.
+        Spatial frequencies in cycles per metre if the pupil has a wavelength, else per lambda*N.
     pixel, fill, blur, spectrum, tol
         As of :func:`lommel.otf`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + s``
-        s is the shape that `fx` and `fy` broadcast to.
+        MTF, 0 to 1; s is the shape to which `fx` and `fy` broadcast.
 
     Examples
     --------
@@ -222,21 +228,21 @@ def ptf(
 ) -> Numbers:
     """Return the phase transfer function, the argument of the OTF in radians, above -pi and up to pi.
 
-    Its error is `tol` divided by the MTF; where the MTF is at most `tol` the phase is undefined and 0 is returned.
-    See :func:`lommel.otf`.
+    The error of the phase is about `tol` divided by the MTF; where the MTF is at most `tol`, the phase is undefined
+    and 0 is returned. See :func:`lommel.otf`.
 
     Parameters
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
     fx, fy : array_like
-        Cycles per metre if the pupil has a wavelength, else per lambda*N.
+        Spatial frequencies in cycles per metre if the pupil has a wavelength, else per lambda*N.
     spectrum, tol
         As of :func:`lommel.otf`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + s``
-        Radians; s is the shape that `fx` and `fy` broadcast to.
+        Phase in radians; s is the shape to which `fx` and `fy` broadcast.
     """
     value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
     return numbers(np.where(np.abs(value) > tol, np.angle(value), 0.0), value.shape)
@@ -258,7 +264,7 @@ def mtf_frequency(
     pupil : Pupil, PSF, ColourPSF or PSFGrid
         A PSF of a lens includes its pixels (if pixel-integrated), blur and spectrum.
     level : float, default 0.5
-        Above 0 and below 1.
+        MTF to find, above 0 and below 1.
     angle : float, default 0
         Direction of the frequency in radians, from the columns (x) to the rows (y).
     pixel, fill, blur
@@ -267,19 +273,19 @@ def mtf_frequency(
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Cycles per metre or per lambda*N. The first crossing is bracketed by steps of 1/128 of the cutoff or, behind
-        a large blur, of a quarter of an oscillation or less, or by cells of a mask down to 1/1024, and found in the
-        bracket to 1e-10 of the cutoff.
+        Frequency in cycles per metre or per lambda*N. The first crossing is bracketed by a scan in steps of at most
+        1/128 of the cutoff (a quarter of an oscillation of the MTF for large defocus or motion; 1 / side for masks,
+        down to 1/1024), and refined to 1e-10 of the cutoff.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is out of range.
     """
-    wanted = validation.real("level", level, above=0.0, below=1.0)
-    turn = validation.real("angle", angle)
+    threshold = validation.real("level", level, above=0.0, below=1.0)
+    direction = validation.real("angle", angle)
     if isinstance(pupil, Measurable):
-        _own(pixel=pixel is not None, fill=fill != 1.0, blur=blur != ())
+        _require_default(pixel=pixel is not None, fill=fill != 1.0, blur=blur != ())
 
         def of_image(one: PSFLike) -> Numbers:
             sensor: Sensor = {"blur": one.blur}
@@ -287,10 +293,10 @@ def mtf_frequency(
                 sensor |= {"pixel": one.grid.pixel, "fill": one.grid.fill}
             if isinstance(one.method, Polychromatic):
                 sensor["spectrum"] = one.method
-            return _frequency(checked(one.pupil), wanted, turn, sensor)
+            return _first_crossing(checked(one.pupil), threshold, direction, sensor)
 
         return pupil.measured(of_image)
-    return _frequency(checked(pupil), wanted, turn, {"pixel": pixel, "fill": fill, "blur": blurs(blur)})
+    return _first_crossing(checked(pupil), threshold, direction, {"pixel": pixel, "fill": fill, "blur": blurs(blur)})
 
 
 def focus_tolerance(
@@ -303,61 +309,61 @@ def focus_tolerance(
     blur: Blur | Sequence[Blur] = (),
     spectrum: Polychromatic | None = None,
 ) -> tuple[float, float]:
-    """Return how far the sensor may move towards the lens and away from it while the MTF at a frequency suffices.
+    """Return the focus tolerance: sensor displacements towards the lens and away from it that keep a least MTF.
 
     Parameters
     ----------
     pupil : Pupil
-        A single one, with a wavelength.
+        A single pupil, with a wavelength.
     frequency : float
-        Cycles per metre on the sensor, along x and along y: both have to suffice.
+        Spatial frequency in cycles per metre on the sensor; the lower MTF of those along x and along y counts.
     least : float, default 0.3
-        Smallest MTF that suffices, above 0 and below 1.
+        Smallest acceptable MTF, above 0 and below 1.
     pixel, fill, blur, spectrum
         As of :func:`lommel.otf`.
 
     Returns
     -------
     (float, float)
-        Metres, negative towards the lens and positive away from it: the nearest displacements at which the MTF of
-        either direction falls to `least`, to 1e-4 of the depth of focus ``lambda N^2``. The defocus of a displacement
-        is that of the paraxial lens to first order, ``C_d = -pi displacement / (8 lambda N^2)``, N the working
+        Displacements in metres, the first negative (towards the lens), the second positive: the smallest ones at
+        which the MTF along x or y falls to `least`, to 1e-4 of ``lambda N^2``. The defocus coefficient of a
+        displacement is ``C_d = -pi displacement / (8 lambda N^2)`` (paraxial, to first order), N the working
         f-number.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or the MTF does not suffice where the sensor is.
+        If an argument is out of range, or the MTF without displacement is below `least`.
 
     Examples
     --------
     >>> import lommel as lm
     >>> lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
-    >>> near, far = lm.focus_tolerance(lens.pupil(), 72e3, pixel=3.45e-6)  # of half the Nyquist frequency
+    >>> near, far = lm.focus_tolerance(lens.pupil(), 72e3, pixel=3.45e-6)  # half of the Nyquist frequency
     >>> f"{1e6 * near:.1f} um to {1e6 * far:.1f} um"
     '-36.5 um to 36.5 um'
     """
     from scipy.optimize import brentq
 
     f = validation.real("frequency", frequency, above=0.0)
-    wanted = validation.real("least", least, above=0.0, below=1.0)
+    threshold = validation.real("least", least, above=0.0, below=1.0)
     wavelength, number = checked(pupil).wavelength, pupil.f_number
     if wavelength is None or number is None or pupil.shape:
         raise ValueError(f"pupil must be a single one with a wavelength, whose sensor is in metres, got {pupil!r}")
     sensor: Sensor = {"pixel": pixel, "fill": fill, "blur": blurs(blur), "spectrum": spectrum}
-    metres = -8.0 * wavelength * number**2 / math.pi  # of a radian of C_d
+    metres_per_radian = -8.0 * wavelength * number**2 / math.pi  # displacement per defocus coefficient C_d
 
     def above(c: ArrayLike) -> Array:
         moved = replace(pupil, wavefront=pupil.wavefront + Wavefront.of_defocus(np.asarray(c)), geometry=None)
         values = np.asarray(mtf(moved, np.array([f, 0.0]), np.array([0.0, f]), **sensor, tol=1e-8))
-        return np.asarray(values.min(axis=-1) - wanted)
+        return np.asarray(values.min(axis=-1) - threshold)
 
-    if (here := float(above(0.0))) < 0.0:
-        at = f"the MTF is {here + wanted:.3g} where the sensor is"
-        raise ValueError(f"no tolerance of focus: {at}, below least={wanted:g}; take a smaller least or frequency")
-    # In steps of defocus by which the contrast of this frequency changes by a fraction of its first fall.
-    share = min(f / pupil.cutoff, 0.5)
-    step = 0.1 / (share * (1.0 - share))
+    if (margin := float(above(0.0))) < 0.0:
+        at = f"the MTF is {margin + threshold:.3g} where the sensor is"
+        raise ValueError(f"no tolerance of focus: {at}, below least={threshold:g}; take a smaller least or frequency")
+    # C_d is scanned in steps that are a fraction of the defocus at which the MTF at this frequency first vanishes.
+    fraction = min(f / pupil.cutoff, 0.5)
+    step = 0.1 / (fraction * (1.0 - fraction))
     ends = []
     for side in (1.0, -1.0):  # towards the lens first
         for start in range(0, 4096, 8):
@@ -365,39 +371,40 @@ def focus_tolerance(
             below = above(c[1:]) <= 0.0
             if below.any():
                 k = int(below.argmax())
-                # 1e-5 rad are 2.5e-5 lambda N^2.
-                ends.append(metres * float(brentq(lambda at: float(above(at)), c[k], c[k + 1], xtol=1e-5)))
+                # An error of 1e-5 rad in C_d is 2.5e-5 lambda N^2 in the displacement.
+                ends.append(metres_per_radian * float(brentq(lambda at: float(above(at)), c[k], c[k + 1], xtol=1e-5)))
                 break
         else:
-            raise ValueError(f"least must be an MTF that defocus reaches, got {wanted:g}")
+            raise ValueError(f"least must be an MTF that defocus reaches, got {threshold:g}; take a larger one")
     return ends[0], ends[1]
 
 
-def _own(**given: bool) -> None:
-    """Raise ValueError if options of a pupil are given together with a PSF, which has its own."""
-    if stray := [name for name, there in given.items() if there]:
+def _require_default(**given: bool) -> None:
+    """Raise ValueError if an option is given (True) for a PSF, which includes its own."""
+    if stray := [name for name, is_given in given.items() if is_given]:
         raise ValueError(f"{stray[0]} must be left out for a PSF, which has its own; give it with psf.pupil")
 
 
-def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numbers:
+def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor) -> Numbers:
+    """Return the lowest frequency at which the MTF falls to a threshold; see :func:`mtf_frequency`."""
     from scipy.optimize import brentq
 
-    cos, sin = math.cos(turn), math.sin(turn)
+    cos, sin = math.cos(angle), math.sin(angle)
     cutoff = pupil.cutoff
     if spectrum := sensor.get("spectrum"):
         cutoff *= spectrum.stretch(pupil)
-    # An image of radius r makes the OTF oscillate like J1(2 pi r f): steps must resolve its zeros.
+    # The OTF of an image of radius r oscillates like J1(2 pi r f): steps must resolve the zeros.
     oscillating = float(pupil.v(pupil.geometric_radius()).max())
-    # A streak of length d has zeros at multiples of 1 / d.
+    # The OTF of a streak of length d has zeros at multiples of 1 / d.
     oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
     steps = math.ceil(max(128.0, 2.0 * oscillating, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
-    # Frequencies of a circular aperture are computed together, those of others one by one.
-    many = 32 if pupil.circular else 4
-    for start in range(1, steps + 1, many):
-        k = np.arange(start, min(start + many, steps + 1))
+    # Large blocks save time for circular apertures, whose frequencies are computed together.
+    block = 32 if pupil.circular else 4
+    for start in range(1, steps + 1, block):
+        k = np.arange(start, min(start + block, steps + 1))
         f = k * (cutoff / steps)
-        below = np.asarray(mtf(pupil, f * cos, f * sin, **sensor, tol=1e-8)).reshape(-1, k.size) <= wanted
+        below = np.asarray(mtf(pupil, f * cos, f * sin, **sensor, tol=1e-8)).reshape(-1, k.size) <= threshold
         first = np.where((first == 0) & below.any(axis=1), k[below.argmax(axis=1)], first)
         if first.all():
             break
@@ -406,16 +413,14 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numb
     for i, k_high in enumerate(first):
 
         def above(f: float, one: Pupil = flat[i]) -> float:
-            return float(mtf(one, f * cos, f * sin, **sensor)) - wanted
+            return float(mtf(one, f * cos, f * sin, **sensor)) - threshold
 
         low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
-        # The scan has a coarser tolerance than the search: the end of a bracket may lie on the other side of the
-        # level.
+        # The scan has a coarser tolerance than the search: at the more exact MTF the bracket may have no crossing.
         ends = above(low), above(high)
         if ends[0] <= 0.0 or ends[1] >= 0.0:
             out[i] = low if ends[0] <= 0.0 else high
         else:
-            # Bracketed by the scan.
             out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
     return numbers(out, pupil.shape)
 
@@ -423,8 +428,9 @@ def _frequency(pupil: Pupil, wanted: float, turn: float, sensor: Sensor) -> Numb
 def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     """Return the discrete Fourier transform of the values in the window, by direct summation.
 
-    :func:`lommel.otf` is the transfer function of the image; that of its samples is aliased, periodic in the sampling
-    frequency 1 / pixel: at the Nyquist frequency it is twice the real part of the image's.
+    :func:`lommel.otf` is the transfer function of the continuous image. The transfer function of its samples is
+    aliased, with the period 1 / pixel (the sampling frequency): at the Nyquist frequency it is about twice the real
+    part of that of the image.
 
     Parameters
     ----------
@@ -435,9 +441,10 @@ def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     Returns
     -------
     complex or complex ndarray, shape ``psf.pupil.shape + s``
-        ``sum values exp(-2 pi i (fx x + fy y))`` as a fraction of all light, x and y from the axis: the sum of the
-        image's transfer function at f and at its aliases, f plus multiples of 1 / pixel, but for the light outside
-        of the window and the error of the values. At frequency 0 it is the light in the window.
+        ``sum values exp(-2 pi i (fx x + fy y))`` with values as fractions of all light, x and y from the axis; at
+        frequency 0, the fraction of light in the window. Except for the light outside of the window and the error of
+        the values, this is the sum of the transfer function of the image at f and at its aliases, f plus multiples of
+        1 / pixel.
 
     Raises
     ------
@@ -457,13 +464,13 @@ def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     x, y = psf.grid.x, psf.grid.y
     columns = np.exp(-2j * math.pi * x[..., None] * across.ravel())
     rows = np.exp(-2j * math.pi * y[..., None] * down.ravel())
-    found = np.einsum("...yf,...yf->...f", energy_per_pixel(psf) @ columns, rows)
-    result: Complexes = found.reshape(psf.pupil.shape + across.shape)[()]
+    transform = np.einsum("...yf,...yf->...f", energy_per_pixel(psf) @ columns, rows)
+    result: Complexes = transform.reshape(psf.pupil.shape + across.shape)[()]
     return result
 
 
 def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]]:
-    """Return the frequencies of the window and its transfer function there, by FFT.
+    """Return the frequencies of the FFT of the window, and the transfer function of the samples at these.
 
     See :func:`lommel.measures.transfer.sampled_otf`.
 
@@ -474,8 +481,10 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
     Returns
     -------
     fx, fy : ndarray, shapes (width,) and (height,)
-        Increasing, in steps of 1 / (width pixel) and 1 / (height pixel); 0 at ``width // 2`` and ``height // 2``.
+        Rising frequencies in steps of 1 / (width pixel) and 1 / (height pixel), 0 at index ``width // 2`` and
+        ``height // 2``.
     values : complex ndarray, shape ``psf.values.shape``
+        Transfer function, as of :func:`lommel.measures.transfer.sampled_otf`.
     """
     checked_answer(psf)
     from scipy import fft
@@ -483,7 +492,7 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
     grid = psf.grid
     fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
     fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
-    plain = fft.fftshift(fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
-    # The FFT counts from the first pixel, positions from the axis.
+    from_first_pixel = fft.fftshift(fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
+    # The FFT refers positions to the first pixel; the phase factor refers them to the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
-    return fx, fy, np.asarray(plain * shift)
+    return fx, fy, np.asarray(from_first_pixel * shift)

@@ -1,6 +1,6 @@
-"""Automatic choice of a method by pupil and window, and of the methods tried next."""
+"""Automatic choice of the methods for a pupil and a window, in the order in which they are tried."""
 
-# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
+# Annotations are not postponed: NamedTuple would compile them, which takes longer than the rest of the import.
 
 import math
 from collections.abc import Callable
@@ -19,26 +19,25 @@ if TYPE_CHECKING:
     from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-# A stack computed in parts uses one method for all parts; the cost is estimated from some of its pupils.
-_LOOKS = 8  # number of pupils from which the cost of a stack is estimated
-_Answer = TypeVar("_Answer")
+_COST_PUPILS = 8  # largest number of pupils of a stack from which its cost is estimated
+_Result = TypeVar("_Result")
 
 
 class Rule(NamedTuple):
-    """Methods for a class of pupils and windows, with a description."""
+    """Methods for a class of pupils and windows."""
 
-    pupils: str
+    pupils: str  # description of the class of pupils
     applies: Callable[[BasePupil, Grid], bool]
-    imported: Callable[[], tuple[Callable[[float], Method], ...]]
-    costs: str
+    import_methods: Callable[[], tuple[Callable[[float], Method], ...]]
+    costs: str  # description of the cost
 
     @property
     def methods(self) -> tuple[Callable[[float], Method], ...]:
-        """Constructors of the methods, in the order in which they are tried."""
-        return self.imported()
+        """Constructors of the methods, each with the tolerance as argument, in the order in which they are tried."""
+        return self.import_methods()
 
 
-# Imported late: most pupils are radially symmetric and use none of these.
+# Methods are imported on use: most pupils are radially symmetric and need none of these.
 
 
 def _whichever_is_cheaper() -> tuple[Callable[[float], Method], ...]:
@@ -98,11 +97,11 @@ RULES = (
         "non-uniform FFTs along the rows of the aperture and across them",
     ),
 )
-"""The first rule that applies is used."""
+"""Rules of the choice; the first one that applies is used."""
 
 
 def table() -> str:
-    """Return the rules as a Markdown table, for the page on the choice of a method."""
+    """Return the rules as a Markdown table for the documentation page on the choice of a method."""
     rows = [("pupil", "method", "cost"), ("---",) * 3]
     for rule in RULES:
         names = dict.fromkeys(type(method(Method.tol).reported).__name__ for method in rule.methods)
@@ -114,48 +113,51 @@ def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[M
     """Return the methods for a pupil and a window, in the order in which they are tried, by :data:`RULES`."""
     imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
-    return _made(rule, tol)
+    return _construct(rule, tol)
 
 
 @lru_cache(maxsize=64)
-def _made(rule: Rule, tol: float) -> tuple[Method, ...]:
+def _construct(rule: Rule, tol: float) -> tuple[Method, ...]:
     return tuple(method(tol) for method in rule.methods)
 
 
-def of_derivatives(pupil: "ObjectivePupil", ways: tuple[Method, ...]) -> tuple[Method, ...]:
-    """Return the methods for derivatives of an objective; the last one has those by Zernike terms."""
+def of_derivatives(pupil: "ObjectivePupil", methods: tuple[Method, ...]) -> tuple[Method, ...]:
+    """Return the methods for derivatives of an objective's images; only the last one has those by Zernike terms."""
     from lommel.methods.layers.chordal_debye import ChordalDebye, ChordalDebyeIfCheaper
 
-    tol = ways[0].tol
-    # Light that depends on the azimuth needs new tables over circles for other planes: chords come first.
+    tol = methods[0].tol
+    # For light that depends on the azimuth the other methods need new tables over circles for each other plane, so
+    # that chords are tried first.
     first = () if pupil.aberrated or pupil.light.radial else (ChordalDebyeIfCheaper(tol),)
-    return (*first, *ways, ChordalDebye(tol))
+    return (*first, *methods, ChordalDebye(tol))
 
 
-def first_within_tolerance(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
-    """Return the first method that neither declines nor misses its tolerance, and its answer."""
-    # The chordal rule judges errors by the window alone and takes a limited number of chords; a dark window is left
-    # to the series. Errors of other types are faults, and are not caught.
-    refused: ToleranceError | Declined | None = None
-    for way in ways:
+def first_within_tolerance(
+    methods: tuple[Method, ...], compute: Callable[[Method], _Result]
+) -> tuple[Method, _Result]:
+    """Return the first method that neither declines nor misses its tolerance, and its result."""
+    # The chordal rule has a limited number of chords, and an error relative to the window only: it fails for a dark
+    # window, which the series can compute. Errors of other types are defects, and are not caught.
+    failure: ToleranceError | Declined | None = None
+    for method in methods:
         try:
-            return way, ask(way)
+            return method, compute(method)
         except (ToleranceError, Declined) as error:
-            # A missed tolerance says what is possible, so it is reported first; else the reason of the series, not of
-            # chords.
+            # Report a missed tolerance first, as it states the possible one; then the reason of a method that is not
+            # the last (chordal) one.
             if (
-                refused is None
+                failure is None
                 or isinstance(error, ToleranceError)
-                or (isinstance(refused, Declined) and way != ways[-1])
+                or (isinstance(failure, Declined) and method != methods[-1])
             ):
-                # Without its traceback, whose frames keep the arrays of the refused method alive.
-                refused = error.with_traceback(None)
-    assert refused is not None
-    raise refused
+                # Drop the traceback, whose frames keep the arrays of the failed method alive.
+                failure = error.with_traceback(None)
+    assert failure is not None
+    raise failure
 
 
 def instead(pupil: BasePupil, grid: Grid) -> str:
-    """Return a hint on a method without a bound for images that are beyond all methods of the choice, or ""."""
+    """Return a hint on a method without an error bound for an image that all chosen methods decline, or ""."""
     from lommel.methods.matrix_fourier import samples_needed
     from lommel.methods.paper.fraunhofer import Fraunhofer
     from lommel.optics.pupil import checked
@@ -166,29 +168,29 @@ def instead(pupil: BasePupil, grid: Grid) -> str:
             return ""
         sampled = Fraunhofer(samples=max(256, samples_needed(lens, grid)[0]))
         sampled.require_fit(lens, grid)
-    except (TypeError, ValueError):  # an objective, axes of their own, or too many samples
+    except (TypeError, ValueError):  # an objective, a window for each pupil, or too many samples
         return ""
     return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
 
 
-def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
-    """Return the methods for a stack computed in parts, in an order in which one method serves all parts."""
-    if len(ways) == 1:
-        return ways
-    # Alternating methods would change values between parts, within the tolerance but visibly in differences.
+def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple[Method, ...]:
+    """Return the methods for a stack computed in parts, ordered such that all parts use the same method."""
+    if len(methods) == 1:
+        return methods
+    # Different methods in different parts would cause steps within the tolerance, visible in differences of images.
     if pupil.layered:
-        return ways[-1:]
+        return methods[-1:]
     from lommel.core.engine import disk_costs
     from lommel.methods.averaging import samples_across
     from lommel.methods.nijboer_zernike import disk_stack, window_of
     from lommel.optics.pupil import checked
 
     lens, count = checked(pupil), math.prod(pupil.shape)
-    few = lens[np.unravel_index(np.arange(0, count, -(-count // _LOOKS)), pupil.shape)] if pupil.shape else lens
+    few = lens[np.unravel_index(np.arange(0, count, -(-count // _COST_PUPILS)), pupil.shape)] if pupil.shape else lens
     across = samples_across(grid.step(pupil)) if grid.integrate else 1
     height, width = (across * side for side in grid.shape)
     samples = Grid((height, width), grid.side / across)
-    _, series, chords = ways
+    _, series, chords = methods
     try:
         # Estimated times of chords and of the series, from the compiled core.
         costs = disk_costs(disk_stack(few), window_of(few, samples), series.tol)
@@ -198,19 +200,19 @@ def fixed_order(ways: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tuple
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
-    """Return the method for profiles of radial pupils and integrals over them."""
+    """Return the method for radial profiles of radially symmetric pupils, and for integrals over profiles."""
     return NijboerZernike(tol)
 
 
 def of_large_phases(tol: float) -> "Hankel":
-    """Return the method for many radial pupils with large phases at the same radii."""
+    """Return the method for profiles, at the same radii, of many radially symmetric pupils with large phases."""
     from lommel.methods.hankel import Hankel
 
     return Hankel(tol)
 
 
 def reference(pupil: BasePupil) -> Method:
-    """Return the reference method: quadrature, or the series at a small tolerance where that does not apply."""
+    """Return the reference method: quadrature where it applies, else a method with a tolerance of 1e-9."""
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 

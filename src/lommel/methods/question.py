@@ -1,8 +1,7 @@
-"""Prepared computations: checks and choices shared by all pupils that differ only in their phase."""
+"""Prepared computations: checks and methods shared by all pupils that differ only in phase."""
 
 from __future__ import annotations
 
-# NamedTuple compiles annotations that are strings, which would take longer than the rest of this module's import.
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple, TypeVar, cast
@@ -26,22 +25,24 @@ if TYPE_CHECKING:
 
 
 class Prepared(NamedTuple):
-    """Window, methods and settings for all pupils that differ in their phase only."""
+    """Window, methods and settings for all pupils that differ only in phase."""
 
-    light: tuple[object, ...]  # all properties of a pupil but its phase, and whether the phase is radially symmetric
+    light: tuple[
+        object, ...
+    ]  # properties of the pupils except the phase, and whether the phase is radially symmetric
     grid: Grid
     methods: tuple[Method, ...]  # in the order in which they are tried
-    named: bool  # the method was named by the caller
-    energy: bool  # values are fractions of all light
-    wanted: Wanted  # without `out` and derivatives
-    shape: tuple[int, ...]  # of the values
+    named: bool  # whether the caller named the method
+    energy: bool  # whether values are fractions of all light
+    wanted: Wanted  # requested output, without `out` and derivatives
+    shape: tuple[int, ...]  # shape of the values
     flat: tuple[int, ...]  # shape of the values of the flattened stack, (n, height, width)
-    shortcut: Shortcut | None  # prepared computation that bypasses :meth:`images`: see Method.plan
+    shortcut: Shortcut | None  # faster computation that replaces :meth:`images`, None if there is none: Method.plan
 
     def images(
         self, pupil: BasePupil, names: tuple[Name, ...] = (), out: Pixels | None = None
     ) -> tuple[Method, Images, list[Slope]]:
-        """Return the method, the images of a pupil and their derivatives `names`, without the shortcut."""
+        """Return the method used, the images of a pupil, and their derivatives by `names`; ignores the shortcut."""
         self.methods[0].require(pupil)
         request = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
         if names and pupil.layered:
@@ -83,7 +84,7 @@ def prepare(
     dtype: DType,
     threads: int,
 ) -> Prepared:
-    """Return the prepared computation for pupils that share an aperture and light; see :class:`lommel.Plan`."""
+    """Return the prepared computation for pupils that differ only in phase; see :class:`lommel.Plan`."""
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     methods = candidates(pupil, grid, tol) if method is None else (method,)
@@ -95,11 +96,11 @@ def prepare(
 
 
 def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: DType, threads: int) -> Wanted:
-    """Return the scale, type and threads of images; raise ValueError for unsupported pupils or windows."""
+    """Return the requested scale, dtype and threads of images; ValueError for unsupported pupils or windows."""
     method.require(pupil)
     for pitch in grid.pitch:
         validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
-    # Geometric, the one method without point samples, has no largest v.
+    # Only Geometric, which has no point samples, has no limit of the distance from the axis.
     if method.sampling == "center":
         grid.require_reach(pupil)
     if pupil.period < math.inf:
@@ -108,13 +109,13 @@ def output_spec(grid: Grid, pupil: BasePupil, method: Method, normalize: str, dt
     if count > validation.MAX_VALUES:
         raise ValueError(
             f"shape {grid.shape} for {math.prod(pupil.shape)} pupils makes {count} values, "
-            f"more than the limit of {validation.MAX_VALUES}"
+            f"more than the limit of {validation.MAX_VALUES}; compute it in parts"
         )
     scale: float | Array | None = None
     if normalize == "emitted":
         scale = grid.cell(pupil) / (4.0 * math.pi) * pupil.collected.ravel()
     elif normalize == "energy":
-        # The integral of I over the plane, in units of v, is 4 pi times the transmission (Parseval).
+        # The integral of I over the plane in v is 4 pi times the transmission (Parseval's theorem).
         scale = grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)
     elif normalize == "strehl":
         scale = 1.0 / method.unaberrated_peak(pupil)
@@ -132,8 +133,8 @@ def gradient(
 ) -> dict[Name, Array]:
     """Return the derivatives, each (n,), of the sum over pixels of `weights` (n, height, width) times values.
 
-    Values are `scale` (n,) times the intensity of the flattened stack. `names` are the checked names of derivatives,
-    or None for all terms of the wavefront.
+    Values are `scale` (n,) times the intensity of the flattened stack. `names` are the checked parameters by which
+    the sum is differentiated, or None for all terms of the wavefront.
     """
     energy = normalize == "energy"
     if pupil.layered:
@@ -153,7 +154,7 @@ def gradient(
 
 
 def _terms(wavefront: Wavefront | None) -> tuple[Name, ...]:
-    """Return the terms of a wavefront without the constant, on which no intensity depends."""
+    """Return the terms of a wavefront except the constant phase, which has no effect on the intensity."""
     return tuple(term for term in wavefront.terms if term != (0, 0)) if wavefront else ()
 
 
@@ -163,10 +164,10 @@ AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
 def names(
     derivatives: Sequence[str | tuple[int, int]], argument: str = "derivatives"
 ) -> tuple[str | tuple[int, int], ...]:
-    """Return checked names of derivatives; TypeError or ValueError, naming the `argument`, if one is not valid."""
+    """Return checked names of derivatives; TypeError or ValueError with the name `argument` if one is not valid."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
-    from lommel.methods.derivative_names import checked  # here, as it is rarely needed
+    from lommel.methods.derivative_names import checked  # imported on use, which is rare
 
     return checked(derivatives, argument)
 
@@ -179,7 +180,7 @@ def array(name: str, value: object) -> Pixels:
 
 
 def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
-    """Return `out` if it can take values of this shape and type; TypeError or ValueError otherwise."""
+    """Return `out` if values of this shape and dtype can be written into it; TypeError or ValueError otherwise."""
     if array("out", out).shape != shape:
         raise ValueError(f"out must have the shape {shape}, got {out.shape}")
     if out.dtype != dtype:
@@ -192,9 +193,9 @@ def place(out: Pixels, shape: tuple[int, ...], dtype: DType) -> Pixels:
 
 
 def output_type(dtype: DTypeLike | None, tol: float) -> DType:
-    """Return the dtype of values accurate to `tol`, float32 if it suffices; ValueError if `dtype` is too coarse."""
+    """Return `dtype`, or the coarsest dtype for values accurate to `tol`; ValueError if `dtype` is too coarse."""
     if dtype is None:
-        # float32 rounds by 2^-24 = 6e-8 of the peak, a small part of a tolerance of 1e-6.
+        # Rounding to float32 is an error of 2^-24 = 6e-8 of the peak, a small fraction of a tolerance of 1e-6.
         return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
     kind = validation.kind("dtype", dtype, np.float32, np.float64)
     if kind == np.float32 and tol < 2.0**-22:
@@ -203,7 +204,7 @@ def output_type(dtype: DTypeLike | None, tol: float) -> DType:
 
 
 def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
-    """Return the stack of pupils broadcast with the shape `places` of centres of windows."""
+    """Return the stack of pupils broadcast with `places`, the shape of an array of window centres."""
     try:
         return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
     except ValueError:
@@ -213,7 +214,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
 
 
 def checked_method(method: object, tol: float | None, integrate: object) -> tuple[Method | None, float]:
-    """Return the method (None if none is named) and the tolerance; TypeError or ValueError if they do not fit."""
+    """Return the method (None for the default) with the tolerance; TypeError or ValueError if arguments conflict."""
     if method is not None and not isinstance(method, Method):
         raise TypeError(
             f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"

@@ -1,4 +1,4 @@
-"""Images as a camera counted them: their values, and which of their pixels are known, saturated or left out."""
+"""Recorded images in counts of the camera, with masks of the usable, saturated and hidden pixels."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from lommel.base.arrays import Array, Index, Values
 from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 
-_BITS = (8, 10, 12, 14, 16)  # of cameras' converters, whose largest values are saturation
-_LEAST = 3  # pixels of the same largest value
-_COUNTS = 3.0  # standard deviation of the noise, in counts, above which equal values are rare
-_OFTEN = 2.0  # ratio to the number of pixels that noise puts just below
+_BITS = (8, 10, 12, 14, 16)  # bits of analogue-to-digital converters, whose largest values mean saturation
+_LEAST = 3  # smallest number of pixels with the largest value that is taken as saturation
+_COUNTS = 3.0  # standard deviation of the noise, counts, from which equal values are rare
+_OFTEN = 2.0  # ratio of pixels with the largest value to pixels just below it, above which it is saturation
 
 
 def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "pixels") -> tuple[float, str]:
-    """Return the value from which on pixels are saturated (infinity for none), and what was assumed, or "".
+    """Return the value from which on pixels are saturated (infinity for none), and a note on an assumption, or "".
 
-    It is the one that was stated; else the largest of the integer type; or of a camera of 8, 10, 12, 14 or 16 bits,
-    where it is the largest value of all `planes` and more pixels have it than noise explains.
+    The value is `stated`, if given. Otherwise it is the full scale of a camera of 8, 10, 12, 14 or 16 bits if that is
+    the largest value of all `planes` and more pixels have it than noise explains; else that of the integer type.
     """
     if stated is not None:
         return validation.real("saturation", stated, infinite=True), ""
@@ -35,12 +35,12 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
         top = max((float(np.fmax.reduce(plane, axis=None)) for plane in planes if plane.size), default=math.nan)
         if top + 1.0 not in [2.0**bits for bits in _BITS] or top >= most:
             return most, ""
-        # Noise of the largest value: at most sqrt(top) counts for an electron a count or more.
-        spread = max(math.sqrt(top), _COUNTS)  # at most that of a camera that counts each electron, or several
+        # Upper bound on the noise at the largest value: sqrt(top) counts for one electron or more per count.
+        spread = max(math.sqrt(top), _COUNTS)
         least = min(float(np.fmin.reduce(plane, axis=None)) for plane in planes if plane.size)
         count = sum(int((plane == top).sum()) for plane in planes)
         near = sum(int(((plane < top) & (plane >= top - spread)).sum()) for plane in planes)
-    # A uniform image has a single value, not a saturated one.
+    # An image whose values are all equal within the noise is uniform, not saturated.
     if count < _LEAST or count <= _OFTEN * near or top - least <= spread:
         return most, ""
     return top, (
@@ -50,47 +50,47 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
 
 
 def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[float, int]:
-    """Return the largest valid value and how many pixels have it, if noise does not explain so many; else (nan, 0).
+    """Return the largest valid value and its number of pixels, if noise does not explain so many; else (nan, 0).
 
-    Without saturation, pixels are at least as frequent in the range of the noise below the largest value as at it.
+    Without saturation at least as many pixels are within one standard deviation below the largest value as have it.
     """
-    seen = values[valid]
-    if seen.size == 0:
+    valid_values = values[valid]
+    if valid_values.size == 0:
         return np.nan, 0
-    top = float(seen.max())
-    count = int((seen == top).sum())
+    top = float(valid_values.max())
+    count = int((valid_values == top).sum())
     if count < _LEAST:
         return np.nan, 0
     noise = noise.poisson
     gain = 1.0 if noise.white is None else noise.white
     white, read, offset = (float(np.median(part)) for part in (gain, noise.read, noise.offset))
     spread = float(np.sqrt(max((top - offset) * white, 0.0) + read**2)) / white
-    # Where noise is hardly more than a count, many pixels have the same one.
-    if spread < _COUNTS and bool((seen == np.rint(seen)).all()):
+    # Integers with a noise of a few counts are often equal without saturation.
+    if spread < _COUNTS and bool((valid_values == np.rint(valid_values)).all()):
         return np.nan, 0
-    near = int(((seen < top) & (seen >= top - spread)).sum())
+    near = int(((valid_values < top) & (valid_values >= top - spread)).sum())
     return (top, count) if count > _OFTEN * near else (np.nan, 0)
 
 
-_LARGEST = 1e15  # largest value: far above every camera's, and products of a few still fit in float32
+_LARGEST = 1e15  # largest accepted value, counts: far above any camera's, and its square fits in float32
 
 
 @dataclass(frozen=True, eq=False)
 class Counts:
-    """Recorded images and what is known of each pixel.
+    """Recorded images with masks of hidden and saturated pixels.
 
     Attributes
     ----------
     values : ndarray, shape (..., height, width)
-        In the unit of the camera and of the type that was stored.
-    hidden : ndarray of bool, of the same shape
-        Pixels that are not to be used: NaN, infinite, or masked.
-    full : ndarray of bool, of the same shape
-        Others that are saturated.
+        Values in counts of the camera, of the type that was stored.
+    hidden : ndarray of bool, shape (..., height, width)
+        Pixels that are ignored: NaN, infinite, or masked.
+    full : ndarray of bool, shape (..., height, width)
+        Saturated pixels that are not hidden.
     saturation : float
-        Value from which on pixels are full; infinity for none.
+        Value from which on pixels are saturated; infinity for none.
     assumed : str
-        What was assumed of saturation, or "".
+        Note on an assumed saturation, or "".
     """
 
     values: Values
@@ -111,22 +111,24 @@ class Counts:
         saturation: float | None = None,
         empty: bool = False,
     ) -> Self:
-        """Return the counts of an argument: arrays, containers with a mask, or several in a list.
+        """Return the counts of an argument: an array, a container with a mask, or a list of these.
 
         Parameters
         ----------
         name : str
-            Of the argument, in messages.
+            Name of the argument in messages.
         images : array_like or container
-            Integers or floats; masks of NumPy's and astropy's containers are honoured.
+            Integers or floats; the masks of NumPy's and astropy's containers apply.
         sides : tuple of int
-            Numbers of axes that it may have, `shape` in words.
+            Allowed numbers of axes.
+        shape : str
+            Allowed shapes in words, for messages.
         mask : array_like of bool, optional
-            True for pixels that are not to be used, of the shape of `images`, of one stack or of one image of them.
+            True for pixels to ignore; its shape is that of `images`, or of their last two or more axes.
         saturation : float, optional
-            Value from which on pixels are full; by default see :func:`lommel.recorded.counts.full_value`.
+            Value from which on pixels are saturated; by default see :func:`lommel.recorded.counts.full_value`.
         empty : bool, default False
-            Whether there may be no image at all.
+            Whether an array without images is allowed.
 
         Raises
         ------
@@ -157,19 +159,19 @@ class Counts:
 
     @property
     def known(self) -> NDArray[np.bool_]:
-        """Pixels that are neither hidden nor full."""
+        """Usable pixels: neither hidden nor saturated."""
         return ~(self.hidden | self.full)
 
     def filled(self) -> Array:
-        """Return the values as float64, 0 where a pixel is not known."""
+        """Return the values as float64, 0 at pixels that are hidden or saturated."""
         return np.where(self.known, self.values, 0.0).astype(np.float64, copy=False)
 
     def require_known(self, name: str, least: float = 0.0) -> Self:
-        """Return it; ValueError if an image has no pixel that is known, or less than this share of them."""
-        shares = self.known.mean(axis=(-2, -1))
-        few = np.argwhere((shares == 0.0) | (shares < least))
-        if len(few):
-            at = few[0].tolist()
+        """Return self; ValueError if an image has no known pixels, or a fraction of them below `least`."""
+        fractions = self.known.mean(axis=(-2, -1))
+        too_few = np.argwhere((fractions == 0.0) | (fractions < least))
+        if len(too_few):
+            at = too_few[0].tolist()
             count = int(self.known[*at].sum())
             raise ValueError(
                 f"{name}{at or ''} must have pixels that are neither masked, saturated nor NaN, got {count or 'none'}"
@@ -177,43 +179,43 @@ class Counts:
         return self
 
     def marked(self) -> Values:
-        """Return the values as stored if all are known, else as floats, NaN where they are not."""
+        """Return the values as stored if all pixels are known, else as floats with NaN at the other pixels."""
         if not (self.hidden.any() or self.full.any()):
             return self.values
-        # float32 holds every integer of 16 bits.
+        # float32 represents all 16-bit integers exactly.
         kind = np.float32 if self.values.dtype.itemsize <= 2 or self.values.dtype == np.float32 else np.float64
         return np.where(self.known, self.values, kind(np.nan)).astype(kind, copy=False)
 
     def require_light(self, name: str, what: str) -> None:
-        """Raise ValueError if the known pixels of an image are all equal."""
+        """Raise ValueError if the known pixels of an image are all equal; `what` names the expected content."""
         values, known = (part.reshape(-1, *self.values.shape[-2:]) for part in (self.values, self.known))
-        for place, image, good in zip(np.ndindex(*self.values.shape[:-2]), values, known, strict=True):
-            if np.ptp(image[good]) == 0:
-                where = f"{name}{list(place) or ''}"
-                raise ValueError(f"{where} must show {what}, got the value {image[good][0]:g} everywhere")
+        for index, image, is_known in zip(np.ndindex(*self.values.shape[:-2]), values, known, strict=True):
+            if np.ptp(image[is_known]) == 0:
+                where = f"{name}{list(index) or ''}"
+                raise ValueError(f"{where} must show {what}, got the value {image[is_known][0]:g} everywhere")
 
     def __getitem__(self, at: Index) -> Counts:
-        """Return some of the images, by the axes before the last two."""
+        """Return some of the images, by indices along the axes before the last two."""
         return Counts(self.values[at], self.hidden[at], self.full[at], self.saturation, self.assumed)
 
 
 def recording_findings(images: Sequence[Counts], noise: Noise, name: str) -> list[Finding]:
-    """Return findings on the pixels that are left out, and on those that may be saturated."""
-    every = sum(each.values.size for each in images)
-    count = every - sum(int(each.known.sum()) for each in images)
-    found = []
+    """Return findings on pixels that are ignored, and on pixels that may be saturated."""
+    total = sum(each.values.size for each in images)
+    count = total - sum(int(each.known.sum()) for each in images)
+    findings = []
     if count:
-        text = f"{count} of {every} pixels left out (masked, saturated or NaN)"
-        found.append(Finding("left_out", "note", text, {"pixels": count, "of": every}))
+        text = f"{count} of {total} pixels left out (masked, saturated or NaN)"
+        findings.append(Finding("left_out", "note", text, {"pixels": count, "of": total}))
     assumed = dict.fromkeys(each.assumed for each in images if each.assumed)
-    found += [Finding("saturation_assumed", "note", words) for words in assumed]
-    if told := flat_tops(images, noise, name):
-        found.append(Finding("flat_top", "note", told))
-    return found
+    findings += [Finding("saturation_assumed", "note", text) for text in assumed]
+    if remark := flat_tops(images, noise, name):
+        findings.append(Finding("flat_top", "note", remark))
+    return findings
 
 
 def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
-    """Return a remark on the first image with a flat top, which may be saturation; or ""."""
+    """Return a remark on the first image that may be saturated (see :func:`flat_top`), or ""."""
     for k, each in enumerate(images):
         top, equal = flat_top(each.values, each.known, noise)
         if equal:
@@ -226,19 +228,19 @@ def flat_tops(images: Sequence[Counts], noise: Noise, name: str) -> str:
 
 
 PlanePart = int | tuple[int, *tuple[slice, ...]]
-"""A plane of a stack, or rows and columns of one."""
+"""Index of a plane of a stack, or of a plane and slices of its rows and columns."""
 
 
 class Stack(Protocol):
-    """Planes of one size, each read on its own: an array, or a recording that stays in its file."""
+    """Planes of equal size, read one by one: an array, or a recording in a file."""
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Planes, rows and columns."""
+        """Numbers of planes, rows and columns."""
 
     @property
     def dtype(self) -> np.dtype[Any]:
-        """The type of the values as they are stored."""
+        """Type of the stored values."""
 
     def __len__(self) -> int: ...
 
@@ -246,7 +248,7 @@ class Stack(Protocol):
 
 
 def plane_of(stack: Stack, number: int) -> Values:
-    """Return a plane of a stack, infinities as NaN; ValueError where values are too large to be squared."""
+    """Return a plane of a stack, infinities as NaN; ValueError if a value is too large to be squared in float32."""
     values = validation.array("stack", stack[number])
     if values.dtype.kind != "f":
         return values
@@ -257,10 +259,10 @@ def plane_of(stack: Stack, number: int) -> Values:
 
 
 def _require_within(name: str, values: Values) -> None:
-    """Raise ValueError if a finite value is too large to be squared in single precision."""
+    """Raise ValueError if a finite value is too large to be squared in float32."""
     if values.dtype.kind != "f":
         return
-    far = np.abs(values, where=np.isfinite(values), out=np.zeros_like(values))
-    if not far.max(initial=0.0) < _LARGEST:
-        got = values.flat[int(far.argmax())]
+    sizes = np.abs(values, where=np.isfinite(values), out=np.zeros_like(values))
+    if not sizes.max(initial=0.0) < _LARGEST:
+        got = values.flat[int(sizes.argmax())]
         raise ValueError(f"{name} must be within {_LARGEST:g}, or NaN where a value is unknown, got {got:g}")

@@ -1,9 +1,9 @@
-"""Images of a file or an array, read when they are asked for, by several threads at once, with what is said of them.
+"""Images of files and arrays, read on demand, also by several threads at the same time, with their metadata.
 
 Files are TIFF (plain, ImageJ, OME-TIFF, also of several files), folders of OME-Zarr, FITS, NPY and PNG.
 
-What files of images say of their recording: lengths with units, channels, objective, camera.
-A look-up has three outcomes: nothing is stated, a value is, or something is stated that cannot be used.
+Metadata describe the recording: voxel sizes, channels, objective, camera. Each entry is absent (None), a value, or
+:class:`Unusable`.
 """
 
 from __future__ import annotations
@@ -38,78 +38,78 @@ _PREFIXES = {
     "centi": ("c", -2), "milli": ("m", -3), "micro": ("µ", -6), "nano": ("n", -9), "pico": ("p", -12),
     "femto": ("f", -15), "atto": ("a", -18), "zepto": ("z", -21), "yocto": ("y", -24),
 }  # fmt: skip
-_OTHERS = {
+_OTHER_UNITS = {
     "um": 1e-6, "\u03bcm": 1e-6, "\\u00B5m": 1e-6, "micron": 1e-6, "microns": 1e-6, "Å": 1e-10, "\u212b": 1e-10,
     "angstrom": 1e-10, "thou": 2.54e-5, "li": 2.54e-2 / 12, "in": 2.54e-2, "inch": 2.54e-2, "inches": 2.54e-2,
     "ft": 0.3048, "foot": 0.3048, "yd": 0.9144, "yard": 0.9144, "mi": 1609.344, "mile": 1609.344, "pt": 2.54e-2 / 72,
     "ua": 149597870700.0, "ly": 9460730472580800.0, "pc": 3.0856775814913674e16, "parsec": 3.0856775814913674e16,
 }  # fmt: skip
-# Those of the OME schema (UnitsLength), of OME-Zarr and of ImageJ, metres; "Mm" is not "mm".
-_UNITS = _OTHERS | {
+# Units of length in the OME schema (UnitsLength), in OME-Zarr and in ImageJ, in metres; "Mm" is not "mm".
+_UNITS = _OTHER_UNITS | {
     name: float(f"1e{power}")
     for prefix, (letter, power) in _PREFIXES.items()
     for name in (f"{letter}m", *(f"{prefix}{metre}{s}" for metre in ("meter", "metre") for s in ("", "s")))
 }
-# Cards of FITS headers, each with all names that are common.
+# Names of FITS header cards in common use.
 _GAIN, _READ, _FULL = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "SATLEVEL")
 _MULTIPLIED = ("EMGAIN", "EMREALGN", "EMREALGAIN")
-EXCESS = 2.0  # excess of variance over Poisson's of an electron-multiplying register
-_NAMED = {
+EXCESS = 2.0  # variance of an electron-multiplying register, divided by that of a Poisson variable of the same mean
+_IGNORED_CARDS = {
     "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass those of one",
     "PEDESTAL": "which was not subtracted: state it by the offset",
 }
-_UNSURE = "GAIN"  # electrons per count at observatories, but a setting of amateurs' cameras
+_AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
 
 
 @dataclass(frozen=True)
 class Unusable:
-    """A statement of a file that cannot be used, in its words; it differs from an unknown one."""
+    """A metadata value that cannot be used, such as a length without unit, in the words of the file."""
 
     words: str
 
 
 Found = Json
-"""What a file says, by name; values are numbers, Unusable, or absent."""
+"""Metadata of a file by name: numbers, :class:`Unusable`, or None."""
 
 
 def length(value: str | float | None, unit: object, default: str = "") -> float | Unusable | None:
-    """Return a length in metres, Unusable with the file's words, or None where it states nothing."""
+    """Return a length in metres, Unusable with the words of the file, or None if the file states none."""
     if value is None or value == "":
         return None
-    named = str(unit or default).strip()
-    words = validation.brief(f"{value} {named}".strip(), 60)
+    unit_name = str(unit or default).strip()
+    words = validation.brief(f"{value} {unit_name}".strip(), 60)
     try:
         size = abs(float(value))
     except (TypeError, ValueError):
         return Unusable(words)
-    if size == 1.0 and named in ("", "pixel", "pixels"):  # what is written of no scale
+    if size == 1.0 and unit_name in ("", "pixel", "pixels"):  # written by programs for an unknown scale
         return None
-    # Short names keep their case ("Mm" is not "mm"); long ones are written either way.
-    scale = _UNITS.get(named) or (_UNITS.get(named.lower()) if len(named) > 3 else None)
-    if not named:
+    # Short names of units are case-sensitive ("Mm" is not "mm"); long names are not.
+    scale = _UNITS.get(unit_name) or (_UNITS.get(unit_name.lower()) if len(unit_name) > 3 else None)
+    if not unit_name:
         words += " without a unit"
     return size * scale if scale and math.isfinite(size) and size > 0.0 else Unusable(words)
 
 
 def number(value: str | float | None, *, least: float = 0.0) -> float | Unusable | None:
-    """Return a number above `least`, Unusable with the file's words, or None where it states nothing."""
+    """Return a number above `least`, Unusable with the words of the file, or None if the file states none."""
     if value is None or value == "":
         return None
     try:
-        found = float(value)
+        parsed = float(value)
     except (TypeError, ValueError):
-        found = math.nan
-    return found if math.isfinite(found) and found > least else Unusable(validation.brief(str(value), 60))
+        parsed = math.nan
+    return parsed if math.isfinite(parsed) and parsed > least else Unusable(validation.brief(str(value), 60))
 
 
 def of_ome(file: TiffFile, place: int) -> Found:
-    """Return the statements of the OME-XML of a TIFF file on an image."""
+    """Return the metadata of an image in the OME-XML of a TIFF file."""
     try:
         root = reading.xml(file.ome_metadata or "")
     except ValueError:
         return {}
     images = [(one, pixels) for one in root.findall("{*}Image") if (pixels := one.find("{*}Pixels")) is not None]
-    if len(images) != len(file.series):  # tifffile leaves out those without pixels
+    if len(images) != len(file.series):  # tifffile leaves out images without pixels: find the image by its name
         images = [one for one in images if one[0].get("Name") == file.series[place].name][:1] * (place + 1)
     if not images:
         return {}
@@ -141,21 +141,21 @@ def of_ome(file: TiffFile, place: int) -> Found:
 
 
 def of_imagej(file: TiffFile) -> Found:
-    """Return the statements of ImageJ in a TIFF file."""
-    said, page = file.imagej_metadata or {}, file.pages.first
-    unit = said.get("unit")  # of the others, too, unless they have their own
-    found: Found = {"step": length(said.get("spacing"), said.get("zunit", unit))}
-    for key, tag, own in (("pixel", "XResolution", unit), ("down", "YResolution", said.get("yunit", unit))):
+    """Return the ImageJ metadata of a TIFF file."""
+    metadata, page = file.imagej_metadata or {}, file.pages.first
+    unit = metadata.get("unit")  # unit of x, and of y and z unless these have their own
+    found: Found = {"step": length(metadata.get("spacing"), metadata.get("zunit", unit))}
+    for key, tag, axis_unit in (("pixel", "XResolution", unit), ("down", "YResolution", metadata.get("yunit", unit))):
         value = page.tags.get(tag)
-        if value is not None and own:  # without a unit it is the resolution in print
+        if value is not None and axis_unit:  # without a unit the tag is the resolution in print
             # TIFF states pixels per unit of length as a fraction.
             pixels, units = value.value
-            found[key] = length(units / pixels if pixels else 0.0, own)
+            found[key] = length(units / pixels if pixels else 0.0, axis_unit)
     return found
 
 
 def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]) -> Found:
-    """Return the statements of an OME-Zarr's attributes; voxel sides and their units are by the letter of an axis."""
+    """Return the metadata of an OME-Zarr from its attributes `said`, and `scale` and `units` by axis letter."""
     sides = {letter: length(value, units.get(letter)) for letter, value in scale.items()}
     found: Found = {"pixel": sides.get("X"), "down": sides.get("Y"), "step": sides.get("Z")}
     listed = said.get("omero") or {}
@@ -167,12 +167,12 @@ def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[
 
 
 def of_fits(header: fits_images.Cards) -> Found:
-    """Return the statements of a FITS header on the camera: electrons per count, read noise, saturation."""
+    """Return the metadata of the camera in a FITS header: electrons per count, read noise, saturation."""
 
     def first(names: tuple[str, ...], least: float = 0.0) -> float | Unusable | None:
         return next((number(header[name], least=least) for name in names if name in header), None)
 
-    # A read noise of 0 is a statement, too.
+    # A read noise of 0 is a valid value, unlike a gain of 0.
     found: Found = {"gain": first(_GAIN), "read": first(_READ, -1e-300), "saturation": first(_FULL)}
     if isinstance(times := first(_MULTIPLIED), float) and times > 1.0:
         found |= {"excess": EXCESS, "em_gain": times}
@@ -181,19 +181,22 @@ def of_fits(header: fits_images.Cards) -> Found:
         found["gain"] = 1.0
     elif "electron" in unit.lower():
         found["gain"] = Unusable(f"in {validation.brief(unit, 60)}, not in electrons")
-    elif found["gain"] is None and header.get(_UNSURE) not in (None, ""):
-        found["unsure"] = f"{_UNSURE} = {validation.brief(str(header[_UNSURE]), 60)}"
+    elif found["gain"] is None and header.get(_AMBIGUOUS_GAIN) not in (None, ""):
+        found["unsure"] = f"{_AMBIGUOUS_GAIN} = {validation.brief(str(header[_AMBIGUOUS_GAIN]), 60)}"
     return found
 
 
 def fits_notes(header: Mapping[str, object]) -> list[str]:
-    """Return the statements of a FITS header that are not taken into account, in sentences."""
-    said = {name: validation.brief(str(header[name]), 60) for name in _NAMED if header.get(name) not in (None, "", 0)}
-    return [f"The header of the images states {name} = {value}, {_NAMED[name]}." for name, value in said.items()]
+    """Return a sentence on each card of a FITS header that matters but is not applied."""
+    cards = [name for name in _IGNORED_CARDS if header.get(name) not in (None, "", 0)]
+    return [
+        f"The header of the images states {name} = {validation.brief(str(header[name]), 60)}, {_IGNORED_CARDS[name]}."
+        for name in cards
+    ]
 
 
 def of_all(said: Sequence[Found]) -> Found:
-    """Return the statements of several files on their camera; contradictory ones are unusable."""
+    """Return the camera metadata of several files; values that differ between files are :class:`Unusable`."""
     found = dict(said[0])
     for key in ("gain", "read", "saturation", "excess"):
         values = [each.get(key) for each in said]
@@ -208,61 +211,65 @@ def of_all(said: Sequence[Found]) -> Found:
 
 __all__ = ["Frames", "RecordingError", "open_frames"]
 
-_JSON = 2**24  # largest size of a parsed description, bytes
+_MAX_JSON = 2**24  # largest size of a JSON file that is parsed, bytes
 _DESCRIPTIONS = ("zarr.json", ".zattrs", ".zgroup", ".zarray", ".zmetadata")
 _NUMPY = b"\x93NUMPY"
-_CHANNELS = 4096  # largest number of channels of an OME-Zarr
+_MAX_CHANNELS = 4096  # largest number of channels of an OME-Zarr
 _PART = re.compile(r"(?P<file>.+\.(?:fits?(?:\.gz|\.bz2)?|tiff?))\[(?P<part>[^\[\]]+)\]", re.IGNORECASE)
 UNKNOWN = "Q"
-"""Letter of an axis of which the file does not say what it is."""
+"""Letter of an axis whose meaning the file does not state."""
 
 
 class RecordingError(ValueError):
-    """A file that cannot be read as images; the message names it and says what to do."""
+    """Error for a file that cannot be read as images; the message names the file."""
 
 
 class Planes(Protocol):
-    """Images of one size, each read on its own."""
+    """Images of equal size, read one by one."""
 
     sides: tuple[int, int]
     dtype: np.dtype[np.generic]
 
     @property
     def stored(self) -> int:
-        """Bytes of the files that hold them, which bound the memory that they may take."""
+        """Size of the files of the images, bytes, which limits the memory for reading them."""
 
     def plane(self, number: int) -> Values:
-        """Return one image, of this type and with these sides."""
+        """Return one image, of type `dtype` and shape `sides`."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Frames:
-    """Images along named axes, which stay where they are until they are read.
+    """Images along named axes, read on demand by indices and slices along all axes, or by NumPy and dask.
 
-    Made by :func:`open_frames`. Indices and slices along all axes, and NumPy and dask, read them.
+    :func:`open_frames` returns them.
 
     Attributes
     ----------
     axes : str
-        A letter for each axis: T, C, Z, Q for one that is unknown, and YX at the end.
-    planes, numbers, closed
-        What reads images one by one, their numbers along the axes before YX, and what closes the file.
+        A letter for each axis: T, C, Z, or Q if unknown, and YX at the end.
+    planes : Planes
+        Reader of single images.
+    numbers : ndarray of int
+        Numbers of the images in `planes`, along the axes before YX.
+    closed : callable or None
+        Function that closes the file.
     shape : tuple of int
     dtype : dtype
-        As stored, in the byte order of this machine.
+        Type of the stored values, in the byte order of this machine.
     said : dict
-        What the file says, by name: "pixel", "step", "emission", "gain" and others, in metres and electrons.
+        Metadata by name: "pixel", "step", "emission", "gain" and others, in metres and electrons.
     by : str
-        Who says so: "OME", "ImageJ", "OME-Zarr", "FITS", or "".
+        Source of the metadata: "OME", "ImageJ", "OME-Zarr", "FITS", or "".
     path : Path or None
     notes : tuple of str
-        What was chosen and what was left out, in sentences.
+        Sentences on the image that was chosen and on data that were left out.
     left_out : str
         Pages that the description of the file does not count, in words, or "".
     """
 
     planes: Planes
-    numbers: NDArray[np.intp]  # of planes along the axes before the last two
+    numbers: NDArray[np.intp]
     axes: str
     said: Found = field(default_factory=dict)
     by: str = ""
@@ -321,12 +328,12 @@ class Frames:
             self.closed()
 
     def along(self, order: str) -> Frames:
-        """Return the images with these axes.
+        """Return the images with their axes in a given order.
 
         Parameters
         ----------
         order : str
-            Letters that end in YX; an axis that it lacks has one image.
+            Letters of axes, which end in YX; axes that the images lack are added with length 1.
 
         Returns
         -------
@@ -339,12 +346,14 @@ class Frames:
         return replace(self, numbers=numbers.transpose([axes.index(letter) for letter in order[:-2]]), axes=order)
 
     def one_of(self, letter: str, place: int) -> Frames:
-        """Return the images at one place of an axis.
+        """Return the images at one index of an axis.
 
         Parameters
         ----------
         letter : str
+            Letter of the axis.
         place : int
+            Index along the axis.
 
         Returns
         -------
@@ -355,7 +364,7 @@ class Frames:
         return replace(self, numbers=numbers, axes=self.axes.replace(letter, ""))
 
     def as_stack(self) -> Frames:
-        """Return the images along their only axis.
+        """Return the images as a stack along one axis.
 
         Returns
         -------
@@ -364,7 +373,7 @@ class Frames:
         Raises
         ------
         RecordingError
-            If they have several.
+            If several axes before YX are longer than 1.
         """
         if sum(side > 1 for side in self.numbers.shape) > 1:
             sizes = " x ".join(map(str, self.shape))
@@ -377,36 +386,36 @@ class Frames:
 
     @property
     def files(self) -> set[str]:
-        """The files of an OME-TIFF of several; none otherwise."""
-        return self.planes.files if isinstance(self.planes, _Pages) else set()
+        """Paths of the files of a multi-file OME-TIFF; empty otherwise."""
+        return self.planes.files if isinstance(self.planes, _TiffPlanes) else set()
 
     @property
     def name(self) -> str:
-        """Name in messages."""
+        """Name of the images in messages."""
         return "the array" if self.path is None else line(self.path)
 
 
-class Held(Protocol):
-    """An array of any package that NumPy can read parts of."""
+class ArrayLikeImages(Protocol):
+    """Array of any package from which NumPy can read parts."""
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Its sides."""
+        """Lengths of the axes."""
 
     @property
     def dtype(self) -> DTypeLike:
-        """The type of its values."""
+        """Type of the values."""
 
     def __getitem__(self, at: Any, /) -> ArrayLike:
         """Return a part."""
 
 
-class _Held:
-    """Images of an array of any package whose parts NumPy can read."""
+class _ArrayPlanes:
+    """Images in an array of any package from which NumPy can read parts."""
 
-    stored = 2**62  # it is in memory, or mapped
+    stored = 2**62  # bytes: no limit, as the array is in memory or mapped
 
-    def __init__(self, values: Held, name: str) -> None:
+    def __init__(self, values: ArrayLikeImages, name: str) -> None:
         self._values, self._name = values, name
         self._lead = tuple(values.shape[:-2])
         self.sides: tuple[int, int] = (int(values.shape[-2]), int(values.shape[-1]))
@@ -415,27 +424,27 @@ class _Held:
     def plane(self, number: int) -> Values:
         """Return one image."""
         at = tuple(int(k) for k in np.unravel_index(number, self._lead)) if self._lead else ...
-        found = validation.array(self._name, self._values[at])  # of dask, masked or not is known now
-        return found.astype(self.dtype, copy=not isinstance(self._values, np.ndarray))
+        values = validation.array(self._name, self._values[at])  # refuses masks, which dask shows only here
+        return values.astype(self.dtype, copy=not isinstance(self._values, np.ndarray))
 
 
-class _Pages:
-    """Pages of a TIFF file."""
+class _TiffPlanes:
+    """Images in the pages of a TIFF file."""
 
     def __init__(self, path: Path, series: TiffPageSeries) -> None:
         self._path, self._pages, self._several = path, series.pages, series.is_multifile
         self.sides: tuple[int, int] = (series.shape[-2], series.shape[-1])
         self.dtype = np.dtype(series.dtype).newbyteorder("=")
-        self._lock = threading.Lock()  # pages share a handle
+        self._lock = threading.Lock()  # pages share one file handle
 
     @property
     def stored(self) -> int:
-        """Bytes of the file, or of all those of an OME-TIFF."""
+        """Size of the file, or of all files of an OME-TIFF, bytes."""
         return sum(int(handle.size) for handle in self._handles())
 
     @property
     def files(self) -> set[str]:
-        """The files, where there are several."""
+        """Paths of the files if there are several, else empty."""
         found = {str(handle.path) for handle in self._handles()} if self._several else set()
         return found if len(found) > 1 else set()
 
@@ -444,15 +453,15 @@ class _Pages:
 
     def plane(self, number: int) -> Values:
         """Return one image."""
-        with told_of(self._path, f"page {number}: "), self._lock:
+        with errors_of(self._path, f"page {number}: "), self._lock:
             page = self._pages[number]
             if page is None:
                 raise ValueError("it is missing: the file is cut off, or others of its OME-TIFF are not beside it")
             return reading.tiff_values(page, self.sides, self.dtype)
 
 
-class _Chunked:
-    """Images in a Zarr array; chunks are read once for an image and its neighbours in them."""
+class _ZarrPlanes:
+    """Images in a Zarr array; a chunk of several images is read once and kept for the following images."""
 
     def __init__(self, path: Path, array: Any) -> None:
         self._path, self._array = path, array
@@ -461,18 +470,18 @@ class _Chunked:
         self.dtype = np.dtype(array.dtype).newbyteorder("=")
         reading.pixels(*self.sides[::-1])
         self.chunks = zarr_folders.Chunks(path, array)
-        self._deep: int = array.chunks[-3] if self._lead else 1  # images along the last axis that are read at once
+        self._deep: int = array.chunks[-3] if self._lead else 1  # number of images per block that is read
         self._block: tuple[int, Values] | None = None
         self._lock = threading.Lock()
 
     @property
     def stored(self) -> int:
-        """Bytes of all chunks."""
+        """Size of all chunks, bytes."""
         return self.chunks.check([range(side) for side in self._array.shape])[1]
 
     def plane(self, number: int) -> Values:
         """Return one image."""
-        with told_of(self._path, f"plane {number}: "), self._lock:  # each chunk is read once
+        with errors_of(self._path, f"plane {number}: "), self._lock:  # each chunk is read once
             return self._read(number)
 
     def _read(self, number: int) -> Values:
@@ -487,7 +496,7 @@ class _Chunked:
                 ends.append(range(first, min(first + self._deep, self._lead[-1])))
             places = [*ends, *map(range, self.sides)]
             memory, held = self.chunks.check(places)
-            # Chunks of many images may not fit into memory: then one image at a time, its chunks read again for each.
+            # If a block does not fit into memory, read one image at a time, and its chunks again for each image.
             if self._deep > 1 and not reading.affords(memory, held):
                 self._deep = 1
                 return self._read(number)
@@ -503,12 +512,13 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
     Parameters
     ----------
     path : path, array_like or Frames
-        A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content; of several
-        images in a file ``file.fits[SCI]`` or ``file.tif[1]`` is one. Or an array of NumPy, dask, Zarr or xarray.
+        A TIFF, FITS, NPY or PNG file or a folder of OME-Zarr (0.4 or 0.5), recognized by its content;
+        ``file.fits[SCI]`` or ``file.tif[1]`` selects one of several images in a file. Or an array of NumPy, dask,
+        Zarr or xarray.
     image : int, optional
-        Which image of a TIFF file that holds several, from 0; by default of OME-TIFF that of the most values.
+        Number, from 0, of the image in a TIFF file with several; by default, in OME-TIFF, the one with most values.
     name : str, default "images"
-        Of an array, in messages.
+        Name of an array in messages.
 
     Returns
     -------
@@ -517,8 +527,8 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
     Raises
     ------
     RecordingError
-        If the file is damaged, larger than its size allows, holds colours (RGB), or several images of which none is
-        named.
+        If the file is damaged, too large when decompressed, holds colours (RGB), or holds several images and none is
+        selected.
     TypeError, ValueError
         If an argument is out of range.
     OSError, ImportError
@@ -528,18 +538,18 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
         return path
     if not isinstance(path, str | PathLike):
         held = hasattr(path, "shape") and hasattr(path, "dtype")
-        values = cast(Held, path) if held else validation.array(name, path)
+        values = cast(ArrayLikeImages, path) if held else validation.array(name, path)
         validation.refuse_masked(name, values)
         return _of_array(values, name)
     given, part = part_of(path)
     where = validation.path("path", given)
     if where.is_dir():
-        with told_of(where):
+        with errors_of(where):
             return _zarr(where)
     start = reading.start(where, 16)
     photos.require_developed(where, start)
     if start.startswith(_NUMPY):
-        with told_of(where):
+        with errors_of(where):
             return replace(_of_array(_grey(reading.npy_mapped(where)), "it"), path=where)
     if start.startswith(photos.TIFF):
         if part is not None:
@@ -547,19 +557,19 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
                 raise ValueError(f"{line(where)} has images by number, as in {where.name}[0], got {shown(part)}")
             image = int(part)
         return _tiff(where, image)
-    with told_of(where):
+    with errors_of(where):
         return _whole(where, part)
 
 
 def part_of(path: str | PathLike[str]) -> tuple[str | PathLike[str], str | None]:
-    """Return the path of a file, and the name or number of an image in it where it ends in one, as file.fits[SCI]."""
-    found = _PART.fullmatch(str(path)) if not Path(path).exists() else None
-    return (found["file"], found["part"]) if found else (path, None)
+    """Split file.fits[SCI] into the path of the file and the name or number of an image; None without one."""
+    match = _PART.fullmatch(str(path)) if not Path(path).exists() else None
+    return (match["file"], match["part"]) if match else (path, None)
 
 
 @contextmanager
-def told_of(path: Path, part: str = "") -> Iterator[None]:
-    """Turn errors of libraries, of any kind, into a sentence that names the file."""
+def errors_of(path: Path, part: str = "") -> Iterator[None]:
+    """Convert errors of libraries, of any type, to a RecordingError that names the file and the part."""
     try:
         with reading.quietly():
             yield
@@ -571,7 +581,7 @@ def told_of(path: Path, part: str = "") -> Iterator[None]:
         raise RecordingError(f"{line(path)}: {part}{reading.reason(error)}") from None
 
 
-def _of_array(values: Held, name: str) -> Frames:
+def _of_array(values: ArrayLikeImages, name: str) -> Frames:
     """Return the images of an array, whose axes are unknown."""
     sides = tuple(int(side) for side in values.shape)
     require_numbers(name, values.dtype)
@@ -579,17 +589,17 @@ def _of_array(values: Held, name: str) -> Frames:
         raise ValueError(f"{name} must have images of one pixel or more, (..., height, width), got the shape {sides}")
     lead = sides[:-2]
     numbers = np.arange(math.prod(lead)).reshape(lead)
-    return Frames(_Held(values, name), numbers, f"{UNKNOWN * len(lead)}YX")
+    return Frames(_ArrayPlanes(values, name), numbers, f"{UNKNOWN * len(lead)}YX")
 
 
 def require_numbers(name: str, dtype: DTypeLike) -> None:
-    """Raise TypeError if values are no real numbers."""
+    """Raise TypeError if `dtype` is not one of real numbers."""
     if np.dtype(dtype).kind not in "iufb":
         raise TypeError(f"{name} must hold real numbers, got {np.dtype(dtype)}")
 
 
 def _whole(path: Path, part: str | None) -> Frames:
-    """Return the images of a file that is read as a whole."""
+    """Return the images of a FITS or PNG file, which is read as a whole."""
     data = reading.contents(path)
     try:
         form = registry.identify("images", data)
@@ -601,13 +611,13 @@ def _whole(path: Path, part: str | None) -> Frames:
         )
         raise RecordingError(f"{line(path)} {what}") from None
     values, header = form.read(data, part)
-    made, notes = _of_array(_grey(values), "it"), tuple(fits_notes(header))
-    return replace(made, said=of_fits(header), by="FITS" if header else "", path=path, notes=notes)
+    frames, notes = _of_array(_grey(values), "it"), tuple(fits_notes(header))
+    return replace(frames, said=of_fits(header), by="FITS" if header else "", path=path, notes=notes)
 
 
 def _tiff(path: Path, image: int | None) -> Frames:
     optional.require("tifffile", "reading TIFF files needs", "images")
-    with told_of(path):
+    with errors_of(path):
         file, errors = reading.tiff_on_disk(path)
         try:
             if errors:
@@ -623,7 +633,7 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
     series, place = _series_of(path, file, image, notes)
     letters: str = series.axes
     page = series.keyframe
-    if "S" in letters and letters != "SYX":  # three images that some programs write as the planes of one
+    if "S" in letters and letters != "SYX":  # SYX: some programs write three grey images as the colours of one
         raise ValueError(
             f"it holds colours (RGB), {' x '.join(map(str, series.shape))} along {letters}; save each channel in grey"
         )
@@ -645,16 +655,16 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
         by, found = "OME", of_ome(file, place)
     elif file.is_imagej:
         by, found = "ImageJ", of_imagej(file)
-    planes = _Pages(path, series) if mapped is None else _Held(mapped, "it")
-    turned = page.tags.get("Orientation")
-    if turned is not None and turned.value != 1:
-        notes.append(f"The file states the orientation {turned.value}, which was not applied.")
+    planes = _TiffPlanes(path, series) if mapped is None else _ArrayPlanes(mapped, "it")
+    orientation = page.tags.get("Orientation")
+    if orientation is not None and orientation.value != 1:
+        notes.append(f"The file states the orientation {orientation.value}, which was not applied.")
     left = reading.tiff_left_out(file)
     if left:
         notes.append(f"The file holds {left}; the others were left out.")
     axes = "".join(letter for letter, _ in sizes) + "YX"
     numbers = np.arange(count).reshape(lead)
-    if mapped is not None:  # what is mapped needs no open file
+    if mapped is not None:  # the mapping remains valid after the file is closed
         file.close()
     return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
 
@@ -663,7 +673,7 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
     """Return the series of a file to read, by default the largest, and its number."""
     every: Sequence[Any] = file.series
     if image is None and len(every) > 1 and _are_pages(file, every):
-        every = [_joined(every)]
+        every = [_join(every)]
     place = max(range(len(every)), key=lambda k: math.prod(every[k].shape)) if image is None else image
     series = every[validation.integer("image", place, least=0, most=len(every) - 1)]
     if len(every) > 1 and image is None:
@@ -678,13 +688,13 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
 
 
 def _are_pages(file: TiffFile, every: Sequence[Any]) -> bool:
-    """Return whether a file holds grey images of one size and type, written one after the other."""
+    """Return whether a file that is not OME-TIFF holds only single grey images, all of one size and type."""
     kinds = {(one.axes, one.shape, one.dtype) for one in every}
     return not file.is_ome and len(kinds) == 1 and every[0].axes == "YX"
 
 
-def _joined(every: Sequence[Any]) -> SimpleNamespace:
-    """Return series of one image each as a single series."""
+def _join(every: Sequence[Any]) -> SimpleNamespace:
+    """Join series of one image each into a single series."""
     first = every[0]
     return SimpleNamespace(
         axes=f"{UNKNOWN}{first.axes}", shape=(len(every), *first.shape), dtype=first.dtype, kind=first.kind,
@@ -695,40 +705,40 @@ def _joined(every: Sequence[Any]) -> SimpleNamespace:
 def _zarr(path: Path) -> Frames:
     zarr = optional.library("zarr", "reading OME-Zarr needs", "zarr")
     try:
-        _look(path, "")
+        _check_descriptions(path, "")
         group = zarr.open(zarr_folders.store(path), mode="r")
-    except Exception as error:  # of any kind
+    except Exception as error:  # zarr raises many types
         raise ValueError(f"no OME-Zarr: {reading.reason(error)}") from None
     if not hasattr(group, "attrs") or hasattr(group, "dtype"):
         raise ValueError("it is an array without OME metadata; pass zarr.open(...) and pixel=")
     attributes = dict(group.attrs)
-    told = attributes.get("ome", attributes)
+    metadata = attributes.get("ome", attributes)
     try:
-        scales = told["multiscales"][0]
+        scales = metadata["multiscales"][0]
         names = [axis["name"] if isinstance(axis, dict) else str(axis) for axis in scales["axes"]]
         units = [axis.get("unit") if isinstance(axis, dict) else None for axis in scales["axes"]]
         first = scales["datasets"][0]
-        _look(path, f"{first['path']}/")
+        _check_descriptions(path, f"{first['path']}/")
         array = group[first["path"]]
-        moves = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
+        transforms = [*first.get("coordinateTransformations", []), *scales.get("coordinateTransformations", [])]
         scale = np.ones(len(names))
-        for move in moves:
-            if move.get("type") == "scale":
-                scale = scale * np.asarray(move["scale"], float)
-    except Exception as error:  # of any kind
+        for transform in transforms:
+            if transform.get("type") == "scale":
+                scale = scale * np.asarray(transform["scale"], float)
+    except Exception as error:  # malformed metadata raise many types
         raise ValueError(f"its multiscales are not those of an OME-Zarr ({reading.reason(error)})") from None
     order = "".join(names).upper()
     if not re.fullmatch(r"[TCZ]*YX", order) or len(order) != array.ndim or len(set(order)) != len(order):
         raise ValueError(f"its axes are {shown(order)}, not some of t, c, z, y, x in this order")
     require_numbers("it", array.dtype)
-    if "C" in order and (count := array.shape[order.index("C")]) > _CHANNELS:
-        raise ValueError(f"it has {count} channels; the limit is {_CHANNELS}")
+    if "C" in order and (count := array.shape[order.index("C")]) > _MAX_CHANNELS:
+        raise ValueError(f"it has {count} channels; the limit is {_MAX_CHANNELS}")
     found = of_zarr(
-        {"omero": told.get("omero", attributes.get("omero"))},
+        {"omero": metadata.get("omero", attributes.get("omero"))},
         {letter: float(value) for letter, value in zip(order, scale, strict=True)},
         dict(zip(order, units, strict=True)),
     )
-    planes = _Chunked(path, array)
+    planes = _ZarrPlanes(path, array)
     missing, total = planes.chunks.missing()
     if missing == total:
         raise ValueError(f"it lacks all of its {total} chunks: copy the whole folder")
@@ -737,17 +747,17 @@ def _zarr(path: Path) -> Frames:
         "empty, or the copy is not complete."
     ] * (missing > 0)
     lead = array.shape[:-2]
-    reading.afford(64 * math.prod(lead), reading.MEMORY)  # a number of each image
+    reading.afford(64 * math.prod(lead), reading.MEMORY)  # 64 bytes for the number of each image
     return Frames(planes, np.arange(math.prod(lead)).reshape(lead), order, found, "OME-Zarr", path, tuple(notes))
 
 
-def _look(folder: Path, below: str) -> None:
-    """Parse the descriptions in a Zarr folder as zarr will; ValueError or OSError if they are too large."""
+def _check_descriptions(folder: Path, below: str) -> None:
+    """Parse the JSON files of a Zarr folder before zarr does; ValueError or OSError if one is damaged or large."""
     for name in _DESCRIPTIONS:
-        # Zarr parses them without a limit of size or depth.
+        # Zarr itself has no limit of size or nesting depth.
         if zarr_folders.regular(folder, below + name) is not None:
             try:
-                reading.json(reading.contents(folder / below / name, _JSON))
+                reading.json(reading.contents(folder / below / name, _MAX_JSON))
             except ValueError as error:
                 raise ValueError(f"{name}: {reading.reason(error)}") from None
 
@@ -769,8 +779,8 @@ def _png(data: bytes, _part: str | None) -> tuple[Values, Found]:
 
 
 def _fits(data: bytes, part: str | None) -> tuple[Values, Found]:
-    found = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
-    return found.values, {**found.primary, **found.header}  # what an extension does not state, the primary does
+    image = fits_images.only(fits_images.read(data, reading.MAX_PIXELS), part)
+    return image.values, {**image.primary, **image.header}  # an extension inherits the cards of the primary header
 
 
 _images = partial(Format, "images")
@@ -789,9 +799,9 @@ class Images:
     ----------
     values : ndarray, shape (n, height, width)
     names : tuple of str
-        Of each, by its file and its place in there.
+        Name of each image: its file, and its number in a stack.
     said : dict
-        What the files say, Unusable where they contradict each other.
+        Metadata of the files; Unusable where they contradict each other.
     notes : tuple of str
     """
 
@@ -802,9 +812,10 @@ class Images:
 
 
 def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
-    """Yield the grey images of each file, an image or a stack in the order that it states.
+    """Yield the grey images of each file, one image or a stack in the order of the file.
 
-    Of the files of one OME-TIFF the first has all. RecordingError, OSError or ImportError as :func:`open_frames`.
+    For a multi-file OME-TIFF, its first file yields all images, and its other files none. Raises RecordingError,
+    OSError or ImportError as :func:`open_frames`.
     """
     done: set[str] = set()
     for path in paths:
@@ -816,8 +827,8 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
             stack = opened.as_stack()
             if stack.left_out:
                 raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
-            with told_of(stack.path or Path()):
-                # Twice: the array of values and one of the copies that reading makes.
+            with errors_of(stack.path or Path()):
+                # Twice the size: the array of values, and a copy that is made while reading.
                 reading.afford(2.0 * math.prod(stack.shape) * stack.dtype.itemsize, stack.planes.stored)
             values = stack[...]
         if values.dtype == bool:  # a mask
@@ -828,7 +839,7 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
 
 
 def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
-    """Return the images of files as of :func:`read_each`; they must be of one size and type."""
+    """Return the images of all files, as by :func:`read_each`; ValueError unless of one size and type."""
     found = list(read_each(paths))
     if not found:
         raise ValueError("paths must name a file or several, got none")
@@ -849,21 +860,21 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
 
 
 BLOCK = 2**22
-"""Pixels of a block of frames, unless it says otherwise: 32 MB of them in float64."""
+"""Default number of pixels of a block of frames: 32 MB in float64."""
 
 
 MovieError = RecordingError
 
 
 class Movie:
-    """The frames of a file, which stay on the disk.
+    """Frames of a file, read on demand.
 
-    Made by :func:`lommel.localize.open_movie`; closed by ``with`` or `close`.
+    :func:`lommel.localize.open_movie` opens a movie; ``with`` or `close` closes it.
 
     Parameters
     ----------
     frames : Frames
-        With one axis before the last two.
+        Images with one axis before YX.
     path : Path
 
     Attributes
@@ -874,14 +885,14 @@ class Movie:
         Integers or floats, as they are stored, in the byte order of this machine.
     path : Path
     said : dict
-        What the file says of its camera.
+        Metadata of the camera.
     notes : tuple of str
-        What was chosen of the file, in sentences.
+        Sentences on the image that was chosen and on data that were left out.
 
     Raises
     ------
     MovieError
-        By all methods, where the file is damaged.
+        By all methods that read frames, if the file is damaged.
     """
 
     def __init__(self, frames: Frames, path: Path) -> None:
@@ -909,17 +920,17 @@ class Movie:
         self._frames.close()
 
     def frames(self, first: int, last: int) -> Values:
-        """Return frames from `first` until before `last`, shape ``(last - first, rows, columns)``.
+        """Return the frames `first` to ``last - 1``, shape ``(last - first, rows, columns)``.
 
         Parameters
         ----------
         first, last : int
-            Counted from 0.
+            Numbers of frames, counted from 0.
 
         Returns
         -------
         ndarray
-            A copy.
+            Copy of the frames.
 
         Raises
         ------
@@ -936,7 +947,7 @@ class Movie:
         Parameters
         ----------
         size : int, optional
-            Frames of a block, of which the last may have fewer; by default as many as have four million pixels.
+            Number of frames per block; the last block may have fewer. By default 4194304 pixels per block.
 
         Yields
         ------
@@ -948,17 +959,17 @@ class Movie:
             If `size` is out of range; MovieError if a frame is damaged or missing.
         """
         count, rows, columns = self.shape
-        each = max(1, BLOCK // (rows * columns)) if size is None else size
-        validation.integer("size", each, least=1, most=validation.MAX_VALUES)
-        for first in range(0, count, each):
-            yield self.frames(first, min(first + each, count))
+        length_of_block = max(1, BLOCK // (rows * columns)) if size is None else size
+        validation.integer("size", length_of_block, least=1, most=validation.MAX_VALUES)
+        for first in range(0, count, length_of_block):
+            yield self.frames(first, min(first + length_of_block, count))
 
 
 def open_movie(path: str | PathLike[str]) -> Movie:
-    """Open a movie: a file of grey frames, of which only those asked for are read.
+    """Open a movie: a file of grey frames, which are read on demand.
 
-    TIFF and OME-TIFF files of any length, also BigTIFF and the one long image of ImageJ, uncompressed or with
-    deflate, PackBits or LZW; OME-Zarr, FITS and NPY. Frames in one piece are mapped into memory.
+    Formats: TIFF and OME-TIFF of any length, also BigTIFF and ImageJ's stacks above 4 GB, uncompressed or with
+    deflate, PackBits or LZW; OME-Zarr, FITS and NPY. Contiguous uncompressed frames are mapped into memory.
 
     Parameters
     ----------
@@ -973,9 +984,9 @@ def open_movie(path: str | PathLike[str]) -> Movie:
     MovieError
         If the file is of another format or damaged, or holds colours or several series of images.
     OSError
-        If it cannot be read.
+        If the file cannot be read.
     ImportError
-        If tifffile is missing.
+        If tifffile, or another library for the format, is not installed.
 
     Examples
     --------

@@ -7,7 +7,7 @@ with the pixel. Its Fourier transform is the optical transfer function (OTF) tim
 
 as a fraction of all light per area. The fraction of all light within the radius R of the point c is
 
-    E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R |f|) / |f| d^2 f .
+    E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R abs(f)) / abs(f) d^2 f .
 
 Two classes compute the OTF. :class:`PolarImage`, for radially symmetric lenses and lenses seen through turbulence,
 takes it from the pupil, at Gauss nodes along the radial frequency. :class:`CartesianImage`, for all pupils, takes the
@@ -388,7 +388,7 @@ class CartesianImage:
         squares, ring = self._rings
         light = np.bincount(ring, turned.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
-        # Hankel transform of a disc: pi r^2 at f = 0, else r J1(2 pi r f) / f, evaluated once for each distinct |f|.
+        # Hankel transform of a disc: pi r^2 at f = 0, else r J1(2 pi r f) / f, once for each distinct abs(f).
         out = np.empty(radius.size)
         for i, r in enumerate(radius):
             out[i] = math.pi * r * r * light[0] + (r * j1(2.0 * math.pi * r * f) / f) @ light[1:]
@@ -580,8 +580,8 @@ class PolarImage:
         return list(self._waves(self.reach))
 
     def _waves(self, reach: float) -> Iterator[Waves]:
-        """Yield blocks of |f|, their components fx and fy in as many directions as `reach` needs, and amplitudes."""
-        # Seeing depends on |f| only and is evaluated once for all directions.
+        """Yield blocks of abs(f), their components fx and fy in the directions that `reach` needs, and amplitudes."""
+        # Seeing depends on abs(f) only and is evaluated once for all directions.
         seen = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in self.model.blur if isinstance(b, Seeing)))
         other = self.model._replace(blur=tuple(b for b in self.model.blur if not isinstance(b, Seeing)))
         reach = reach + self.model.spread[0]

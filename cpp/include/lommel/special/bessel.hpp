@@ -67,7 +67,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
         return;
     }
     if (v < 1e-3) {
-        // Three terms of the power series, for v < 1e-3: relative error below (v/2)^6 < 2e-20.
+        // Three terms of the power series, for v below 1e-3: relative error below (v/2)^6 < 2e-20.
         const double q = 0.25 * v * v;
         double scale = 1.0;
         for (std::size_t n = 0; n < count; ++n) {

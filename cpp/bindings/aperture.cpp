@@ -73,15 +73,14 @@ Out<double, 2> nodes(const lommel::RowRule& rule) {
 void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phases, DiskFields stack, WindowFields place,
             double precision, int threads, Out<double, 3> out, In<std::int32_t, 2> factors, Out<double, 4> slopes,
             Out<double, 1> losses) {
-    const auto& [terms, edge, obscuration, amplitude] = stack;
-    require(obscuration == 0.0, "an obscuration is part of the rules");
+    const auto& [terms, edge, obscuration, amplitude] = stack;  // the rules leave the obscuration out
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);
     const std::size_t pupils = pupils_of(edge);
     require_shape(place, out);
-    const AxisWindow at = one_axis_window(place);
-    require_request(at.step, precision, threads);
+    const lommel::DiskWindow window = one_axis_window(place).first;
+    require_request(window.step, precision, threads);
     require(out.shape(0) == pupils && losses.shape(0) == pupils, "one image and one bound a pupil");
     require(phases.shape(0) == rules.size() && phases.shape(1) == 3, "one phase, tip and tilt a region");
     std::vector<lommel::ZernikeTerm> by;
@@ -97,7 +96,6 @@ void images(const std::vector<const lommel::RowRule*>& rules, In<double, 2> phas
         const double* phase = phases.data() + 3 * i;
         regions.push_back({rules[i], {phase[0], phase[1], phase[2]}});
     }
-    const lommel::DiskWindow window{at.height, at.width, at.row, at.column, at.step};
     released([&] {
         lommel::row_images(regions, list, edge.data(), pupils, light, window, precision, threads, out.data(), by, slopes.data(),
                            losses.data());

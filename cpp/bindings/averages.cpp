@@ -64,8 +64,7 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
     const int threads = std::get<1>(asked);
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
-    const AxisWindow at = one_axis_window(place);
-    const lommel::DiskWindow window{at.height, at.width, at.row, at.column, at.step};
+    const lommel::DiskWindow window = one_axis_window(place).first;
     const lommel::DiskPupils pupils{std::move(list), edge.data(), edge.shape(0), 0.0, lommel::Amplitude(), window, nullptr};
     const auto sample = [&](const lommel::NodeQuestion& question, const lommel::AverageAnswer& to,
                             lommel::NodeNumbers& of_pupils) {
@@ -79,8 +78,8 @@ bool aperture_averages(In<std::int32_t, 2> terms, In<double, 2> edge, WindowFiel
             const double middle = spacing * (0.5 * static_cast<double>(side - 1) - center);
             return std::max(std::abs(places.front() + middle), std::abs(places.back() + middle));
         };
-        const double down = reach(question.rows.places, at.height, at.row, at.step),
-                     across = reach(question.columns.places, at.width, at.column, at.step);
+        const double down = reach(question.rows.places, window.height, window.row, window.step),
+                     across = reach(question.columns.places, window.width, window.column, window.step);
         const auto made = nb::cast<Weights>(rule(std::hypot(down, across), question.tol, question.single,
                                                  question.rows.places.size(), question.columns.places.size()));
         if (!made) {

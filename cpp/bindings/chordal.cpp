@@ -215,22 +215,21 @@ using Light = std::tuple<Out<double, 4>, Out<double, 2>, Out<double, 2>>;
 Light series_light(TableFields tables, SetFields series, TermFields terms, WaveFields waves, WindowFields place,
                    In<double, 3> wrong, In<double, 1> power, int threads) {
     const lommel::NodeSeries given = node_series(tables, series, terms, waves);
-    const AxisWindow at = one_axis_window(place);
-    require_request(at.step, 1.0, threads);
+    const lommel::DiskWindow window = one_axis_window(place).first;
+    require_request(window.step, 1.0, threads);
     require(wrong.shape(0) == given.sets.size() && wrong.shape(1) == given.planes && wrong.shape(2) == given.fields,
             "one error a set, plane and field");
     require(power.size() == given.planes &&
                 std::all_of(power.data(), power.data() + power.size(), [](double p) { return p > 0.0; }),
             "one power a plane, above 0");
-    auto values = new_array<double, 4>({given.sets.size(), given.planes, at.height, at.width});
+    auto values = new_array<double, 4>({given.sets.size(), given.planes, window.height, window.width});
     auto errors = new_array<double, 2>({given.sets.size(), given.planes});
     auto largest = new_array<double, 2>({given.sets.size(), given.planes});
     released([&] {
         std::vector<double> of_fields(wrong.size());
-        const lommel::DiskWindow window{at.height, at.width, at.row, at.column, at.step};
         lommel::node_light(given, window, threads, values.data(), of_fields.data());
         lommel::light_errors(wrong.data(), of_fields.data(), given.sets.size(), given.planes, given.fields, errors.data());
-        const std::size_t size = at.height * at.width;
+        const std::size_t size = window.height * window.width;
         for (std::size_t i = 0; i < errors.size(); ++i) {
             const double over = power.data()[i % given.planes];
             largest.data()[i] = lommel::divide(lommel::processor_level(), over, size, values.data() + i * size);
@@ -244,17 +243,17 @@ std::pair<Out<double, 2>, Out<double, 2>> series_gradient(TableFields tables, Se
                                                           WaveFields waves, WindowFields place, In<double, 3> weights,
                                                           int threads) {
     const lommel::NodeSeries given = node_series(tables, series, of_terms, waves);
-    const AxisWindow at = one_axis_window(place);
+    const lommel::DiskWindow window = one_axis_window(place).first;
     const std::size_t rates = given.sets.size() - 1, terms = std::get<0>(of_terms).shape(0);
     require_shape(place, weights);
     require(weights.shape(0) == given.planes, "one image of weights a plane");
     require(std::all_of(given.sets.begin(), given.sets.end(), [](const lommel::FieldSet& set) { return set.term < 0; }),
             "sets must be without terms");
-    require_request(at.step, 1.0, threads);
+    require_request(window.step, 1.0, threads);
     auto values = new_array<double, 2>({given.planes, 1 + rates + terms});
     auto largest = new_array<double, 2>({given.planes, 1 + given.fields});
     const lommel::NodeGradient wanted{terms, weights.data(), values.data(), largest.data()};
-    released([&] { lommel::node_gradient(given, {at.height, at.width, at.row, at.column, at.step}, threads, wanted); });
+    released([&] { lommel::node_gradient(given, window, threads, wanted); });
     return {values, largest};
 }
 

@@ -22,7 +22,7 @@ namespace bindings {
 using RadialFields = std::tuple<In<double, 2>, double, In<double, 1>>;
 // DiskStack: terms[term][n, m]; coefficients[pupil][term], radians at the edge; obscuration; powers of the amplitude.
 using DiskFields = std::tuple<In<std::int32_t, 2>, In<double, 2>, double, In<double, 1>>;
-// Pixel at the axis of all images, as (row, column), or centers[pupil][row, column].
+// Pixel at the axis of all images, as (row, column) or one row of an array; or centers[pupil][row, column].
 using Center = std::variant<std::pair<double, double>, In<double, 2>>;
 // Window: (height, width), center, pitch in v.
 using WindowFields = std::tuple<std::pair<std::size_t, std::size_t>, Center, double>;
@@ -152,24 +152,29 @@ inline std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& gi
 
 // Window around the one axis of all images; around the first of several, which `centers` then points to.
 struct AxisWindow {
-    std::size_t height, width;
-    double row, column, step;
+    lommel::DiskWindow first;
     const double* centers;  // [pupil][row, column], or null
+
+    lommel::PixelWindow pixels(bool integrate) const {
+        return window_of(first.height, first.width, first.row, first.column, first.step, integrate);
+    }
 };
 
 inline AxisWindow axis_window(const WindowFields& window, std::size_t pupils) {
     const auto& [shape, center, step] = window;
     require_image(shape.first, shape.second);
     if (const auto* centers = std::get_if<In<double, 2>>(&center)) {
-        require_centers(*centers, pupils);
-        return {shape.first, shape.second, centers->data()[0], centers->data()[1], step, centers->data()};
+        const bool shared = centers->shape(0) == 1;
+        require_centers(*centers, shared ? 1 : pupils);
+        const double* const each = centers->data();
+        return {{shape.first, shape.second, each[0], each[1], step}, shared ? nullptr : each};
     }
     const auto [row, column] = std::get<0>(center);
     require_center(row, column);
-    return {shape.first, shape.second, row, column, step, nullptr};
+    return {{shape.first, shape.second, row, column, step}, nullptr};
 }
 
-// The same for images around one axis.
+// Window of images that are all around one axis.
 inline AxisWindow one_axis_window(const WindowFields& window) {
     require(std::holds_alternative<std::pair<double, double>>(std::get<1>(window)), "one centre, a row and a column");
     return axis_window(window, 1);
@@ -180,13 +185,8 @@ inline lommel::DiskPupils disks_of(const DiskFields& stack, const WindowFields& 
     const AxisWindow at = axis_window(window, pupils_of(edge));
     std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
-    return {std::move(list),
-            edge.data(),
-            edge.shape(0),
-            obscuration_of(obscuration),
-            amplitude_of(amplitude),
-            {at.height, at.width, at.row, at.column, at.step},
-            at.centers};
+    return {std::move(list),         edge.data(), edge.shape(0), obscuration_of(obscuration),
+            amplitude_of(amplitude), at.first,    at.centers};
 }
 
 // Call work(stack, window) for such pupils. With Moves, tilts become shifts by whole pixels. Returns 0, or the achieved error

@@ -18,13 +18,8 @@ namespace {
 
 lommel::PixelWindows windows_of(const WindowFields& window, bool integrate, std::size_t pupils) {
     const AxisWindow at = axis_window(window, pupils);
-    const lommel::PixelWindow first = window_of(at.height, at.width, at.row, at.column, at.step, integrate);
+    const lommel::PixelWindow first = at.pixels(integrate);
     return at.centers == nullptr ? lommel::PixelWindows(first) : lommel::PixelWindows{first, at.centers, pupils};
-}
-
-lommel::PixelWindow one_window(const WindowFields& window, bool integrate) {
-    const AxisWindow at = one_axis_window(window);
-    return window_of(at.height, at.width, at.row, at.column, at.step, integrate);
 }
 
 template <class T>
@@ -57,7 +52,7 @@ double render(RadialFields pupils, WindowFields window, bool integrate, Request 
 bool filters_pay(RadialFields pupils, WindowFields window, double tol, bool derivatives) {
     const lommel::Stack stack = stack_of(pupils);
     require_request(std::get<2>(window), tol, 1);
-    const lommel::PixelRenderer<double> renderer(stack, one_window(window, true), tol, 1, {});
+    const lommel::PixelRenderer<double> renderer(stack, one_axis_window(window).pixels(true), tol, 1, {});
     return derivatives ? renderer.filters_pay_for_derivatives() : renderer.filters_pay();
 }
 
@@ -66,7 +61,7 @@ class RadialPlan {
    public:
     RadialPlan(double obscuration, In<double, 1> amplitude, WindowFields window, bool integrate, Request request, char kind)
         : obscuration_(obscuration_of(obscuration)), amplitude_(amplitude_of(amplitude)),
-          window_(one_window(window, integrate)), tol_(std::get<0>(request)), threads_(std::get<1>(request)),
+          window_(one_axis_window(window).pixels(integrate)), tol_(std::get<0>(request)), threads_(std::get<1>(request)),
           scale_(std::get<2>(request)), kind_(kind) {
         require_request(window_.step, tol_, threads_);
         require(kind == 'f' || kind == 'd', "kind must be f or d");

@@ -120,7 +120,7 @@ bool layered_images(PlaneFields planes, WindowFields window, bool integrate, dou
     if (slopes) {
         derivatives = slopes_of<T>(*slopes, requested, images, integrate);
     }
-    const lommel::PixelWindow first = window_of(place.height, place.width, place.row, place.column, place.step, integrate);
+    const lommel::PixelWindow first = place.pixels(integrate);
     // A single axis off the middle is treated as one axis per plane, as one table serves windows around any axis. Derivatives
     // of samples, and shifts of averages, are only available around such axes.
     const bool moved =
@@ -128,11 +128,11 @@ bool layered_images(PlaneFields planes, WindowFields window, bool integrate, dou
                     [](const lommel::LayeredSlope& slope) { return slope.what == lommel::LayeredSlope::What::axis; });
     std::vector<double> own_axes;
     lommel::PixelWindows windows(first);
-    if (place.centers != nullptr && n > 1) {
+    if (place.centers != nullptr) {
         windows = {first, place.centers, n};
     } else if (!first.centered() || (integrate ? moved : !derivatives.requested.empty())) {
         for (std::size_t p = 0; p < n; ++p) {
-            own_axes.insert(own_axes.end(), {place.row, place.column});
+            own_axes.insert(own_axes.end(), {first.center_y, first.center_x});
         }
         windows = {first, own_axes.data(), n};
     }
@@ -210,11 +210,12 @@ Out<double, 2> ringed_images(RingFields rings, WindowFields place, In<double, 1>
     require(steps.filters > 0, "a filter has one weight at least");
     require_shape(place, images);
     const AxisWindow at = axis_window(place, n);
-    const double axis[] = {at.row, at.column};
+    const auto& [height, width, row, column, step] = at.first;
+    const double axis[] = {row, column};
     const bool own = at.centers != nullptr;
-    const lommel::RingWindow window{at.height, at.width, own ? at.centers : axis, own ? n : 1, at.step};
-    const double most = window.farthest() * at.step + static_cast<double>(steps.before() + steps.filters) + 1.0;
-    require(at.step > 0.0 && most <= static_cast<double>(circles), "too few circles for the window");
+    const lommel::RingWindow window{height, width, own ? at.centers : axis, own ? n : 1, step};
+    const double most = window.farthest() * step + static_cast<double>(steps.before() + steps.filters) + 1.0;
+    require(step > 0.0 && most <= static_cast<double>(circles), "too few circles for the window");
     auto numbers = new_array<double, 2>({lommel::RingNumbers::count(fields), n});
     released([&] {
         lommel::RingImages<T>(light, steps, window, threads).run(scales.data(), images.data(), {numbers.data(), n, fields});

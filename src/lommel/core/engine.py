@@ -72,7 +72,8 @@ class DiskStack(NamedTuple):
 class Window(NamedTuple):
     """Pixels: (height, width), the pixel (row, column) that the axis is at, and their pitch in v.
 
-    Or, where each of n pupils has an axis of its own, ``center`` is one array of these, shape (n, 2).
+    Or, where each of n pupils has an axis of its own, ``center`` is one array of these, shape (n, 2); of (1, 2) all
+    have the one.
     """
 
     shape: tuple[int, int]
@@ -525,7 +526,7 @@ def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array,
 
 
 def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: Pixels) -> Ringed:
-    """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
+    """Write intensities times scales; the step of the window is in circles, its center is an array or one pixel."""
     images: Callable[..., Array] = _core.ringed_images
     made = images(asked, window, np.ascontiguousarray(scales), threads, out)
     return Ringed(made[:-4], *made[-4:])
@@ -615,9 +616,7 @@ def row_images(
     values, slopes, lost = (
         np.empty(s) for s in ((count, *window.shape), (len(factors), count, *window.shape), (count,))
     )
-    unobscured = stack._replace(obscuration=0.0)  # the rules leave the obscuration out
-    threads = wanted.threads
-    _core.row_images(list(rules), phases, unobscured, window, precision, threads, values, factors, slopes, lost)
+    _core.row_images(list(rules), phases, stack, window, precision, wanted.threads, values, factors, slopes, lost)
     return values, slopes, lost
 
 

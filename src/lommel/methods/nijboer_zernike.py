@@ -6,8 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from lommel.base.arrays import Array
 from lommel.core.answers import Declined, FieldValues, Images, Intensities, Pixels, ToleranceError, Wanted
 from lommel.core.engine import (
@@ -168,8 +166,7 @@ def disk_stack(pupil: Pupil) -> DiskStack:
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:
     """Return the pixels of a grid as a window in the reduced coordinate v."""
-    center = np.stack([np.ravel(part) for part in grid.center], axis=1) if grid.stack else grid.axis
-    return Window(grid.shape, center, grid.step(pupil))
+    return Window(grid.shape, grid.axes if grid.stack else grid.axis, grid.step(pupil))
 
 
 def disk_images(

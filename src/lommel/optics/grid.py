@@ -103,6 +103,11 @@ class Grid(EqualByContent):
         return Grid(self.shape, self.pixel, center=(row, column), integrate=self.integrate, fill=self.fill)
 
     @property
+    def axes(self) -> Array:
+        """The axis of each pupil, shape (n, 2) with row and column; of shape (1, 2) if all have one."""
+        return np.stack([np.ravel(part) for part in self.center], axis=1)
+
+    @property
     def axis(self) -> tuple[float, float]:
         """The axis of all pupils, as ``center``; ValueError if there are several."""
         self.require_one_axis()

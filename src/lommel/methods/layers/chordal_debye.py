@@ -237,7 +237,7 @@ def gathered(
             yield np.array([i]), pupil[k] if pupil.shape else pupil, grid[k]
         return
     flat = pupil[np.unravel_index(np.arange(pupil.depth.size), pupil.shape)]
-    axes, side = np.stack([np.ravel(part) for part in grid.center], axis=1), np.array(grid.shape)
+    axes, side = grid.axes, np.array(grid.shape)
     cells = np.zeros(len(axes), dtype=np.int64)
     if (np.ptp(axes, axis=0) > _MAX_SPREAD * side).any():
         cells = np.unique(np.floor(axes / (_CELL * side)), axis=0, return_inverse=True)[1].ravel()

@@ -141,7 +141,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     rows = squares(light.waves.form)
     values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     scales = np.ones(n) if wanted.scale is None else np.broadcast_to(wanted.scale, n)
-    centers = np.stack(np.broadcast_arrays(*grid.center), axis=-1).reshape(-1, 2)
+    axes = grid.axes
     errors, peaks, tops = np.empty((3, n))
     many = wavefront.shape[0] > 1
     # Stacks with a wavefront each are computed in parts, so that their pupil functions fit into memory.
@@ -169,8 +169,7 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
             taps=(along.taps.size, around.taps.size),
             gains=np.stack([around.gains, around.errors]),
         )
-        center = centers[part] if len(centers) > 1 else tuple(centers[0].tolist())
-        window = Window(grid.shape, center, step / (0.5 * band))
+        window = Window(grid.shape, axes[part] if len(axes) > 1 else axes, step / (0.5 * band))
         found = ringed_images(sums, window, scales[part], wanted.threads, values[part])
         size = max(float(np.abs(each).sum()) for each in rule.parts)
         # Quadrature, omitted orders, and roundings of the transform over angles (section 16, "Rounding").

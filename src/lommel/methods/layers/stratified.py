@@ -144,8 +144,7 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
     if not known(pupil.light):
         return None
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
-    centers = np.stack(grid.center, axis=-1).reshape(-1, 2)
-    window = Window(grid.shape, centers if len(centers) > 1 else tuple(centers[0].tolist()), step)
+    window = Window(grid.shape, grid.axes, step)
 
     def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
         # Pixel averages are sums over more values of fields than samples are.

@@ -1,4 +1,4 @@
-// Number of Gauss-Legendre nodes over and along the rows of an aperture for a proven error (docs/certificate.md, section 18).
+// Numbers of rows, and of Gauss-Legendre nodes along rows, of an aperture for a proven error (docs/certificate.md, section 18).
 #pragma once
 
 #include <algorithm>
@@ -62,10 +62,10 @@ void each_corner(double eta, const At& at) {
     }
 }
 
-// count: number of nodes of a Gauss rule on [-1, 1] for an error `error` (Trefethen, Approximation Theory and Approximation
-// Practice, Theorem 19.3; valid for one node too), the smallest found by descent over ellipses with semi-axes cosh eta, sinh eta.
-// blocked: a singularity prevented larger ellipses. largest(eta, limit): bound on the logarithm of the integrand on the ellipse; it
-// returns 1e300 or more if it finds no bound, or may do so if the integrand exceeds `limit`.
+// Number of nodes (`count`) of a Gauss rule on [-1, 1] for an error `error` (Trefethen, Approximation Theory and Approximation
+// Practice, Theorem 19.3; valid for one node too): the smallest over ellipses with semi-axes cosh eta, sinh eta. blocked: a
+// singularity excludes large ellipses. largest(eta, limit): bound on the logarithm of the integrand on an ellipse, 1e300 or more if
+// none is known; it may return this too if the integrand exceeds `limit`.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -251,7 +251,8 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // The points with growth b below a limit form a convex set, so b between two sides is at most the larger of their b.
+            // The points with growth b below a limit form a convex set: between two sides, b is at most its larger value on the
+            // sides.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }

@@ -1,4 +1,4 @@
-// Field of an aperture of shapes from nodes along its rows, by non-uniform FFTs along rows and over rows (docs/certificate.md,
+// Field of an aperture of shapes from nodes along its rows, by non-uniform FFTs along rows, then across them (docs/certificate.md,
 // section 18).
 #pragma once
 
@@ -116,7 +116,7 @@ class RowField {
             across_ = std::make_unique<WaveKernel>(window.width, taps);
         } while (taps < WaveKernel::most_taps && WaveKernel(longest, taps).error(0.0) > precision);
         down_ = std::make_unique<WaveKernel>(window.height, taps);
-        // Pixel k of a row (column) has v = step (k - side / 2 + half), with half = half_x_ (half_y_).
+        // Pixel k of a row (column) is at v = step (k - side / 2 + half) from the axis, with half = half_x_ (half_y_).
         half_y_ = static_cast<double>(window.height / 2) - window.row;
         half_x_ = static_cast<double>(window.width / 2) - window.column;
         for (const PhasedRule& region : regions) {

@@ -79,7 +79,7 @@ class RowRule {
         return *rule;
     }
     static constexpr double few = 24.0;  // panels with fewer rows than this are not halved
-    // Number of rows of a panel by the best change of variable, which is written to panel.root.
+    // Number of rows of a panel, by the change of variable that needs the fewest, which is written to panel.root.
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
@@ -201,7 +201,7 @@ LOMMEL_ONCE GaussNodes RowRule::needed(Panel& panel, double degree, double error
         return GaussNodes(error, [&](double eta, double limit) { return one.largest(eta, degree, limit); });
     };
     GaussNodes best = nodes(panel.root);
-    // If an arc begins near an end of the panel, outside of it, the quadratic map of this end moves its branch point farther away.
+    // If an arc begins just outside an end of the panel, the quadratic map at this end moves the arc's branch point farther away.
     if (panel.root == 0 && best.blocked) {
         for (const int root : {-1, 1}) {
             const GaussNodes other = nodes(root);

@@ -155,7 +155,7 @@ LOMMEL_ONCE double Part::outside(Point at) const {
 LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     std::array<Side, 2> both;
     if (round()) {
-        // On the boundary y - centre.y = ay cos t + by sin t; midpoints of chords lie on a line through the highest point.
+        // On the boundary y - centre.y = ay cos t + by sin t; midpoints of horizontal chords lie on a line through the top.
         const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
         const double terms = (std::abs(ax_ * ay_) + std::abs(bx_ * by_)) / square;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -233,7 +233,7 @@ LOMMEL_ONCE void Part::cross_line(const Part& a, Point p, Point q, std::vector<P
 }
 
 LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Point>& found) {
-    // On the boundary of a, the quadratic form of b less 1 is a trigonometric polynomial c0 + 2 Re(c1 e^{it} + c2 e^{2it}).
+    // On the boundary of a, (quadratic form of b) - 1 is a trigonometric polynomial c0 + 2 Re(c1 e^{it} + c2 e^{2it}).
     using Complex = std::complex<double>;
     Complex c[3] = {};
     for (std::size_t i = 0; i < 8; ++i) {
@@ -245,8 +245,8 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
     const double size = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) + 1.0;
     std::vector<double> angles;
     if (std::abs(c[2]) < 1e-14 * size) {
-        // Zeros of c0 + 2 |c1| cos(t + arg c1). Circles that touch up to rounding count as touching: otherwise the panel would have
-        // no height here, and would be examined in its middle, where the arcs on either side coincide.
+        // Zeros of c0 + 2 |c1| cos(t + arg c1). Circles that touch up to rounding count as touching: otherwise no panel would end
+        // at this height, and clear spans might be taken at this very height, where arcs coincide.
         if (std::abs(c[1]) > 1e-14 * size && std::abs(c[0].real()) <= 2.0 * std::abs(c[1]) + 1e-14 * size) {
             const double cosine = -0.5 * c[0].real() / std::abs(c[1]), middle = -std::arg(c[1]);
             const double turn = std::acos(std::min(1.0, std::max(-1.0, cosine)));

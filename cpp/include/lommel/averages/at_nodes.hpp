@@ -40,8 +40,8 @@ struct AverageRequest {
 // Averages and their derivatives in double precision, with error bounds.
 struct AverageAnswer {
     double *values, *slopes;        // averages [pupil][pixel], derivatives [term][pupil][pixel]
-    double *errors, *peaks;         // [pupil]. errors: bounds, over `peaks`; peaks: largest average or lower bound on it
-    double* slope_errors;           // error bounds of derivatives [term][pupil], over `peaks`
+    double *errors, *peaks;         // [pupil]. errors: error bounds / `peaks`; peaks: largest average or lower bound on it
+    double* slope_errors;           // error bounds of derivatives / `peaks`, [term][pupil]
 };
 
 // Estimates for a stack of pupils; they affect the speed, and no error bound.
@@ -104,9 +104,9 @@ bool averaged_images(const AverageRequest& asked, std::size_t pupils, const Disk
 LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight& light, std::size_t pupils,
                                   const AverageAnswer& answer, const NodeSample& sample) {
     constexpr double of_samples = 0.8;  // fraction of the tolerance for errors of samples
-    // Factors on the estimated Strehl ratio: `sharp` for ratios above 0.6, `dim` for lower ones, which are often too high.
+    // Factors on the estimated Strehl ratio: `sharp` above 0.6, `dim` for lower ratios, whose estimates are often too high.
     constexpr double sharp = 0.87, dim = 0.1;
-    constexpr double of_response = 2e-3;  // allowed error of the frequency response, over tolerance * least_average()
+    constexpr double of_response = 2e-3;  // allowed error of the frequency response / (tolerance * least_average())
     constexpr double easier = 64.0;  // factor on of_response at a Strehl ratio of 1, lowered in proportion to the ratio
     constexpr double in_single = 2e-7;  // if the field may have this error or more, samples are in single precision
     const double room = asked.before_storing(), step = asked.step;

@@ -80,7 +80,7 @@ class Helpers final : ForkAware {
         wake(wanted);
     }
 
-    // Let no more helpers join an offer, and wait for those at work. Call fail() in a catch clause if the wait is interrupted.
+    // Let no more helpers join an offer; wait for those at work. fail() is called, in a catch clause, if the wait is interrupted.
     template <class Fail>
     void withdraw(Offer& one, const Fail& fail) {
         const auto done = [&] { return one.at_work == 0; };

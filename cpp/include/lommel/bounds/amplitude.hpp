@@ -8,7 +8,7 @@
 
 namespace lommel {
 
-// A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 for t = rho^2 in [0, 1]. A Gaussian has only g_1; uniform: no terms.
+// Amplitude A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)) <= 1, t = rho^2 in [0, 1], rho: pupil radius. Gaussian: g_1; uniform: no g.
 class Amplitude {
    public:
     static constexpr std::size_t most = 10;  // highest power of t
@@ -142,7 +142,7 @@ class Amplitude {
     // coefficients.
     void expand() {
         a_[0] = g_[0];
-        double middle = 1.0;  // binomial coefficient C(2k, k) over 4^k
+        double middle = 1.0;  // C(2k, k) / 4^k
         for (std::size_t k = 1; k <= terms_; ++k) {
             middle *= (2.0 * static_cast<double>(k) - 1.0) / (2.0 * static_cast<double>(k));
             a_[0] += middle * g_[k];

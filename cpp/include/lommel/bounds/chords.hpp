@@ -39,7 +39,7 @@ struct VBox {
     }
 };
 
-// Error bound of the field, from the integrand on one complex curve, at height b. For a sum over n nodes it is
+// Error bound of the field, from the integrand on one complex curve, b its height above the real axis. For a sum over n nodes it is
 // e^{exponent - 2 n b}; for a sum over n chords, this divided by 1 - e^{-2 (n + 1) b} (docs/certificate.md, section 8).
 struct ChordLine {
     std::size_t curve = 0;
@@ -96,12 +96,12 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // reach_[0]: for the bound on sums over chords, x and y complex; reach_[1]: for the bound on sums over nodes, y complex.
+        // Largest distance from the moved centre to a point of the window ([0], if x and y are complex), or in y alone ([1]).
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // Bounds on a curve, for phase Phi and v in the window. size(): on |Im(Phi + v . rho)|; bend(): on its second derivative there.
+    // Bounds on a curve, for phase Phi and all v in the window: size(): of |Im(Phi + v . rho)|; bend(): of its second derivative.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {

@@ -56,7 +56,7 @@ LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(l
 }
 #endif
 
-// Functions of the height b of a complex curve, at the 64 heights among which bounds choose.
+// Functions of the height b of a complex curve, at 64 heights; the smallest of the bounds at these heights is used.
 struct ChordCurves {
     static constexpr std::size_t count = 64;
     using Values = std::array<double, count>;
@@ -122,8 +122,8 @@ struct ChordGrowth {
     // Approximate smallest degree n with log tail(n) <= `logarithm`.
     double fewest(double logarithm) const;
 
-    // Bound on the maximum distance on the disk between the pupil function and polynomials of degree d. The part of degree n is at
-    // most (n+1)^(3/2) times the n-th Chebyshev coefficient of the means over chords.
+    // Bound on the largest error, on the disk, of the best polynomial of degree d for the pupil function, whose part of degree n is
+    // at most (n+1)^(3/2) times the n-th Chebyshev coefficient of its means over chords.
     double distance(std::size_t d) const;
 };
 

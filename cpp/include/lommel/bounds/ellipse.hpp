@@ -24,7 +24,7 @@
 
 namespace lommel {
 
-// Functions of the size eta of an ellipse, for the 40 ellipses among which bounds choose; sine and cosine of the sampled angles.
+// Functions of the size eta of an ellipse, for 40 ellipses, of whose bounds the smallest is used; sine, cosine of sampled angles.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -220,11 +220,11 @@ inline double beyond_window(double m, double step, double power, double reach) {
     const double x = reach / m, root = std::sqrt(std::max(0.0, 1.0 - x * x)), rate = std::log((1.0 + root) / x);
     const double top = m * (root - rate);
     const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
-    // If m is close to v, Kapteyn's bound over v may decrease with v: v = reach need not be the maximum.
+    // If m is close to v, (Kapteyn's bound) / v may decrease with v: its maximum need not be at v = reach.
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
-    // For m > v, 2/v |J_m(v)| increases with v: the maximum is at v = reach.
+    // For m > v, (2 / v) |J_m(v)| increases with v: its maximum is at v = reach.
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 

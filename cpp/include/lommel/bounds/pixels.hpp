@@ -1,6 +1,6 @@
 // Error bounds of pixel averages (docs/certificate.md, section 9), for a function f of the distance from the axis that is of
-// exponential type 2 along every line and differs from a constant by at most 1: the intensity over half its maximum, or a
-// derivative of the intensity over the bound of that derivative. Lengths are in units of lambda / (2 pi NA).
+// exponential type 2 along every line and differs from a constant by at most 1: 2 * intensity / (its maximum), or (a derivative of
+// the intensity) / (its bound). Lengths are in units of lambda / (2 pi NA).
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ inline double interpolation_error(double half, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of a function's average over a square of this side by a Gauss-Legendre rule of `points` nodes in each direction.
+// Error of the average of f over a square of this side by a Gauss-Legendre rule of `points` nodes in each direction.
 inline double gauss_error(double side, std::size_t points) {
     if (side <= 0.0) {
         return 0.0;
@@ -80,13 +80,13 @@ inline double turning_error(double reach, double order, double spacing) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of interpolating the average over a square in the azimuth of its centre, from `angles` angles, in powers of cos(4 azimuth).
+// Error of the average of f over a square, interpolated in the azimuth of its centre from `angles` angles in cos(4 azimuth).
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Error of interpolating the difference between the averages over two opposite sides of a square as a function of the azimuth of
-// its centre, from `angles` angles by odd orders (docs/certificate.md, section 15).
+// Error of (average of f over one side of a square) - (that over the opposite side), interpolated in the azimuth of its centre from
+// `angles` angles by odd orders (docs/certificate.md, section 15).
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

@@ -22,7 +22,7 @@
 namespace lommel {
 
 // Error bound of one of the two sums of the quadrature, over chords or over the nodes of a chord. line: bound in use; curve: index
-// of the complex curve to be sampled; bend: bound on the second derivatives of phase and Fourier kernel on that curve.
+// of the complex curve to be sampled; bend: bound on the second derivatives of log(integrand) on this curve.
 struct ChordSide {
     ChordLine line;
     std::size_t curve = 0;
@@ -56,7 +56,7 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, choose the complex curves with the fewest chords and nodes for the error error(p, bound). Result: disk(p).
+    // Set disk(p) for each pupil p: the complex curves by whose bounds the fewest chords and nodes suffice for error(p, bound).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer
@@ -131,8 +131,8 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The table has the curve of the batch's first pupil, nearest to the real axis. Second derivatives of the integrand
-                // are smallest there: each pupil's `bend`, from its own curve, is a bound on them.
+                // The table has the curve of the batch's first pupil, the nearest to the real axis. Second derivatives of the
+                // integrand are smallest there: each pupil's `bend`, a bound on them for its own curve, holds there too.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

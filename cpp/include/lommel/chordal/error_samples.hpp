@@ -81,8 +81,8 @@ struct SharpTable {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of samples along the first angle a, in x = cos(a), halved where a sample is its own mirror image. Sum over chords:
-    // as |sin(a + ib)|^2, with b the imaginary part on the curve; sum over nodes: the largest weight for any number of chords.
+    // Weights of samples along the first angle a, in x = cos(a), halved where a sample is its own mirror image: for the sum over
+    // chords as |sin(a + ib)|^2, b the height of the curve; for the sum over nodes the maximum for any number of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -170,10 +170,10 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For each pupil, Phi its phase. tops: max |Im Phi| over the samples r; means: mean of |exp(i (Phi - v . r))| over the samples, for
-// the corner v of the window where it is largest, divided by exp(top + table.scale), which keeps it within single precision.
+// For each pupil with phase Phi. tops: max |Im Phi| over the samples r; means: mean of |exp(i (Phi - v . r))| over the samples, for
+// the corner v of the window where it is largest, divided by exp(tops + table.scale), which keeps it within single precision.
 // coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector lanes are pupils or, with `Lone`,
-// samples of one pupil. room: table.room() vectors.
+// samples of one pupil. room: working memory, table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;

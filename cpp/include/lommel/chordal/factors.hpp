@@ -64,7 +64,7 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function `nodes` at a pair of chords by the Zernike term of each lane. Parities of factors add modulo 2.
+// Multiply the pupil function `nodes` at a pair of chords by the Zernike term of each lane: result `to`. Parities add modulo 2.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;

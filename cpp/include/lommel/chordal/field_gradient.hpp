@@ -19,8 +19,8 @@
 
 namespace lommel {
 
-// values, per plane: sum over pixels of weight x intensity; its derivatives by the parameters whose derivatives of the field are
-// the sets 1, 2, ... (set 0: the field); then those by Zernike coefficients.
+// values, per plane: S = sum over pixels of weight x intensity; dS/dp for the parameters p by which the fields of set 0 have the
+// derivatives in the sets 1, 2, ...; dS/dc for the `terms` Zernike coefficients c.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;
@@ -50,8 +50,8 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field(). adjoint: adjoint field G of one field at the nodes of a pair of chords. The derivatives of sum (pupil
-// function x G) with respect to each part of the field's amplitude are added to sums[part][re, im][node].
+// Transpose of place_field(): add the derivatives of S = sum over nodes of (pupil function x G) by the parts of a field's amplitude
+// to sums[part][re, im][node]. adjoint: adjoint field G of this field at a pair of chords; room: working memory.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;

@@ -40,17 +40,18 @@ struct ChordalBudget {
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Largest share of a disk's error for the sum over chords; the sum over the nodes of chords gets the remainder.
+    // Largest share of a disk's error for the sum over chords; the rest is for the sum over the nodes of chords.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of U, with rounding, / (tol x estimated max |U|); rounding: largest share of it for rounding.
+    // Single precision. single: error of U, with rounding, / (tol x estimated max |U|); rounding: its largest share due to
+    // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Factors on the error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the peak may
-    // then be below its estimate, and a second attempt doubles the work. large_factor_single: large_factor in single precision.
+    // Factors on the allowed error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the
+    // peak may be below its estimate, and a second attempt doubles the work. large_factor_single: large_factor in single precision.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
-    // Second attempt. retry_least, retry_most: limits of (new error of U) / (first error); retry_single: error of U in single
-    // precision, with rounding, / (tol x computed max |U|).
+    // Second attempt. retry_least, retry_most: limits of (new / first allowed error of U); retry_single: allowed error of U in
+    // single precision, with rounding, / (tol x computed max |U|).
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
     // Pixel averages: share of the tolerance for quadrature. The rest is for rounding, which is larger if batches share tables.
     static constexpr double of_nodes = 0.9;
@@ -113,7 +114,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Error that rounding in single precision leaves for quadrature. If rounding is too large, pupil p is set to double precision.
+    // Error of U left for quadrature in single precision, after rounding. If rounding is too large, pupil p gets double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -164,7 +165,7 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups the same quadrature, and so the same tables, unless one of them gets over `more` times its nodes.
+    // Give neighbouring groups the same quadrature and tables, unless a group would get more than `more` times its own nodes.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -362,7 +363,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate times of this method (costs_.first) and of a Zernike series (costs_.second). The first `singles` pupils: in float.
+    // Estimate times of this method (costs_.first; `singles` pupils in float) and of a Zernike series (costs_.second).
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +
@@ -453,7 +454,7 @@ void ChordalRenderer<T, More>::run() {
     const double bright = stack_.amplitude.integral(stack_.obscuration);
     const auto first = [&](std::size_t p, const ChordBound& bound) {
         check_phase(bound.size());
-        // Estimate of max |U|, U the complex amplitude. Few PSFs have a smaller one; a second attempt then reduces the error.
+        // Estimate of max |U|, U the complex amplitude. For the few PSFs with a smaller max |U|, there is a second attempt.
         const double peak = 0.5 * bright / std::sqrt(1.0 + bound.variance());
         State& s = states_[p];
         const bool large = bound.variance() > ChordalBudget::large_variance;

@@ -19,14 +19,14 @@ struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]
 
-    // Compute the bounds. ends[part]: index after its last term; powers[term][curve]: bounds on terms; needed[sum]: half the number
-    // of chords (0), of nodes (1), the minimum over curves of log(largest part) * rate[curve] + chosen[sum][curve].
+    // Compute the bounds. ends[part]: index after its last term; powers[term][curve]: bounds on terms; needed[0], needed[1]: half
+    // the number of chords, of nodes: minimum over curves of log(bound on the largest part) * rate[curve] + chosen[0 or 1][curve].
     void sum(Level level, const std::complex<double>* coefficients, const std::vector<std::size_t>& ends, const double* powers,
              const double* rate, const double* chosen, double (&needed)[2]) const;
 
-    // Error bounds field_errors[set][plane][field]: sums over parts of shares[field][part] * error of the part. A part's error is
-    // on_curves * chords[set][curve] for the best curve, plus the same with `nodes`, plus left[set], rounding[set] * moduli and
-    // `error`. of[set]: index of the set's series.
+    // Error bounds field_errors[set][plane][field]: sums over parts of shares[field][part] * (error of the part), which is the sum
+    // of min over curves of on_curves * chords[set][curve], the same with `nodes`, left[set], rounding[set] * moduli, and `error`.
+    // of[set]: index of the set's series.
     void errors(const std::int32_t* of, std::size_t sets, std::size_t planes, const double* chords, const double* nodes,
                 const double* left, const double* rounding, const double* shares, std::size_t fields, double error,
                 double* field_errors) const;

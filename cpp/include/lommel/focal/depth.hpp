@@ -1,4 +1,4 @@
-// Depth of each block of pixels from its energies at all depth candidates: minimum, standard error and goodness of fit.
+// Depth of each block of pixels: the candidate of least energy (mean squared residual), its standard error and misfit.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace lommel {
 
-// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: the energy as a quadratic form in the
-// residual images. statistics[row][candidate], with kappa half the energy's second derivative: row 0: energy of white noise;
-// row 1: variance, due to texture, of half the energy's first derivative, divided by kappa; row 2: its variance due to noise;
-// row 3: kappa / (mean - minimum of the energy over the candidates); row 4: variance of kappa due to noise.
+// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: coefficients of the energy E in the
+// products of residual images. statistics[row][candidate], with E' and E'' the derivatives of E with respect to the candidate and
+// kappa = E'' / 2: E of white noise; (variance of E' / 2 due to texture) / kappa; variance of E' / 2 due to noise; kappa / (mean of
+// E over the candidates - its minimum); variance of kappa due to noise.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 
@@ -196,8 +196,8 @@ class FocalSearch {
         if (!(likelihood * (second - here) >= distinct)) {
             return found;
         }
-        // Noise makes the minimum too sharp: the measured curvature is averaged with the one expected from the depth of the
-        // valley. Weights are by their variances, due to noise and to differences between textures.
+        // Noise makes the measured curvature too large: average it with the curvature expected from the depth of the valley, with
+        // weights by their inverse variances, due to noise and to differences between textures respectively.
         const auto statistic = [&](std::size_t row) { return statistics_[row * given_.count + at]; };
         const float expected = statistic(Steepness) * valley, by_noise = worse * std::sqrt(statistic(OfCurvature) / pixels);
         const float share = 1.0f / (1.0f + by_noise * by_noise / std::max(square(unlike * expected), 1e-30f));

@@ -16,7 +16,7 @@ namespace lommel {
 // frame i and T_m the Chebyshev filter of order m (polynomials.hpp).
 class FocalMixture {
    public:
-    // The mixture uses `frames` frames of a FocalRows, from index `first` on; factors[images][frames][terms].
+    // Uses `frames` frames of a FocalRows, from index `first` on, and orders m < terms. factors[image][frame][order m].
     FocalMixture(const float* factors, std::size_t images, std::size_t first, std::size_t frames, std::size_t terms)
         : images_(images), first_(first), frames_(frames), terms_(terms), factors_(factors, factors + images * frames * terms) {
     }
@@ -70,8 +70,8 @@ class FocalMixture {
     Floats factors_;
 };
 
-// Window over which products are averaged: blocks of `side` x `side` pixels (side = 1, 2 or 4), weighted symmetrically along
-// either axis; the sum of all weights is 1.
+// Window over which products are averaged: blocks of `side` x `side` pixels (side = 1, 2 or 4). Weights are symmetric along either
+// axis, and their sum along an axis is 1.
 struct FocalWindow {
     std::size_t side;
     std::vector<float> weights;  // weights of blocks at distances of 0, 1, 2, ... from the centre

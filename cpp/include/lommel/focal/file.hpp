@@ -117,7 +117,7 @@ class FocalCamera {
         const std::size_t binning = whole(FocalFile::Binning), frames = whole(FocalFile::Frames);
         const auto reach = [&](FocalFile::Whole degree, FocalFile::Whole taps) { return whole(degree) * whole(taps); };
         const std::size_t least = std::min(height, width);
-        // Smaller frames have no reliable depth; the check also limits the row buffers, whose length is set by the file.
+        // Frames smaller than the blur or the filters have no reliable depth. The check also limits buffers sized by the file.
         if (2 * whole(FocalFile::Blur) >= least / binning || reach(FocalFile::Degree, FocalFile::Reach) >= least / binning ||
             reach(FocalFile::ImageDegree, FocalFile::ImageReach) >= least) {
             throw std::invalid_argument("frames are smaller than the blur and the filters that the tables are for");

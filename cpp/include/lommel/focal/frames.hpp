@@ -39,7 +39,7 @@ class FocalReader {
     FocalReader(std::size_t height, std::size_t width, std::size_t binning)
         : height_(height), width_(width), binning_(binning) {}
 
-    // Write row y of binned pixels to `out`, and marks to `unknown`: 2 unknown, 1 not trusted. Returns whether any is marked.
+    // Write row y of binned pixels to `out`, and set marks in `unknown`: 2 unknown, 1 not trusted. Returns whether any is set.
     template <class I>
     LOMMEL_INLINE bool operator()(I isa, const FocalFrame& frame, std::size_t y, float* out, float* unknown) const {
         switch (frame.kind) {

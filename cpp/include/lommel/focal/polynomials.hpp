@@ -24,7 +24,7 @@ struct FocalTaps {
     float values[3];
 };
 
-// Ring buffers of the last rows of several images, filtered by each T_m(2 B - 1) of FocalTaps; `margin` floats at either end.
+// Ring buffers of the last rows of several images, filtered by T_m(2 B - 1) (FocalTaps); `margin` floats at both ends of a row.
 class FocalRows {
    public:
     static constexpr std::size_t margin = 32;
@@ -48,7 +48,7 @@ class FocalRows {
         return rows_.data() + image * total_ + starts_[m] + y % lengths_[m] * pitch_ + margin;
     }
 
-    // Compute row y of all images filtered by T_m(2 B - 1), m > 0, by the recurrence of Chebyshev polynomials.
+    // Compute row y of all images filtered by T_m(2 B - 1), m > 0 (FocalTaps), by the recurrence of Chebyshev polynomials.
     template <class I>
     LOMMEL_INLINE void step(I isa, std::size_t m, std::size_t y) {
         for (std::size_t image = 0; image < images_; ++image) {

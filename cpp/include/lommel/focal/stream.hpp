@@ -84,8 +84,8 @@ class FocalStream {
     // Correct standard errors in places(), mark uncertain depths as unknown, and write filled(), in which no depth is unknown.
     void search();
 
-    // Compute a sharp image: sum of the kept images times factors[candidates][images], which are interpolated linearly at the
-    // depth positions[down][across] (in candidates) of blocks of `side` x `side` pixels.
+    // Compute a sharp image: sum of the kept images times factors[candidate][image]. Factors are interpolated linearly at the depth
+    // positions[down][across] (in candidates) of blocks of `side` x `side` pixels, and between block centres.
     void mix(const float* positions, std::size_t down, std::size_t across, std::size_t side, const float* factors,
              std::size_t candidates, float* out);
 
@@ -539,7 +539,7 @@ class FocalStream {
         }
         static_cast<void>(sizeof(V));
     }
-    // Interpolate linearly from block centres to a row of pixels; a and b are rows of blocks, `part` is the weight of b.
+    // Linear interpolation of (1 - part) a + part b, at the centres of `across` blocks of `side` pixels, to `width` pixels.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
                                      std::size_t width, float* to) {
         const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };

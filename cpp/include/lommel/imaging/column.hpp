@@ -19,9 +19,9 @@ using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I
 template <class I>
 using Half = Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>;
 
-// PSF windows of one point or of two vertically adjacent points, read row by row for one vector of columns, the first of which
-// is `from`. If `Alike`, both points mix the same four windows, which are loaded once. Windows are zero beyond their half
-// width, so the larger half width serves both points.
+// PSF windows of one point or of two vertically adjacent points, each a mixture of four windows of a bank, read row by row for one
+// vector of columns, the first of which is `from`. If `Alike`, both points mix the same four windows, which are loaded once.
+// Windows are zero beyond their half width, so the larger half width serves both points.
 template <class Vec, class T, std::size_t Points, bool Alike>
 struct Rows {
     using V = Vec;

@@ -215,7 +215,7 @@ class HiddenPoints {
         return y >= 0 && x >= 0 && y < static_cast<std::ptrdiff_t>(height_) && x < static_cast<std::ptrdiff_t>(width_);
     }
 
-    // Index of the point whose light stands for what point (y, x) hides, or -1. Steps before index `from` lead to no farther
+    // Index of the representative point for the light behind point (y, x), or -1. Steps before index `from` lead to no farther
     // layer; points at distances of `far` or more cannot be occluded. `Inner`: no step leaves the image.
     template <bool Inner>
     std::int32_t visit(std::size_t y, std::size_t x, const std::vector<Step>& steps, std::size_t from, float far) const {

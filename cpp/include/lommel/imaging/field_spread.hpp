@@ -148,7 +148,7 @@ class FieldSpreader {
         }
     }
 
-    // Compute the weights of the 3 x Order windows (3 places, Order defocus nodes) that a pixel mixes; return the first of these.
+    // Compute the weights of the 3 x Order windows (3 places, Order defocus nodes) that a pixel mixes; return the first window.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {

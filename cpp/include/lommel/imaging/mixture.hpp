@@ -12,8 +12,8 @@
 namespace lommel {
 
 // Bank of PSF windows at equal steps of defocus, 2 widest + 1 pixels a side. Windows are symmetric about both axes, so only one
-// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. Interpolated
-// windows are divided by their interpolated energy, so that each sums to the value of its point.
+// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. An interpolated
+// window is divided by its energy and multiplied by the value of its point.
 template <class T>
 struct WindowBank {
     const T* windows;  // [window, one spare][row from the middle down][column from the middle right, zero padded]

@@ -43,7 +43,7 @@ struct Fitted {
     std::array<double, most_unknown> value{}, errors{};
     double deviance =
         std::numeric_limits<double>::infinity();  // 2 (log-likelihood of the counts themselves - log-likelihood of the model)
-    double discrepancy = 0.0;  // Pearson's chi2 minus its expectation, over its standard deviation
+    double discrepancy = 0.0;  // (Pearson's chi2 - its expectation) / its standard deviation
     FitState state = FitState::undetermined;
     std::int32_t steps = 0;
 };
@@ -259,8 +259,8 @@ class MoleculeFit {
                     found.state = FitState::converged;
                     break;
                 }
-                // Fisher information differs from the curvature of the log-likelihood: if the derivative along the step
-                // changes sign and keeps over half of its modulus, the step was far too long: damping increases.
+                // Fisher information differs from the curvature of the log-likelihood. If the derivative along the step changes
+                // sign and keeps more than half of its modulus, the step was far too long: damping increases.
                 const double turned = after / before;
                 damping = turned < -0.5    ? std::max(4.0 * damping, 0.2)
                           : turned < -0.2  ? damping

@@ -175,7 +175,7 @@ class MoleculeImages {
         return piece;
     }
 
-    // Tap weights and their derivatives for a molecule at `at` (pixels); returns the index of the first coefficient weighted.
+    // Tap weights and their derivatives at `at` (pixels), with first_row or first_column as `first`; returns the first tap's index.
     std::size_t taps_at(double at, double first, Weights& weights) const {
         const double per = static_cast<double>(table_.per), place = -per * at - first, whole = std::floor(place);
         const double x = 2.0 * (place - whole) - 1.0;

@@ -1,7 +1,7 @@
 // Optical transfer function (OTF) of a wavefront of Zernike terms, by integration over the overlap of two shifted apertures.
 //
-// With the pupil function P and the frequency f in units of the cutoff, OTF(f) is the integral of P(rho - f) conj(P(rho + f)) over
-// that of |P|^2. Let u be the coordinate along f, y that perpendicular to f. The overlap of two discs has the ends u =
+// With the pupil function P and the frequency f in units of the cutoff, OTF(f) = (integral of P(rho - f) conj(P(rho + f))) /
+// (integral of |P|^2). Let u be the coordinate along f, y that perpendicular to f. The overlap of two discs has the ends u =
 // +-(cos(theta) - f) at y = sin(theta), entire functions of theta: Gauss-Legendre rules in theta and u converge faster than any
 // power. With an obscuration of ratio eps, the region is cut where its arcs meet; beside the obscuration y = eps sin(theta) (H. H.
 // Hopkins, Proc. R. Soc. A 231, 91, 1955).
@@ -227,7 +227,7 @@ class Overlap {
         for (std::size_t p = 0; p < degree_; ++p) {
             Line& row = shifted_[p];
             row.fill(0.0);
-            double power = f_, ways = static_cast<double>(p + 1);  // f^(i - p) and the binomial coefficient i over p
+            double power = f_, ways = static_cast<double>(p + 1);  // f^(i - p) and the binomial coefficient C(i, p)
             for (std::size_t i = p + 1; i <= degree_; ++i) {
                 if ((i - p) % 2 == 1) {
                     for (std::size_t j = 0; i + j <= degree_; ++j) {

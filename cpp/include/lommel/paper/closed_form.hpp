@@ -1,5 +1,6 @@
-// The paper's closed form, as printed or refined. J0 is a power series up to a transition, and an asymptotic form beyond it. On
-// intervals of the pupil radius, phase and amplitude of that form are quadratic: each gives end-point terms and a Fresnel integral.
+// Closed form for the field of a circular pupil (docs/paper.md), as printed or refined. J0 is a power series up to a transition,
+// and an asymptotic form beyond it. On intervals of the pupil radius, phase and amplitude of this form are quadratic: each gives
+// end-point terms and a Fresnel integral.
 #pragma once
 
 #include <algorithm>

@@ -22,7 +22,7 @@
 
 namespace lommel {
 
-// Stack of pupils whose axes DiskStack::move_axes() has moved to pixel centres, which leaves tilts of less than a pixel.
+// Stack of pupils whose image axes DiskStack::move_axes() has moved to pixel centres; remaining shifts are less than a pixel.
 class RimStack {
    public:
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
@@ -54,8 +54,8 @@ class RimStack {
                                 : Batch{RimKernels::narrow(widest), count - alone + b - together, 1, true};
         }
     };
-    // Copy the Zernike coefficients of a batch (for the obscuration if `inner`) to scratch.coefficients[term][lane]. With
-    // `line`, also write the sum of those of each azimuthal order, times ChordKernels::unit, to scratch.phases.
+    // Copy the Zernike coefficients of a batch (those of the obscuration if `inner`) to scratch.coefficients[term][lane]. With
+    // `line`, also write their sum over the terms of each azimuthal order, times ChordKernels::unit, to scratch.phases.
     void gather(const Batch& batch, bool inner, const RimLine* line, RimScratch& scratch) const {
         const std::size_t lanes = batch.lanes(), first = batch.first, here = batch.here, terms = stack_.terms.size();
         const std::vector<double>& all = inner ? stack_.inner : stack_.outer;
@@ -79,7 +79,7 @@ class RimStack {
     std::size_t degree_;
 };
 
-// Results of RimAverages; and averages computed elsewhere for the pixels of a box around each axis. Boxes may exceed the window.
+// Results of RimAverages. The averages `near`, in a box around each axis, are computed before. Boxes may exceed the window.
 struct RimAnswer {
     const double *remainders, *near;  // RimStack::remainders(), [pupil]; near: averages in boxes, [pupil][row][column]
     const std::int64_t* places;  // [pupil]: index of its image in `images`
@@ -122,12 +122,12 @@ class RimAverages : RimStack {
     void render(const Batch& batch, const RimLone* lone) const;
     Around around(const Batch& batch) const;
     std::vector<RimJob> jobs(const Around& pixels, std::size_t lanes) const;
-    // Write the image of a pupil from `averages` and answer_.near; returns the largest average outside the pupil's box.
+    // Write the image of a pupil, in its box from answer_.near, outside from `averages`; return the largest average outside.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // For the k-th derivative of the pupil function with coefficients `own`, divided by rim_scale(k). each[k]: bound on the
-    // aliasing error of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound on the sum of the moduli of
-    // its terms.
+    // For derivatives dbar^k P / rim_scale(k) of the pupil function P with coefficients `own`. each[k]: bound on the aliasing error
+    // of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound on the sum of the moduli of the terms of
+    // the derivative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 
@@ -280,7 +280,7 @@ LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::siz
             for (std::size_t i = 0; i < 4; ++i) {
                 const std::int64_t y = down[turned][i], x = right[turned][i];
                 if (pixels.holds(y, x)) {
-                    // A mirror image (`turned`) has the polar angles of i quarter turns minus those of the pixel.
+                    // A mirror image (`turned`) of the pixel at the polar angle psi is at the polar angle i pi / 2 - psi.
                     const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
                     const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
                     const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;

@@ -1,4 +1,4 @@
-// Choice of a box of pixels for each pupil: averages in the box come from samples at nodes, those outside from the rim.
+// Choice of a box of pixels for each pupil: averages in the box are computed from samples at nodes, those outside from the rim.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Box sizes of the least estimated time. The unit of time is that of one sample: at a node along x and a node along y.
+// Choice of box sizes of least estimated computing time, in units of the time of one sample (a node along x, a node along y).
 class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: nodes for the whole window
@@ -25,7 +25,7 @@ class RimBoxes {
 
     // `tol`: tolerance relative to the largest average. `lowest`: lower bound on (largest average) / (peak).
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Compute `sides` and `remainders`; returns whether boxes, with other pixels from the rim, are estimated to save time.
+    // Compute `sides` and `remainders`; returns whether boxes, with the pixels outside computed from the rim, should save time.
     bool choose(int threads);
 
    private:
@@ -36,13 +36,14 @@ class RimBoxes {
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most
     static constexpr double further = 4.0;  // assumed number if pupils are fewer, as small stacks often follow one another
-    // Times, in units of the time of one sample. rim: far pixels of one pupil without obscuration; rims: with one; call: each call.
+    // Times, in units of that of one sample. rim (rims): far pixels of a pupil without (with) obscuration; call: added once per
+    // call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
     static constexpr double narrowest = 18.0;  // least half side of a box, in lambda / (2 pi NA)
     static constexpr double left = 0.4;  // fraction of the tolerance for errors due to RimStack::remainders()
-    // Far pixels come from the rim if this takes at most this fraction of the time of nodes for the whole window.
+    // Boxes are used if their estimated time is at most `worth` times that of nodes for the whole window.
     static constexpr double worth = 0.85;
 
     double count() const { return static_cast<double>(stack_.count); }
@@ -90,7 +91,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // tol_ times the estimated largest average, the smaller of a value for large and one for small pixels.
+    // tol_ times the estimated largest average, which is the smaller of an estimate for large and one for small pixels.
     const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }

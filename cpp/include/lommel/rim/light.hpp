@@ -77,8 +77,8 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Fourier coefficients (order mu) of derivatives dbar^k P / rim_scale(k) (RimSlopes) of the pupil function P on a rim:
-// values[rim.first + mu - k][k][re, im][lane], 0 for |mu| > rim.orders. The Zernike coefficients are in scratch.coefficients.
+// Fourier coefficients of order mu of dbar^k P / rim_scale(k) (RimSlopes) on a rim, from the Zernike coefficients in `scratch`,
+// with pupil function P, |P| = amplitude: values[rim.first + mu - k][k][re, im][lane], 0 for |mu| > rim.orders; of: sums over them.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,
                                     Floats& values, RimSums& of) {
@@ -376,8 +376,8 @@ struct RimLone {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
-// Waves X and Y (RimWaves) at the radii from .. from + size - 1, as Fourier series in the polar angle: waves[radius][kind of
-// fold()][order][re X, im X, re Y, im Y][lane]. `Lone`: for one pupil, at the radii of block `from`, one radius per lane.
+// Fourier series in the polar angle of X, Y (RimWaves) at the radii from .. from + size - 1, from `values` (rim_coefficients()):
+// waves[radius][kind of fold()][order][re X, im X, re Y, im Y][lane]. `Lone`: one pupil, one radius of block `from` per lane.
 template <bool Lone, class I>
 LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const RimLone* lone, std::size_t from,
                              std::size_t size, const float* values, Floats& waves) {
@@ -435,7 +435,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
     }
 }
 
-// Channels of v^3 I at one polar angle, with v the radius and I the intensity, from the waves x[rim][re X, im X, re Y, im Y].
+// Channels of v^3 I at one polar angle, with radius v and intensity I, from the waves x[rim][re X, im X, re Y, im Y] (RimWaves).
 // Channel 0 is smooth, the sum of |wave|^2; the others, in pairs, are coefficients of cos(f v), sin(f v) for ring frequencies f.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {

@@ -279,8 +279,8 @@ struct RimDisk {
     }
 };
 
-// mean[lane]: mean over the disk of |Q_K / rim_scale(K)|^2, with Q_K = dbar^K P / P (RimSlopes) and K = rim_orders.
-// moduli[lane]: the same with sums of moduli for Q_K, to which rounding is relative. Lanes are those of rim_powers().
+// mean[lane]: mean over the disk of |Q_K / rim_scale(K)|^2, Q_K = dbar^K P / P (RimSlopes), K = rim_orders. moduli[lane]: the same
+// with sums of moduli in Q_K, to which rounding errors are relative. Lanes: see rim_powers().
 template <std::size_t Degree, bool Lone, class I>
 LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
     using V = typename I::floats;

@@ -47,8 +47,8 @@ struct RimWaves {
     std::size_t orders = 0;   // largest order |mu| of the Fourier coefficients in use
     std::size_t angles = 0;   // number of equally spaced angles on the rim
     std::size_t first = 0;    // wave i < count() has the azimuthal order i - first
-    // real (imaginary): factors of Fourier coefficients in X (Y). Field U: v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv - e^-iv).
-    // Indices: [wave][tile of radii][k][radius in the tile].
+    // Factors of the Fourier coefficients in X (`real`) and Y (`imaginary`). Field U: v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv -
+    // e^-iv). Indices: [wave][tile of radii][k][radius in the tile].
     Floats real, imaginary;
     Floats forward[4];  // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
     Floats back[4];  // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
@@ -188,7 +188,7 @@ struct RimTable {
     // two Bernstein ellipses of the interpolation.
     std::array<double, 2> off_radii{};
     double off_pixels = 0.0;  // error of averages due to Gauss quadrature over a pixel
-    double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel over (RimStack::remainders() / v^rim_orders)^2
+    double off_field = 1.0;  // bound: mean of |omitted field|^2 in a pixel / (RimStack::remainders() / v^rim_orders)^2
     double dropped = 0.0;  // error of averages due to omitted channels, relative to the largest value of channel 0
 
     explicit RimTable(const RimWindow& asked);

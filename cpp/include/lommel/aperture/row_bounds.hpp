@@ -138,7 +138,7 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
 }
 
 // Map from s in [-1, 1] to y over a panel. root = 0: linear; root = -1 or 1: an arc begins at the low or high end, and the distance
-// from this end is the panel's length times the square of (1 + s) / 2, which removes the square root of the arc.
+// from this end is length * ((1 + s) / 2)^2, which removes the square root of the arc.
 class PanelMap {
    public:
     PanelMap(double low, double high, int root)
@@ -251,8 +251,8 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // The points with growth b below a limit form a convex set: between two sides, b is at most its larger value on the
-            // sides.
+            // Points with growth b below a limit form a convex set: between two sides, b is at most the larger of its values on
+            // them.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }

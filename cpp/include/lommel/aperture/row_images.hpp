@@ -1,5 +1,4 @@
-// Images of pupils with apertures of any shape, their derivatives with respect to Zernike coefficients, and error bounds of the
-// field.
+// Images of pupils with apertures of any shape, their derivatives by Zernike coefficients, and error bounds of the field.
 #pragma once
 
 #include <algorithm>

@@ -113,7 +113,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     if (!(room > 0.0)) {
         return false;
     }
-    // Estimated largest average: most * guess / (most + guess), with `most` the one without aberration and `guess` the peak.
+    // Estimated largest average: most * guess / (most + guess). `most`: that without aberration; `guess`: estimated peak.
     const double lowest = least_average(step), most = std::min(4.0 * lowest, 1.0),
                  guess = light.strehl * (light.strehl > 0.6 ? sharp : dim);
     double err_samples = of_samples * room * most * guess / (most + guess);

@@ -1,11 +1,10 @@
 // Quadrature over the spatial frequency w along one axis (cutoff |w| = 2), for the error of averages due to the error e(w) of a
 // filter's response (certificate, section 10, "The mean error of a response").
 //
-// The transfer function of a pupil with amplitudes of at most 1 is at most the autocorrelation of the unit disk. Integrated
-// over the other axis, this is at most 16 / (3 pi^2) y^2, y = 1 - w^2 / 4, and has the integral 1. By Schwarz's inequality the
-// mean of |e| with this weight is at most the root of (16 / (3 pi^2))^2 pi times the integral of sqrt(y) y^3 e^2. The bound is
-// close for filters, whose errors are largest near the cutoff. Gauss quadrature with Chebyshev polynomials of the second kind
-// is exact for polynomials e.
+// The transfer function of a pupil with amplitudes of at most 1 is at most the autocorrelation of the unit disk. Integrated over
+// the other axis, this is at most c y^2, c = 16 / (3 pi^2), y = 1 - w^2 / 4, and has the integral 1. By Schwarz's inequality the
+// mean of |e| with this weight is at most sqrt(c^2 pi (integral of y^(7/2) e^2)). This bound is close for filters, whose errors are
+// largest near the cutoff. Gauss quadrature with Chebyshev polynomials of the second kind is exact for polynomials e.
 #pragma once
 
 #include <cmath>

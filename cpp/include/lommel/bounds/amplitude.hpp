@@ -48,7 +48,7 @@ class Amplitude {
     Amplitude raised(double power) const { return changed(power, 1.0); }
 
     // Bound on log A in the ellipse around the interval 0 <= t <= 1 with semi-axes c / 2 and sqrt(c^2 - 1) / 2. There the Chebyshev
-    // polynomials satisfy |T_k(2t - 1)| <= T_k(c), and the exponent is the sum of a_k T_k(2t - 1).
+    // polynomials satisfy |T_k(2t - 1)| <= T_k(c), and log A = -(sum of a_k T_k(2t - 1)).
     double growth(double c) const {
         double sum = std::abs(a_[1]) * c - a_[0], before = 1.0, here = c;
         for (std::size_t k = 2; k <= terms_; ++k) {
@@ -138,8 +138,7 @@ class Amplitude {
         return made;
     }
 
-    // Chebyshev coefficients a_k of the exponent: t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)), C binomial
-    // coefficients.
+    // Chebyshev coefficients a_k of g_0 + g_1 t + ..., by t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)), C: binomial.
     void expand() {
         a_[0] = g_[0];
         double middle = 1.0;  // C(2k, k) / 4^k

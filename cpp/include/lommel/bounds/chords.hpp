@@ -96,7 +96,8 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // Largest distance from the moved centre to a point of the window ([0], if x and y are complex), or in y alone ([1]).
+        // reach_[0] (sums over chords): largest distance from the moved centre to a point of the window; [1] (over nodes): in y
+        // alone.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }

@@ -1,5 +1,4 @@
-// Bounds on a pupil function exp(i Phi) on complex chords of the disk, and on the tails of its series (docs/certificate.md, section
-// 7).
+// Bounds on a pupil function exp(i Phi) on complex chords of the disk, and on tails of its series (docs/certificate.md, section 7).
 //
 // On the line of points cos(phi) xi + eta sin(phi) xi', with orthonormal vectors xi and xi' and |eta| <= 1, a Zernike polynomial of
 // degree n is a real trigonometric polynomial of degree n in the angle phi, at most 1. At phi = a + ib its imaginary part is at

@@ -1,5 +1,4 @@
-// Numbers of series terms and of quadrature nodes for a tolerance, by bounds on Bernstein ellipses (docs/certificate.md, sections 1
-// and 2).
+// Numbers of series terms and of quadrature nodes for a tolerance, by bounds on Bernstein ellipses (certificate, sections 1 and 2).
 //
 // In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around [0, 1] it is at
 // most exp g(eta), g = max_theta |Im Phi|. Hence Legendre coefficients fall like exp(-n eta) and errors of n-point Gauss quadrature

@@ -43,7 +43,7 @@ struct ChordalScratch {
     Doubles sums;
 };
 
-// Batch of pupils. area: relative area of the obscuration, whose amplitude times `area` is subtracted from that of the full disk.
+// Batch of pupils. Complex amplitude of a pupil = that of the full disk - area * that of the obscuration, of relative area `area`.
 template <class Real>
 struct ChordalBatch {
     using Kernels = ChordKernels<Real>;

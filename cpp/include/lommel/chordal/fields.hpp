@@ -393,7 +393,7 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]: index in `parts`
     double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
 
-    // Return whether no field has both even and odd parts, so the intensity is symmetric. odd: bit of a parity (1: in y; 2: in x).
+    // Return whether no field has both even and odd parts, so that the intensity is symmetric. odd: parity bit (1: in y; 2: in x).
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};

@@ -34,7 +34,7 @@ constexpr double max_table_bytes = 402653184.0;  // limit for the Fourier kernel
 
 // Error budget of the complex amplitude U in the image; tol: tolerance of the intensity |U|^2 relative to its peak.
 struct ChordalBudget {
-    // Error of U / (tol x max |U|), counted twice in the intensity; 1 - 2 * field is a margin for the estimate of max |U|.
+    // (Error of the amplitude U) / (tol x max |U|). It counts twice in the intensity; 1 - 2 * field: margin for the estimated |U|.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
@@ -43,7 +43,7 @@ struct ChordalBudget {
     // Largest share of a disk's error for the sum over chords; the rest is for the sum over the nodes of chords.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: error of U, with rounding, / (tol x estimated max |U|); rounding: its largest share due to
+    // Single precision. single: (error of U, with rounding) / (tol x estimated max |U|); rounding: largest share of it for
     // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the allowed error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the
@@ -114,7 +114,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Error of U left for quadrature in single precision, after rounding. If rounding is too large, pupil p gets double precision.
+    // Amplitude error left for quadrature by single-precision rounding; if that rounding is too large, p gets double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);

@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Bounds on the parts of amplitude series. Numbers: series in all planes; parts of a series; complex curves for the bounds.
+// Bounds on the parts of amplitude series. Numbers: `series` in all planes, `parts` of a series, complex `curves` for the bounds.
 struct SeriesSizes {
     std::size_t series, parts, curves;
     double *on_curves, *moduli;  // bounds on a complex curve, [series][part][curve]; on the real disk, [series][part]

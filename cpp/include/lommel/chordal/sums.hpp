@@ -1,4 +1,4 @@
-// Intensities in single precision by given numbers of chords and nodes, without error bound (docs/certificate.md, "By the core").
+// Intensities in single precision for given numbers of chords and nodes, no error bound (docs/certificate.md, "By the core").
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// Bank of templates: images of a molecule minus their mean, divided by their norm.
+// Bank of templates: (image of a molecule - its mean) / (norm of this difference).
 class Bank {
    public:
     // `places`: positions of the templates in the first channel, sorted by z, `layer` of them for each z.

@@ -1,9 +1,7 @@
-// Maximum-likelihood fit of the position of molecules from their images, by Fisher scoring from the best of a bank of
-// templates.
+// Maximum-likelihood fit of the position of molecules in their images, by Fisher scoring from the best of a bank of templates.
 //
-// C. S. Smith et al., Nature Methods 7, 373 (2010), doi:10.1038/nmeth.1449: Fisher information and maximum likelihood; F.
-// Huang et al., Nature Methods 10, 653 (2013), doi:10.1038/nmeth.2488: read noise as additional Poisson counts with the same
-// variance.
+// C. S. Smith et al., Nature Methods 7, 373 (2010), doi:10.1038/nmeth.1449: Fisher information and maximum likelihood; F. Huang et
+// al., Nature Methods 10, 653 (2013), doi:10.1038/nmeth.2488: read noise as additional Poisson counts with the same variance.
 #pragma once
 
 #include <algorithm>

@@ -55,7 +55,7 @@ class MeanProfile {
         const std::size_t s = panel(v);
         return series(&means_[s * points_], points_, place(v, s));
     }
-    // Encircled energy divided by 2 pi: integral of mean(s) s ds from 0 to v.
+    // (Encircled energy) / (2 pi): integral of mean(s) s ds from 0 to v.
     double energy(double v) const {
         const std::size_t s = panel(v);
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));

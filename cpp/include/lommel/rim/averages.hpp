@@ -181,8 +181,8 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
         moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
         summed[i] = apart[2 * i] + apart[2 * i + 1];
     }
-    // phase[m]: amplitude of the phase of azimuthal order m. At complex angles theta +- i t a term exp(i m theta) grows by at
-    // most exp(|m| t), and the pupil function is bounded by the exponential of the phase's imaginary part.
+    // phase[m]: amplitude of the phase of azimuthal order m. At complex angles theta +- i t a term exp(i m theta) grows by at most
+    // exp(|m| t), and |pupil function| is at most exp(|imaginary part of its phase|).
     std::vector<double> phase(slopes.degree + 1, 0.0);
     for (std::size_t c = 0; c < line.orders.size(); ++c) {
         double sum = 0.0;
@@ -347,7 +347,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
     const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
                  largest = static_cast<double>(scratch.largest[lane]);
     // Rounding in single precision. units: relative error of sums over radii, angles and channels. waves: error of a wave. There
-    // are `many` waves, two for each rim. By Schwarz, their moduli sum to at most the root of many * (sum of squared moduli).
+    // are `many` waves, two for each rim. By Schwarz, their moduli sum to at most sqrt(many * (sum of squared moduli)).
     const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                  waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                  many = 2.0 * static_cast<double>(table.rims.size());

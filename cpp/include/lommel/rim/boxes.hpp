@@ -36,8 +36,7 @@ class RimBoxes {
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most
     static constexpr double further = 4.0;  // assumed number if pupils are fewer, as small stacks often follow one another
-    // Times, in units of that of one sample. rim (rims): far pixels of a pupil without (with) obscuration; call: added once per
-    // call.
+    // Times in units of that of one sample. rim (rims): far pixels of a pupil without (with) obscuration; call: once per call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window

@@ -222,7 +222,7 @@ struct RimTable {
     // Highest order, in the polar angle, of the channels of rim_channels(), each a product of two waves.
     double order() const { return static_cast<double>(2 * rims[0].orders + rim_orders - 1); }
     double apart() const { return 2.0 * pi / static_cast<double>(around); }
-    // Bound on the sum of the moduli of all channels of rim_channels(), divided by channel 0.
+    // Bound on (sum of the moduli of all channels of rim_channels()) / (channel 0).
     double together() const { return channels() == 3 ? 2.0 : 5.0; }
     RadiusRule chosen_rule() const;
     void choose_angles();
@@ -263,8 +263,7 @@ LOMMEL_ONCE AngleWeights::AngleWeights(std::size_t taps, double most, double apa
 }
 
 LOMMEL_ONCE double RimTable::pixel_error(double step, std::size_t points) {
-    // Least bound, over several Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over -1 <= t <= 1, |w| <=
-    // 2.
+    // Least bound, over some Bernstein ellipses, on the error of Gauss quadrature of cos(w step t / 2) over |t| <= 1, for |w| <= 2.
     double least = 1.0;
     for (double rho = 1.2; rho < 60.0; rho *= 1.1) {
         const double size = std::exp(0.5 * step * (rho - 1.0 / rho) - 2.0 * static_cast<double>(points) * std::log(rho));

@@ -51,8 +51,8 @@ class DiskAverages {
     // pupils with axes at pixel centres. answer.errors remains infinite if the box fails.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
-    // Compute averages from nodes of the window `asked`, which may be a box; returns whether all meet the tolerance. `alone`:
-    // there are no other results yet; it then throws LimitExceeded where a series is faster for all pupils.
+    // Compute averages from nodes of the window `asked`, which may be a box, with the axes at `centers`; return whether all meet
+    // the tolerance. `alone`: there are no other results yet; it then throws LimitExceeded where a series is faster for all pupils.
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;

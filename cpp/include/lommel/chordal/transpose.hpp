@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// Transpose of multiply(): sum[k][c] += table[k][r] * data[r][c], summed over r; data[r][c] and sum[k][c] are SIMD vectors.
+// Transpose of multiply(): sum[k][c] += sum over r of table[k][r] * data[r][c]; data[r][c], sum[k][c]: SIMD vectors.
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);

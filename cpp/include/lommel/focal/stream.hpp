@@ -197,7 +197,7 @@ class FocalStream {
         }
     }
 
-    // Compute row y of all residual images and kept images, and the rows of the depth map that can now be estimated.
+    // Compute row y of all residual images, of kept images if `own`, and the rows of the depth map that can now be estimated.
     template <class I>
     LOMMEL_INLINE void emit(I isa, Strip& strip, std::size_t y, bool own) {
         float* lines[most_images + 2];

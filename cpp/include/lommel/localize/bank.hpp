@@ -117,8 +117,8 @@ class Localizer {
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
-    // Fit `count` molecules, each from its best template or, if that fit is doubtful, from up to `starts` templates.
-    // offsets[molecule][channel][row, column]: offset in the map of positions (Channel); tilted: fit a linear background.
+    // Fit `count` molecules from one stack per channel, each from its best template or, if that fit is doubtful, from up to
+    // `starts`. offsets[molecule][channel][row, column]: offset in the map of positions (Channel); tilted: fit a linear background.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 

@@ -124,8 +124,8 @@ class ClosedFormField {
         Rule() { gauss_legendre(count, nodes.data(), weights.data()); }
     };
 
-    // Add the integral over the pupil radii R with v R below the transition, by Gauss quadrature with the power series of J0 on
-    // panels of at most 4 rad, or by one rule of few nodes if the phase hardly varies and the series is short.
+    // Add the integral over pupil radii R from `low` to `high`, where v R is below the transition, by Gauss quadrature with the
+    // power series of J0 on panels of at most 4 rad; if the phase hardly varies and the series is short, by one short rule.
     template <class I>
     LOMMEL_INLINE void add_series(I isa, double alpha, double beta, typename I::pack v, typename I::pack low,
                                   typename I::pack high, typename I::pack& re, typename I::pack& im) const {
@@ -164,8 +164,8 @@ class ClosedFormField {
         }
     }
 
-    // Add the integral over the pupil radii R with x = v R above the transition: R J0(v R) = x J0(x) / v, and Re z = (z + conj z) /
-    // 2 splits x J0(x) into two waves e^{+-i (x - pi/4)}.
+    // Add the integral over pupil radii R from `low` to `high`, with x = v R above the transition and turn = 1 / v. R J0(v R) = x
+    // J0(x) / v, and Re z = (z + conj z) / 2 splits x J0(x) (coefficients c) into two waves e^{+-i (x - pi/4)}.
     template <class I>
     LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
                                  const std::complex<double>* c, typename I::pack low, typename I::pack high,

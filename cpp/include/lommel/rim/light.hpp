@@ -538,7 +538,7 @@ LOMMEL_INLINE void rim_pixels(I isa, const Floats& all, const std::vector<RimJob
     }
 }
 
-// Compute the channels of the intensity at one radius after the other, and add them to the averages of pixels.
+// Compute the channels of the intensity (rim_channels()) at one radius after the other, and add them to the averages of pixels.
 template <bool Lone, std::size_t Rims, class I>
 LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, const std::vector<RimJob>& jobs,
                              RimScratch& scratch) {

@@ -150,8 +150,8 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
             if (!(peak > 0.0)) {
                 return false;
             }
-            // Sum of samples times moduli of weights (A in certificate, section 10): at most gain times the largest sample, and
-            // at most spread times the sum of all averages (times 1.01 for the rounding of that sum).
+            // Sum of |weight| * sample (A in certificate, section 10): at most gain * (largest sample), and at most spread * (sum
+            // of all averages), with a factor 1.01 for the rounding of that sum.
             const double weighed = std::min(gain * made.brightest[p], 1.01 * spread * made.together[p]);
             const double given = made.error[p] * (2.0 * std::sqrt(gain * weighed) + gain * made.error[p]) / peak,
                          own = (missed + rounding * weighed) / peak;

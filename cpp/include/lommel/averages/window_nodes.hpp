@@ -100,7 +100,7 @@ inline std::shared_ptr<const WindowNodes> window_nodes(double step, std::size_t 
 #if defined(LOMMEL_DEFINES)
 namespace prolate {
 
-// Pivots of Gaussian elimination of a symmetric tridiagonal matrix minus shift; pivots of 0 are replaced by 1e-290.
+// Pivots of Gaussian elimination of (symmetric tridiagonal matrix) - shift * identity; pivots of 0 are replaced by 1e-290.
 inline std::vector<double> pivots(const std::vector<double>& diagonal, const std::vector<double>& beside, double shift) {
     const auto not_zero = [](double pivot) { return pivot == 0.0 ? 1e-290 : pivot; };
     std::vector<double> found{not_zero(diagonal[0] - shift)};

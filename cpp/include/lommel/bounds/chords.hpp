@@ -39,8 +39,8 @@ struct VBox {
     }
 };
 
-// Error bound of the field, from the integrand on one complex curve, b its height above the real axis. For a sum over n nodes it is
-// e^{exponent - 2 n b}; for a sum over n chords, this divided by 1 - e^{-2 (n + 1) b} (docs/certificate.md, section 8).
+// Error bound of the field, from the integrand on one complex curve, b its height above the real axis: e^{exponent - 2 n b} for a
+// sum over n nodes; e^{exponent - 2 n b} / (1 - e^{-2 (n + 1) b}) for a sum over n chords (docs/certificate.md, section 8).
 struct ChordLine {
     std::size_t curve = 0;
     double exponent = 690.0;

@@ -1,4 +1,4 @@
-// Reader of camera frames: binned rows in electrons, divided by the exposure, with marks for unknown pixels.
+// Reader of camera frames: binned rows in electrons / exposure, with marks for unknown pixels.
 #pragma once
 
 #include <algorithm>

@@ -84,8 +84,8 @@ class FocalStream {
     // Correct standard errors in places(), mark uncertain depths as unknown, and write filled(), in which no depth is unknown.
     void search();
 
-    // Compute a sharp image: sum of the kept images times factors[candidate][image]. Factors are interpolated linearly at the depth
-    // positions[down][across] (in candidates) of blocks of `side` x `side` pixels, and between block centres.
+    // Compute a sharp image, sum over kept images of factor * image. factors[candidate][image] are interpolated linearly at the
+    // depth positions[down][across] (in candidates) of blocks of `side` x `side` pixels, and between block centres.
     void mix(const float* positions, std::size_t down, std::size_t across, std::size_t side, const float* factors,
              std::size_t candidates, float* out);
 

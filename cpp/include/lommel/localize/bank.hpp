@@ -90,7 +90,7 @@ class Bank {
     double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
 
    private:
-    // Templates of one channel, values[template][pixel]. mean: mean of each image; norm: norm of the image minus its mean.
+    // Templates of one channel, values[template][pixel]. mean: mean of each image; norm: norm of (image - its mean).
     struct Templates {
         std::size_t pixels;
         Floats values;

@@ -16,8 +16,8 @@ namespace lommel {
 // Mean intensity on circles about the axis, as Chebyshev series on intervals (panels) of the radius v.
 //
 // Along any line the intensity is of exponential type 2 and between 0 and its peak; so is its mean over all directions, an even
-// function of v. Interpolation at Chebyshev points has an error of interpolation_error() times half of the peak; the energy within
-// v has an error of that times v^2 / 2. Errors of the given values are multiplied by lebesgue().
+// function of v. Interpolation at Chebyshev points has an error of e = interpolation_error() * peak / 2, and the energy within v
+// one of e * v^2 / 2. Errors of the values interpolated are multiplied by lebesgue().
 class MeanProfile {
    public:
     // at(v): mean intensity on the circle of radius v <= reach; allowed: interpolation error / (peak / 2).

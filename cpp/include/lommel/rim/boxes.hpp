@@ -30,12 +30,12 @@ class RimBoxes {
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Largest diagonal, in pixels, of windows whose far pixels are computed from the waves of the rim. It is multiplied by the root
-    // of the number of pupils, which share tables, and divided by the root of the pixel pitch in lambda / (2 pi NA).
+    // Far pixels are computed from the waves of the rim if the diagonal of the window, in pixels, is at most reach * sqrt(P / s):
+    // P: number of pupils, which share tables; s: pixel pitch in lambda / (2 pi NA).
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
-    static constexpr double shortest = 48.0;  // least value of this largest diagonal, in pixels: small windows gain most
-    static constexpr double further = 4.0;  // assumed number if pupils are fewer, as small stacks often follow one another
+    static constexpr double shortest = 48.0;  // least value of reach / sqrt(s): small windows gain most
+    static constexpr double further = 4.0;  // least value of P, as small stacks often follow one another
     // Times in units of that of one sample. rim (rims): far pixels of a pupil without (with) obscuration; call: once per call.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
@@ -90,7 +90,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // tol_ times the estimated largest average, which is the smaller of an estimate for large and one for small pixels.
+    // tol_ * (estimated largest average), the smaller of an estimate for large and one for small pixels.
     const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }

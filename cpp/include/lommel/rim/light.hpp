@@ -420,7 +420,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
                     }
                     store(to + 2 * k * lanes, re[0] + re[1]);
                     store(to + (2 * k + 1) * lanes, im[0] + im[1]);
-                    // Coefficient of sin(n psi), psi being the polar angle: i times the difference of orders n and -n.
+                    // Coefficient of sin(n psi), psi being the polar angle: i * (coefficient of order n - coefficient of order -n).
                     float* const sine = to + most * 4 * lanes;
                     store(sine + 2 * k * lanes, im[1] - im[0]);
                     store(sine + (2 * k + 1) * lanes, re[0] - re[1]);

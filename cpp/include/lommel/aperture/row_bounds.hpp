@@ -1,4 +1,4 @@
-// Numbers of rows, and of Gauss-Legendre nodes along rows, of an aperture for a proven error (docs/certificate.md, section 18).
+// Numbers of rows and of Gauss-Legendre nodes along rows of an aperture, for a proven quadrature error (certificate, section 18).
 #pragma once
 
 #include <algorithm>
@@ -62,10 +62,10 @@ void each_corner(double eta, const At& at) {
     }
 }
 
-// Number of nodes (`count`) of a Gauss rule on [-1, 1] for an error `error` (Trefethen, Approximation Theory and Approximation
-// Practice, Theorem 19.3; valid for one node too): the smallest over ellipses with semi-axes cosh eta, sinh eta. blocked: a
-// singularity excludes large ellipses. largest(eta, limit): bound on the logarithm of the integrand on an ellipse, 1e300 or more if
-// none is known; it may return this too if the integrand exceeds `limit`.
+// Number of nodes (`count`) of a Gauss rule on [-1, 1] for an error `error` of the integral (Trefethen, Approximation Theory and
+// Approximation Practice, Theorem 19.3; valid for one node too): the smallest over ellipses with semi-axes cosh eta, sinh eta.
+// blocked: a singularity excludes large ellipses. largest(eta, limit): bound on log |integrand| on an ellipse; 1e300 or more if
+// none is known, or, at its choice, if log |integrand| exceeds `limit`.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -251,8 +251,7 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // Points with growth b below a limit form a convex set: between two sides, b is at most the larger of its values on
-            // them.
+            // The points with b below a limit form a convex set: between two sides, b is at most its larger value on them.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }

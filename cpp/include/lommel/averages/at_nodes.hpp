@@ -117,7 +117,7 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     const double lowest = least_average(step), most = std::min(4.0 * lowest, 1.0),
                  guess = light.strehl * (light.strehl > 0.6 ? sharp : dim);
     double err_samples = of_samples * room * most * guess / (most + guess);
-    // The allowed error is rounded to a power of 2, so that pupils with similar peaks share cached nodes.
+    // The factor easier * strehl is rounded down to a power of 2, so that pupils with similar peaks share cached nodes.
     double err_response = of_response * room * lowest * std::exp2(std::floor(std::log2(easier * light.strehl)));
     NodeNumbers made(pupils, asked.factors.size());
     for (int attempt = 0; attempt < 3; ++attempt) {

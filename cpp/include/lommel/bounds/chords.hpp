@@ -51,12 +51,13 @@ struct ChordLine {
         const double least = std::exp(std::min(exponent - twice * b, 690.0));
         return sum == Sum::nodes ? least : least / -std::expm1(-(twice + 2.0) * b);
     }
-    // Error bound if the integrand is multiplied by a Zernike term of degree n.
+    // Error bound of the field if the integrand is multiplied by a Zernike term of degree n.
     ChordLine times(std::size_t n) const {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // needed(): approximate number of chords or nodes for an error; enough(): smallest permitted number, > max_chords if none.
+    // Number of chords or nodes for an error of the field. needed(): approximate; enough(): smallest permitted, > max_chords if
+    // none.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -118,11 +119,11 @@ class ChordBound {
         return total;
     }
 
-    // Error bound from a curve on which the integrand is at most e^logarithm.
+    // Error bound of the field from a curve on which the integrand is at most e^logarithm.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Error bound from the curve by which the fewest chords or nodes suffice for `error`, if log(integrand) on a curve is
-    // share * size(). The number of chords or nodes is convex in the height of the curve: descent finds its minimum.
+    // Error bound of the field from the curve by which the fewest chords or nodes suffice for `error`, if log(integrand) on a curve
+    // is share * size(). The number of chords or nodes is convex in the height of the curve: descent finds its minimum.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -161,7 +162,7 @@ class ChordBound {
         return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
     }
 
-    // Additional rounding error if the integrand is multiplied by a Zernike term of degree n.
+    // Additional rounding error of the field if the integrand is multiplied by a Zernike term of degree n.
     static double factor_rounding(std::size_t n, bool single) {
         const double square = static_cast<double>(n * n);
         return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);

@@ -144,7 +144,7 @@ class DiskBounds {
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // Index of the curve by which the fewest degrees suffice for an error, if log |pupil function| on it were share * size[k].
+    // Index of the curve with the fewest degrees for an error of the field, if log |pupil function| on it were share * size[k].
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -166,7 +166,7 @@ class DiskBounds {
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
-    // Smallest number with: tail() <= error (degrees()); orders_tail() <= error (orders()); distance() <= error (degree()).
+    // Smallest n with tail(n) <= error (degrees()), orders_tail(n) <= error (orders()), distance(n) <= error (degree()).
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
     std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }

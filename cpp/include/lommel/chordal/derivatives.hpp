@@ -87,7 +87,7 @@ struct ChordalDerivatives {
                 const std::size_t p = batch.pupils[lane % batch.here], k = outer.table.classes.order[outer.term(lane)];
                 const auto [u, error, factor_error] = found(p, static_cast<std::size_t>(terms[k].n));
                 const double d = std::sqrt(static_cast<double>(tops[lane]));
-                // Relative rounding error: two products and their difference in Im(conj(U) D), and conversion of the result to T.
+                // Relative rounding error of a derivative: two products and their difference in Im(conj(U) D); conversion to T.
                 const double rounding = storing<T>(false) + (sizeof(Real) == 4 ? 2.0 * single_roundoff : 0.0);
                 const double off = 2.0 * (u * factor_error + d * error + factor_error * error + u * d * rounding);
                 const std::size_t at = k * batch.stack.count + p;

@@ -50,7 +50,7 @@ class ChordLines {
           rows_(static_cast<double>(rows.at.size())), pixels_(static_cast<double>(rows.count * columns.at.size())),
           threads_(threads) {}
 
-    // Error bound without samples for the full aperture (radius 1) or the obscuration; radius: relative to the aperture's.
+    // Error bound of the field, without samples, for the full aperture (radius 1) or the obscuration; radius: disk's / aperture's.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
 
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;

@@ -20,7 +20,7 @@ namespace lommel {
 // one of e * v^2 / 2. Errors of the values interpolated are multiplied by lebesgue().
 class MeanProfile {
    public:
-    // at(v): mean intensity on the circle of radius v <= reach; allowed: interpolation error / (peak / 2).
+    // at(v): mean intensity on the circle of radius v <= reach; allowed: (allowed interpolation error of it) / (peak / 2).
     template <class At>
     MeanProfile(double reach, double allowed, const At& at) {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;

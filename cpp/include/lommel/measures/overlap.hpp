@@ -86,7 +86,7 @@ class Overlap {
         survey();
     }
 
-    // OTF at frequency f in units of the cutoff, in the direction of face(). more: nodes beyond those for an error of 1e-4.
+    // OTF at frequency f in units of the cutoff, in the direction of face(). more: nodes beyond those for an OTF error of 1e-4.
     std::complex<double> at(double f, std::size_t more) {
         if (f <= 0.0 || f >= 1.0) {
             return f <= 0.0 ? 1.0 : 0.0;
@@ -101,7 +101,7 @@ class Overlap {
         return {re_ / all, even_ ? 0.0 : im_ / all};
     }
 
-    // Prepare along() for frequency f in units of the cutoff. more: number of nodes of each rule beyond those for an error of 1e-4.
+    // Prepare along() for frequency f in units of the cutoff. more: nodes of each rule beyond those for an OTF error of 1e-4.
     void set_shift(double f, std::size_t more) {
         f_ = f;
         more_ = more;

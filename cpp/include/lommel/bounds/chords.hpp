@@ -56,8 +56,7 @@ struct ChordLine {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // Number of chords or nodes for an error of the field. needed(): approximate; enough(): smallest permitted, > max_chords if
-    // none.
+    // Number of chords or nodes for an error of the field. needed(): approximate; enough(): smallest permitted, or > max_chords.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -97,8 +96,7 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // reach_[0] (sums over chords): largest distance from the moved centre to a point of the window; [1] (over nodes): in y
-        // alone.
+        // reach_[0] (sums over chords): largest distance from the moved centre to a window point; [1] (over nodes): in y alone.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }

@@ -43,8 +43,7 @@ struct ChordalBudget {
     // Largest share of a disk's error for the sum over chords; the rest is for the sum over the nodes of chords.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: (error of U, with rounding) / (tol x estimated max |U|); rounding: largest share of it for
-    // rounding.
+    // Single precision. single: (error of U with rounding) / (tol x estimated max |U|); rounding: largest share of it for rounding.
     static constexpr double single = 0.6, rounding = 0.7;
     // Factors on the allowed error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the
     // peak may be below its estimate, and a second attempt doubles the work. large_factor_single: large_factor in single precision.

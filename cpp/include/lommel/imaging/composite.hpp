@@ -290,8 +290,7 @@ class Compositor {
         std::size_t first[part_width], last[part_width];
     };
 
-    // Add the windows of a layer's points in a tile to `light` and, unless `known`, to `white`. Returns the box of the pixels
-    // reached.
+    // Add the windows of a layer's points in a tile to `light` and, unless `known`, to `white`. Returns the box of pixels reached.
     Box spread(std::size_t row, std::size_t column, std::size_t layer, bool known, T* white, T* light) const {
         Box reached = Box::empty();
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -464,8 +463,7 @@ class Compositor {
         return below(least, covered, one, Short{});
     }
 
-    // Add the visible part of a layer to a tile's pixels; unless `known`, compute the visibility. Reset `white` and `light` to
-    // zero.
+    // Add the visible part of a layer to a tile's pixels; unless `known`, compute the visibility. Reset `white` and `light` to 0.
     void compose(std::size_t row, std::size_t column, T layer, bool known, T* white, T* light, const Composite<T>& made) {
         constexpr std::size_t lanes = sizeof(Short) / sizeof(T);
         const std::size_t tile = row * columns_ + column;

@@ -246,7 +246,7 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
     std::vector<double> angles;
     if (std::abs(c[2]) < 1e-14 * size) {
         // Zeros of c0 + 2 |c1| cos(t + arg c1). Circles that touch up to rounding count as touching: otherwise no panel would end
-        // at this height, and clear spans might be taken at this very height, where arcs coincide.
+        // at the point of contact, and clear spans might be taken at its very height, where arcs coincide.
         if (std::abs(c[1]) > 1e-14 * size && std::abs(c[0].real()) <= 2.0 * std::abs(c[1]) + 1e-14 * size) {
             const double cosine = -0.5 * c[0].real() / std::abs(c[1]), middle = -std::arg(c[1]);
             const double turn = std::acos(std::min(1.0, std::max(-1.0, cosine)));

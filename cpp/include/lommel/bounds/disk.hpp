@@ -121,8 +121,8 @@ struct ChordGrowth {
     // Approximate smallest degree n with log tail(n) <= `logarithm`.
     double fewest(double logarithm) const;
 
-    // Bound on the largest error, on the disk, of the best polynomial of degree d for the pupil function, whose part of degree n is
-    // at most (n+1)^(3/2) times the n-th Chebyshev coefficient of its means over chords.
+    // Bound, on the disk, on |pupil function - its best polynomial of degree d|. The part of degree n of the pupil function is at
+    // most (n+1)^(3/2) times the n-th Chebyshev coefficient of its means over chords.
     double distance(std::size_t d) const;
 };
 

@@ -56,7 +56,7 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // Set disk(p) for each pupil p: the complex curves by whose bounds the fewest chords and nodes suffice for error(p, bound).
+    // Set disk(p) for each pupil p: the complex curves whose bounds need the fewest chords and nodes for the error error(p, bound).
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer

@@ -34,7 +34,7 @@ constexpr double max_table_bytes = 402653184.0;  // limit for the Fourier kernel
 
 // Error budget of the complex amplitude U in the image; tol: tolerance of the intensity |U|^2 relative to its peak.
 struct ChordalBudget {
-    // (Error of the amplitude U) / (tol x max |U|). It counts twice in the intensity; 1 - 2 * field: margin for the estimated |U|.
+    // (Error of the amplitude U) / (tol x max |U|). It counts twice in the intensity; 1 - 2 * field: margin of estimated max |U|.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).

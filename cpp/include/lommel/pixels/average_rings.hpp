@@ -1,6 +1,6 @@
 // Pixel averages of a radially symmetric PSF around an arbitrary axis, for windows too large for one polynomial. Rings of equal
-// width divide the window. On each, averages are sums of angular harmonics times polynomials of the distance from the axis;
-// their weights depend only on pixel pitch and largest distance (docs/certificate.md, section 9).
+// width divide the window. On each ring, averages are sums of angular harmonics times polynomials of the distance from the axis.
+// The matrices from intensities to these sums depend only on pixel pitch and largest distance (docs/certificate.md, section 9).
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace lommel {
 struct AverageRings : PixelRings {
     // Largest distance of a pixel from the axis, in optical units; beyond it, other methods are faster.
     static constexpr double most_reach = 2000.0;
-    // Approximate number of products to compute the weights: number of rings, times 16 distances, times numbers of angles, of
-    // quadrature points in a pixel, and of radii per ring.
+    // Approximate number of products to compute the weights: rings * 16 distances * angles * (quadrature points in a pixel,
+    // places^2) * radii per ring, in this order.
     static double work(double pitch, double reach) {
         const double places = 0.8 * pitch + 8.0;
         return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);
@@ -50,8 +50,8 @@ struct AverageRings : PixelRings {
         return cache<AverageRings>.get(pitch, pixels, digits, threads);
     }
 
-    // Compute out[pixel], the averages over the pixels of `window`, from the intensity at each radius; returns the rounding
-    // error of the polynomials, in units of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
+    // Compute out[pixel], the averages over the pixels of `window`, from intensity[radius]; returns the rounding error of the
+    // polynomials, in units of roundoff. The speed is limited by the latency of multiply-adds, of which four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 };
 

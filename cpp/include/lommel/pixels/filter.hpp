@@ -24,8 +24,8 @@ struct PixelFilter {
     // Number of samples, along one axis, that `count` adjacent pixels use.
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
-    // Average `count` images of samples(height) x samples(width) samples to images of height x width pixels, which begin
-    // `pitch` values apart. Averages are clamped to the member `lowest`: 0 for intensities, whose error this does not increase.
+    // Average `count` images of samples(height) x samples(width) samples to images of height x width pixels, which begin `pitch`
+    // values apart. Averages below `lowest` are set to it; for intensities it is 0, so this does not increase their error.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const;
@@ -33,7 +33,7 @@ struct PixelFilter {
    private:
     static constexpr std::size_t rows_together = 4;
 
-    // Smallest number of strides per image row for which single precision is used: as many as floats in two vectors.
+    // Single precision is used if an image row has at least this number of strides, the number of floats in two vectors.
     template <class I>
     static constexpr std::size_t least(I) {
         return 2 * sizeof(typename I::floats) / sizeof(float);
@@ -96,7 +96,7 @@ struct PixelFilter {
     // Average along x: write `width` pixels to `to` from a line of `wide` samples, with weights of[pixel][tap].
     template <class I, class Sum>
     LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, const Sum* of, double* to) const {
-        // A strand is every stride-th sample, stored contiguously, so that a vector load serves adjacent pixels.
+        // A strand consists of every stride-th sample, stored contiguously: one vector load has samples for adjacent pixels.
         const std::size_t each = (wide + stride - 1) / stride, count = (width - 1) / pixels + 1;
         thread_local Aligned<Sum> strands, sets;
         thread_local std::vector<std::size_t> lines;

@@ -114,7 +114,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// Rounding error of a series, in roundoffs: sum over k of |coefficients[k]| * penalty[k], the error of term k for coefficient 1.
+// Rounding error of a series, in roundoffs: sum over k of |coefficients[k]| * penalty[k], with penalty[k] that of term k per unit.
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;
@@ -196,7 +196,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
         j += orders;
     };
     // `add_orders` advances j, which clang-tidy does not see. NOLINTBEGIN(bugprone-infinite-loop)
-    // Two to four harmonics at a time: one alone is a chain of dependent operations; four need more than 16 registers.
+    // Two to four harmonics at a time: one alone is a chain of dependent operations; four only with 32 registers (8 lanes).
     if constexpr (I::lanes == 8) {
         while (harmonics - j == 4 || harmonics - j > 6) {
             add_orders(std::integral_constant<std::size_t, 4>{});

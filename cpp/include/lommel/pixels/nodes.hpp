@@ -60,8 +60,8 @@ struct RingNodes {
     }
 };
 
-// Gauss nodes (across, down) and weights (share), with weight 0 up to `padded` nodes. square(): for the average over a pixel;
-// sides(): for the average along its left edge minus that along its right edge.
+// Gauss nodes at (across, down) in a pixel with weights `share`, padded to `padded` nodes by weights 0. square(): for the average
+// over the pixel; sides(): for the average along its left edge minus that along its right edge.
 struct Points {
     std::size_t padded;
     Doubles across, down, share;

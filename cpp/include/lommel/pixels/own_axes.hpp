@@ -111,8 +111,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // Squared distances, scaled to [-1, 1], have errors of 15 roundoffs; the Chebyshev polynomial T_k amplifies these
-            // k^2-fold.
+            // 15 * power^2: squared distances, scaled to [-1, 1], have errors of up to 15 roundoffs, which the Chebyshev polynomial
+            // T_power amplifies up to power^2 times, its largest slope.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);
@@ -131,7 +131,7 @@ LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pix
     const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
     degree = std::max<std::size_t>(2, places.count);
     of_grid = by_angle * lebesgue(degree);
-    // Samples, unlike averages, need the intensity only at the interpolation points themselves.
+    // Averages need the intensity between the interpolation points too, hence nodes of their own; samples only at these points.
     const RingNodes nodes =
         integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
     for (std::size_t i = 0; i < nodes.count; ++i) {

@@ -46,8 +46,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     bool is(int digits, std::size_t from, std::size_t to) const { return level == digits && first == from && last == to; }
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
-    // Width of a piece (interval of the distance), in optical units, for `digits` decimal digits. Of the allowed error, 10/11 is
-    // lebesgue(terms) times that of interpolation on pieces, and 1/11 that of interpolation on their parts.
+    // Width of a piece (interval of the distance), in optical units, for `digits` decimal digits. 10/11 of the allowed error is for
+    // interpolation on pieces, amplified by lebesgue(terms), and 1/11 for interpolation on the parts of a piece.
     static double width_for(int digits) {
         const double error = PixelTable::Budget::window * std::pow(10.0, -digits) / 1.1;
         const double of_slopes = interpolation_by_slope(1.0, points) * of_squares(evenly, points) * lebesgue(terms);
@@ -59,8 +59,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return 2 * static_cast<std::size_t>(
                        std::ceil(0.25 * width_for(digits) / std::pow(error / of_slopes, 1.0 / static_cast<double>(terms))));
     }
-    // Number R of innermost pieces, which have equal width in the distance r; R is even. Farther out, with r in units of this
-    // width, the pieces from R to 2 R, 2 R to 4 R, ... have equal width in r^2, so no square roots are computed.
+    // Number R, even, of the innermost pieces, which have equal width in the distance r. Farther out, with r in units of this
+    // width, pieces between r = R and 2 R have equal width in r^2, which saves square roots; also between 2 R and 4 R, and so on.
     static double equal_pieces(double width) { return 2.0 * std::ceil(0.5 * evenly / width); }
 
     // Return the first piece that a window needs, and the piece after the last one.
@@ -88,9 +88,9 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     template <class T>
     double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const;
 
-    // Like paint() with `least` 0, in single precision: cubics on parts of the pieces and, far from the axis, straight lines,
-    // each with an error of about `room`. Positions have an error of about `places` optical units. `off` becomes the error
-    // bound of the intensity due to all this and to rounding. Limited by loads.
+    // Like paint() with `least` 0, in single precision, by cubics on parts of the pieces and, far from the axis, straight lines.
+    // room: allowed error of the intensity due to these; places: allowed error of positions, in optical units; off: set to the
+    // error bound of the intensity due to both and to rounding. The speed is limited by loads.
     double paint_single(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
                         float* image, double& off) const;
 
@@ -148,7 +148,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
                static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // For each piece as [-1, 1], write a bound on the intensity's second derivative to `curves`; returns the largest on the fourth.
+    // curves[piece]: bound on the second derivative of the intensity, each piece being [-1, 1]. Return: the same for the fourth.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();

@@ -84,8 +84,8 @@ class SampleRows {
     // Compute single-precision positions by integer arithmetic, if their error is then below about `room` optical units;
     // returns the largest error, in widths of a part of a piece (0: integers are not used).
     double by_integers(double room);
-    // Mark single-precision runs as straight if all their pixels are at least `pieces` from the axis, in widths of a piece;
-    // returns an upper bound on the distance of pixels in other runs, in the same unit.
+    // Mark single-precision runs as straight if all their pixels are at least `pieces` widths of a piece from the axis; returns an
+    // upper bound on the distance of the pixels in all other runs, in widths of a piece.
     double straight_from(double pieces);
 
     // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part; straight runs have 2 instead.

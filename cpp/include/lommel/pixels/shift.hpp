@@ -14,8 +14,8 @@
 
 namespace lommel {
 
-// Table for the derivative along x, which is odd in x and even in y: a sum over j < harmonics of cos((2j+1) theta) times odd
-// polynomials of the distance from the axis. The derivative along y is the same with x and y exchanged.
+// Table for the derivative of pixel averages along x, odd in x and even in y: a sum over j < harmonics of cos((2j+1) theta) times
+// odd polynomials of the distance from the axis. The derivative along y is the same with x and y exchanged.
 struct ShiftTable {
     std::shared_ptr<const AnywhereTable> pixels;  // table of the pixel averages, by which the cache finds this one
     std::size_t harmonics, degree;

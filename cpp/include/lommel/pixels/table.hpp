@@ -82,7 +82,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         judge(side, half);
     }
 
-    // Choose numbers of Gauss nodes and harmonics for pixels of width `side` and an error `allowed`; returns rings' half width.
+    // Choose numbers of Gauss nodes and harmonics for pixels of width `side` and an error `allowed`; return half a ring's width.
     double plan(double side, double allowed) {
         gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
         harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
@@ -233,8 +233,8 @@ struct PixelTable : PixelRings {
         harmonics = 0;
     }
 
-    // Sort the pixels, which are at distances of at least `least`, into rings of half width `half` (a single ring if `one`).
-    // The radii of a ring cover `slack` more on both sides, for an interpolation error of at most `allowed`.
+    // Sort the pixels, the nearest at the distance `least`, into rings of half width `half` (a single ring if `one`). A ring's
+    // radii extend by `slack` beyond its pixels on both sides, and are enough for an interpolation error of at most `allowed`.
     void make_rings(double least, double half, double slack, bool one, double allowed) {
         std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
         Glance glance;
@@ -275,7 +275,7 @@ struct PixelTable : PixelRings {
             x[at] = half > 0.0 ? (groups.v[i] - middle[ring_of[i]]) / half : 0.0;
             cosine[at] = groups.cosine[i];
         }
-        // Fill the padding with copies of the ring's first pixel, which leave the maximum unchanged.
+        // Pad each ring with copies of its first pixel, so that the padding does not change the maximum.
         for (const Ring& ring : rings) {
             const std::size_t end = ring.first_value + ring.values, used = end - ring.padding;
             std::fill(x.begin() + used, x.begin() + end, x[ring.first_value]);

@@ -93,7 +93,7 @@ struct PixelWindows {
     }
 };
 
-// Distinct distances of rows (or of columns) from the axis, ascending, in pixels, and the rank of each row's distance.
+// Distinct distances of rows (or of columns) from the axis, ascending, in pixels. rank[row]: index of its distance in `distances`.
 struct Fold {
     std::vector<double> distances;
     std::vector<std::int32_t> rank;
@@ -112,7 +112,7 @@ struct Fold {
     }
 };
 
-// Groups of pixels with the same value: those at row and column distances (a, b) and, where these occur too, (b, a) from the axis.
+// Groups of pixels with the same value by symmetry: at row and column distances (a, b) from the axis and, if these occur, (b, a).
 struct PixelGroups {
     Fold rows, columns;
     std::vector<std::int32_t> index;  // group of the pixels at [row distance][column distance] from the axis

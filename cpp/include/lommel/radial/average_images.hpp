@@ -22,7 +22,7 @@
 
 namespace lommel {
 
-// Aperture. area: upper bound on |U| of the field; light: transmitted light / pi, approximately; obscuration: relative radius.
+// Aperture. area: upper bound on the modulus of the field U; light: transmitted light / pi, approximately; obscuration: its radius.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -30,14 +30,14 @@ struct Aperture {
     Aperture(double eps, const Amplitude& amplitude)
         : area(bright(eps, amplitude)), light(amplitude.raised(2.0).integral(eps)), obscuration(eps) {}
 
-    // Upper bound, for any phase, on |U| of the field of t^power times the pupil function, t the squared pupil radius.
+    // Upper bound, for any phase, on the field's modulus |U| for the pupil function times t^power, t: squared pupil radius.
     double moment(std::size_t power) const {
         const double k = static_cast<double>(power);
         return std::min(area, (1.0 - std::pow(obscuration, 2.0 * (k + 1.0))) / (k + 1.0));
     }
 
    private:
-    // Integral of the amplitude over the squared pupil radius: in closed form or, if there is none, a computed upper bound.
+    // Integral of the amplitude with respect to the squared pupil radius, in closed form; if there is none, an upper bound.
     static double bright(double eps, const Amplitude& amplitude);
 };
 
@@ -109,10 +109,10 @@ class PixelRenderer {
 
     // Error budget: shares of tolerance * estimated largest pixel.
     struct Budget {
-        // First attempt. table: error of the table; field: of the field U, which counts twice in the intensity; cubics: of cubics
-        // in single precision, halved if values are divided by their maximum; places * tolerance: of positions, in optical units.
+        // First attempt: errors of the table, of the field U (counts twice in the intensity), and of cubics in single precision
+        // (half of this if values are divided by their maximum); places * tolerance: error of positions, in optical units.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
-        // Later attempts: error due to the table, and that due to the field; half as much if values are divided by their maximum.
+        // Later attempts. each: share for the error of the table, and for that of U; half if values are divided by their maximum.
         static constexpr double each = 0.2;
         // Averages from the flux through pixel edges. rings: error by omitting interference rings; sums: error of each quadrature.
         static constexpr double rings = 0.6, sums = 0.05;
@@ -138,7 +138,7 @@ class PixelRenderer {
         bool single_precision = false;
         double cubics = 0.0;  // allowed error of cubics, relative to the largest intensity
     };
-    // Smallest allowed error for which samples are computed in single precision.
+    // Samples are computed in single precision if the allowed error is at least this share of the largest intensity.
     static constexpr double single_enough = 5e-7;
 
     std::size_t pixels() const { return window_.height * window_.width; }
@@ -176,7 +176,7 @@ class PixelRenderer {
         }
     }
 
-    // Estimate of the largest pixel: the peak intensity for small pixels, all light over the pixel's area for large ones.
+    // Estimate of the largest pixel: near the peak intensity for small pixels, near (all light / area of the pixel) for large ones.
     double likely_value(const Phase& phase) const {
         const double root = likely_peak(phase, stack_.obscuration);
         return 1.0 / (1.0 / (root * root) + window_.side() * window_.side() / (12.566370614359172 * aperture_.light));
@@ -245,8 +245,8 @@ class PixelRenderer {
         return f.top - f.off;
     }
 
-    // Error bound of stored values over the peak. top: largest value in the window, with an error of at most `off`; elsewhere:
-    // lower bound on the peak, from other pixels; normalize: values are divided by their maximum; after: only once they are stored.
+    // Error bound of stored values / peak. top: largest value in the window; off: error bound of all values; elsewhere: lower bound
+    // on the peak, from other pixels; normalize: values are divided by their maximum; after: this is done after storing them.
     double relative(double top, double off, double elsewhere, bool normalize, bool after = false) const {
         const double peak = std::max(top - off, elsewhere);
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
@@ -429,7 +429,7 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // seen: largest value, or 1e-3 of its error bound if larger; room: allowed error due to field, and due to table.
+            // seen: largest value, but at least 1e-3 of its error bound; room: allowed error due to the field U, or to the table.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = request;
@@ -523,7 +523,7 @@ class PixelRenderer {
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
     }
 
-    // Compute a stack with one table of radii, on one small window or around separate axes; return false if that is not faster.
+    // Compute all pupils with one table of radii, for one small window or for separate axes; return false if this is not faster.
     template <class Table>
     bool render_batch() {
         const Box box(stack_);

@@ -78,7 +78,7 @@ LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, s
     double penalties[at_once] = {};
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         for (std::size_t p = 0; p < pupils; p += at_once) {
-            // The buffers have room for a multiple of `at_once` pupils; those that do not exist are computed too.
+            // The buffers have room for a multiple of `at_once` pupils; results beyond the last pupil are not used.
             const double* from[at_once];
             double* to[at_once];
             for (std::size_t k = 0; k < at_once; ++k) {
@@ -106,7 +106,7 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
 // the intensity is <= size, with an error <= given; its slope along a line is <= slope; it differs from a constant by <= swing.
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
-    // Numbers of roundings of a distance: 3 of radii, 6 of positions in a pixel, 4 of pixel positions.
+    // Error due to rounded distances: 3 roundings of each radius, 6 of each position in a pixel, 4 of each pixel position.
     const double places = table.reach() * slope * (3.0 * table.magnification() + 6.0 * table.of_grid + 4.0);
     return table.magnification() * given + table.error * swing + unit_roundoff * (table.rounding * size + penalty + places);
 }

@@ -1,6 +1,6 @@
-// Averages of a radially symmetric PSF over pixels wider than its interference rings, from the flux through pixel edges: the
-// vector field E(r) r / r^2, with position r and E the encircled energy over 2 pi, has the intensity as divergence
-// (docs/certificate.md, section 9, "Coarse pixels").
+// Averages of a radially symmetric PSF over pixels wider than its interference rings, by the divergence theorem from the flux
+// through pixel edges: the intensity is the divergence of the radial vector field of modulus E(r) / r, where E(r) is the
+// encircled energy / (2 pi) (docs/certificate.md, section 9, "Coarse pixels").
 #pragma once
 
 #include <algorithm>
@@ -110,7 +110,7 @@ LOMMEL_ONCE CoarseWindow::CoarseWindow(const PixelWindow& w) : window(w), groups
 }
 #endif
 
-// Encircled energy over 2 pi, E(r) = int_0^r I(s) s ds: a polynomial on each interval (panel) of r, with an error bound.
+// Encircled energy / (2 pi), E(r) = int_0^r I(s) s ds: a polynomial on each interval (panel) of r, with an error bound.
 class EnergyWithin {
    public:
     static constexpr double width = 2.0;  // width of a panel in optical units
@@ -125,8 +125,8 @@ class EnergyWithin {
         double light = 0.0, turn = 0.0, off = 0.0;
     };
     // crossing(): Gauss quadrature along a pixel edge at distance x from the axis, from `start` to start + 1, all in units of the
-    // pixel pitch `step`. light: integral of E x / r^2, E the encircled energy; turn: of x / r^2, about the angle that the edge
-    // subtends; off: error of `light` due to errors of E. The number of nodes is a multiple of `together`. Limited by loads.
+    // pixel pitch `step`. light: integral of E x / r^2, E the encircled energy / (2 pi); turn: integral of x / r^2, about the angle
+    // that the edge subtends; off: error of `light` due to errors of E. The number of nodes is a multiple of `together`.
     static constexpr std::size_t together = 8;
     Crossed crossing(double x, double start, double step, const std::vector<double>& nodes,
                      const std::vector<double>& weights) const;
@@ -318,7 +318,7 @@ class CoarseAverages {
         return high;
     }
 
-    // Compute the averages. light: transmitted light over pi; area: largest possible |U| of the field.
+    // Compute the averages. light: transmitted light / pi; area: largest possible modulus of the field U.
     void make(const CoarseWindow& coarse, const Phase& phase, double obscuration, double light, double area,
               const Attempt& request, int threads);
 

@@ -1,7 +1,7 @@
 // Field in polar coordinates as a sum over azimuthal orders, U(v, psi) = sum over m of A_m(v) cos(m psi) + B_m(v) sin(m psi).
 //
 // On a ring (an interval of the radius v), A_m and B_m are polynomials with D coefficients. The eight pixels (+-x, +-y), (+-y, +-x)
-// share A_m and B_m; their cos(m psi), sin(m psi) differ by signs and swaps. The eight take about 4 D + 10 multiply-adds per order.
+// share A_m and B_m; their cos(m psi), sin(m psi) differ by signs and swaps. One order takes about 4 D + 10 multiply-adds for all.
 #pragma once
 
 #include <algorithm>
@@ -37,10 +37,10 @@ struct ActiveOrders {
     }
 };
 
-// Intensities of the eight mirrored pixels of each lane. x: position across the ring, -1 to 1; (cosine, sine) = (a, b): direction
-// of the pixel in the first octant; out[direction][vector], directions (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a),
-// (-b, a), (-b, -a); coefficients: for each order m, in the sequence of `orders`, Degree coefficients of re A_m, of im A_m and,
-// with Sines, of re B_m and of im B_m, highest power first.
+// Compute out[direction][vector], the intensities of the eight mirrored pixels of each vector lane. x: position across the ring,
+// -1 to 1; (cosine, sine) = (a, b): direction of the pixel in the first octant; the eight directions: (a, b), (a, -b), (-a, b),
+// (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a). coefficients[order in `orders`][part][power, highest first], `Degree` powers of x;
+// parts: re A_m, im A_m and, if Sines, re B_m, im B_m.
 template <std::size_t Degree, bool Sines, std::size_t Unroll, class V, class Real>
 LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine, const V* sine,
                               V (*out)[Unroll]) {

@@ -43,7 +43,7 @@ struct ZernikePhase {
         return sum;
     }
 
-    // Estimate of max |U| without aberrations over max |U| with them, from the variance of the phase.
+    // Ratio (max |U| without aberrations) / (max |U| with them), estimated from the variance of the phase; U: field in the image.
     double dimness() const {
         double variance = 0.0;
         amplitudes([&](double a, std::size_t n, std::size_t m) {
@@ -51,10 +51,10 @@ struct ZernikePhase {
         });
         return std::sqrt(1.0 + variance);
     }
-    // Upper estimate of dimness(): aberrations may dim an image twice as much as estimated there, and 2.5 leaves a margin.
+    // Cautious value of dimness(), which may be too small by a factor of 2; the factor 2.5 leaves a margin.
     double dimmest() const { return std::min(size() + 1.0, 2.5 * dimness()); }
 
-    // Rounding of the pupil function in units of roundoff, from rho and the recurrence for R_n^m (docs/certificate.md, section 7).
+    // Rounding error of the pupil function, in units of roundoff, due to rounding of rho and to the recurrence for R_n^m.
     double sensitivity() const {
         double sum = 0.0;
         amplitudes([&](double a, std::size_t degree, std::size_t) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
@@ -80,7 +80,7 @@ struct DiskRule {
 
     explicit DiskRule(std::size_t exact);
 
-    // rounded: highest degree for the same number of rings, so that slightly stronger aberrations need no new tables.
+    // rounded(): `exact` raised to the highest degree with as many rings, so that slightly stronger aberrations need no new rule.
     static std::size_t rounded(std::size_t exact) { return (exact + 32) / 32 * 32 - 1; }
     static std::size_t rings_for(std::size_t degree) { return (degree / 4 + 1 + 7) / 8 * 8; }
     static std::size_t points_for(std::size_t degree) { return RowFft<double>::length(degree + 1); }
@@ -88,8 +88,8 @@ struct DiskRule {
     // Index into `cosines` and `sines` of the angle m theta_j, theta_j = (2 j + 1) pi / n.
     std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
 
-    // Bound on the rounding error of a Fourier coefficient, in units of roundoff times the mean modulus of the samples: FFT, factor
-    // for the half step of the angles, and sum of the orders m and -m.
+    // Bound on the rounding error of a Fourier coefficient, in units of roundoff times the mean modulus of the samples. 25 covers
+    // the phase factor for angles that begin at half a step, and the sum of the orders m and -m.
     double rounding() const { return fft.rounding() + 25.0; }
 
     bool is(std::size_t exact) const { return degree == exact; }
@@ -152,7 +152,7 @@ struct ZernikeSeries {
 // polynomials.
 class ZernikeAnalysis {
    public:
-    // Fill `series` with the Zernike coefficients, times -i for odd degrees (zernike_transforms() has the signs of (-i)^n).
+    // Fill `series` with the Zernike coefficients of degrees n < degrees, orders m < orders; those of odd n are multiplied by -i.
     void run(const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders, int threads,
              ZernikeSeries& series) {
         series.resize(degrees, orders);
@@ -199,7 +199,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients of the weighted pupil function on 8 rings: rings_[m][cos re, cos im, sin re, sin im][ring].
+    // Azimuthal Fourier coefficients of pupil function * weight, on 8 rings: rings_[m][cos re, cos im, sin re, sin im][ring].
     template <class I>
     LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders,
                                  std::size_t first) {
@@ -243,7 +243,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Pupil function at all angles of one vector of rings, times the ring's quadrature weight over the number of angles.
+    // Write to `out`, for one vector of rings from ring k on, (pupil function * quadrature weight of the ring / number of angles).
     template <class I>
     LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t k, double* out) const {
         using V = typename I::pack;
@@ -308,7 +308,7 @@ class ZernikeAnalysis {
                     }
                     advance(step, x[p], before[p], here[p]);
                 }
-                // Coefficients of odd degree have the factor -i (see run()): re and im are exchanged, one with a minus sign.
+                // Coefficients of odd degree are multiplied by -i, as run() states: (re, im) becomes (im, -re).
                 const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
                 for (std::size_t c = 0; c < 4; ++c) {
                     series.parts[c][to + j] += (c % 2 == 0 ? norm : turned) * lane_sum(sums[c ^ m % 2]);

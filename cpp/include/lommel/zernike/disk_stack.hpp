@@ -57,7 +57,7 @@ struct DiskStack {
         trim();
     }
 
-    // Express the displacement of each pupil's axis, centers[pupil][row, column], from the axis of the window as a tilt.
+    // Replace the axis of each pupil, centers[pupil][row, column], by the axis of the window plus a tilt of the wavefront.
     void tilt_to(const double* centers, const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         for (std::size_t p = 0; p < count; ++p) {
@@ -65,7 +65,7 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double before = axis == 0 ? window.row : window.column;
                 const double way = (centers[2 * p + axis] - before) * window.step;
-                // Rounding error of U: `tilt` has a rounded difference, product and sum, and |dU/dv| < 1/2.
+                // Rounding error of U: the new tilt has a rounded difference, product and sum, and |dU/d(tilt)| < 1/2.
                 lost[p] += way == 0.0 ? 0.0 : unit_roundoff * (2.0 * std::abs(way) + std::abs(tilt));
                 tilt += way;
             }
@@ -119,8 +119,8 @@ struct DiskStack {
     void shrink();
 
    private:
-    // Rounding error of U if `tilt` shifts the axis from its position `given`, in pixels of pitch `step`. Shift and position may
-    // cancel, so the error is relative to both; |dU/dv| < 1/2 (docs/certificate.md, section 7, "The axis").
+    // Rounding error of the field U if `tilt` shifts the axis from its position `given`, in pixels of pitch `step`. Shift and
+    // position may cancel, so the error is proportional to the sum of their moduli. |dU/dv| < 1/2 for the radius v.
     static double rounded(double tilt, double given, double step) {
         return 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * step);
     }

@@ -22,30 +22,30 @@ struct ZernikeBudget {
     // Shares of the allowed error of U. outer, inner: expansions of the full disk and of the obscuration; small: small coefficients
     // omitted from either expansion.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
-    // Shares of a disk's allowed error. degrees: omitted degrees (if orders are omitted too, times `fourier`, a bound on Lebesgue's
-    // constant of Fourier sums); orders: omitted orders; quadrature: distance of the pupil function from polynomials, counts twice.
+    // Shares of a disk's allowed error. degrees: omission of degrees, multiplied by `fourier`, a bound on the Lebesgue constant of
+    // Fourier sums, if orders are omitted too. orders: omission of orders. quadrature: counts twice in the error of U.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
     // Shares of the allowed error of U at the brightest point, for errors that all radial pieces have in common. trimmed: omitted
-    // coefficients of each disk; dropped: omitted orders; pieces: interpolation across a piece.
+    // coefficients of each disk; dropped: omitted azimuthal orders; pieces: interpolation in the radius on a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of the error of U that is left for one radial piece. own_orders: orders omitted in this piece; sines: all sines
-    // are omitted if they are below this share of own_orders; rings: interpolation across rings. The rest is for single precision.
+    // Shares of (allowed error of U on a radial piece - error common to all pieces). own_orders: orders omitted on this piece, and
+    // all sines if their bound is below sines * own_orders; rings: interpolation on rings. The rest is for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
-    // Minimum error of interpolation across rings, as a share of the error of U that all pieces have in common.
+    // Interpolation on rings is always allowed an error of rings_least * (error of U that all radial pieces have in common).
     static constexpr double rings_least = 0.05;
-    // Shares of the tolerance. field: error of U of the first expansion, which counts twice in I; image: error of a piece; most:
-    // error above which a piece is repeated. The difference from 1 is a margin for the estimated brightness.
+    // Shares of the tolerance. field: error of U in the first expansion; it counts twice in I. image: error of I on a piece. most:
+    // error of I above which a piece is computed again. 1 - most is a margin, as the brightness is only estimated.
     static constexpr double field = 0.1, image = 0.5, most = 0.7;
     static_assert(2.0 * field <= image && image <= most && most <= 1.0);
-    // Share of the tolerance if values are divided by their maximum: with a relative error r of both, the quotient has an error of
-    // up to 2 r / (1 - r).
+    // Share of the tolerance for values that are divided by their maximum: if value and maximum each have a relative error r, the
+    // quotient has an error of up to 2 r / (1 - r).
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
-    // Factors on the allowed error when a computation is repeated. retry: expansion; piece_retry: piece. The expansion is repeated
-    // if `blame` times the expansion's error exceeds the error of the piece.
+    // Factors on the allowed error if a computation is repeated: `retry` for the expansion, `piece_retry` for a radial piece. The
+    // expansion is repeated if blame * (its error of U) exceeds the error of U on the piece.
     static constexpr double retry = 0.1, piece_retry = 0.2, blame = 3.0;
 };
 
@@ -59,7 +59,7 @@ struct DiskExpansion {
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // Size of an expansion, estimated without samples. exact: degree for which quadrature is exact; samples: time of sampling.
+    // Estimated size of an expansion. exact: degree up to which quadrature is exact; samples: time to sample the pupil function.
     struct Size {
         std::size_t degrees, orders, exact;
         double samples;
@@ -80,7 +80,7 @@ struct DiskExpansion {
         const std::size_t at = bounds.likely(error, usual_share);
         double samples = GrowthTable::work(phase.list);
         if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
-            // Estimated result of sampling: the exponents of the terms add in quadrature, as if the terms were independent.
+            // Sampling is estimated to lower the bound, the sum over terms of `most`, to the root of the sum of squares.
             double squares = 0.0, sum = 0.0;
             phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
                 const double most = amplitude * chord_curves.growth[n][at];
@@ -106,7 +106,7 @@ struct DiskExpansion {
    private:
     DiskExpansion() = default;
 
-    // Typical (bound from samples) / (bound from the maxima of all terms), both on the logarithm of a pupil function's growth.
+    // Typical ratio of two bounds on ln |pupil function| at complex points: (from samples) / (from the maxima of all terms).
     static constexpr double usual_share = 0.6;
 
     double less_by_samples(const ZernikePhase& phase) const {
@@ -144,7 +144,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
     check_reach(reach);
     DiskBounds bounds = phase.bounds();
     std::size_t exact = count(bounds, reach, error);
-    // Sampling saves time in large expansions only.
+    // Sampling the pupil function lowers the bound on it and hence the number of degrees; this saves time in large expansions only.
     curve = bounds.likely(error, usual_share);
     if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
         saved = less_by_samples(phase);
@@ -163,8 +163,8 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
 }
 #endif
 
-// Omit the highest coefficients of each order, so that U changes by at most `error`, and return a bound on the change. weight:
-// factor of the disk's field.
+// Omit the coefficients of highest degree of each azimuthal order, so that the field U changes by at most `error`; return a bound
+// on the change. weight: factor of this disk's field in U.
 inline double trim(ZernikeSeries& series, double weight, double error) {
     double left = 0.0;
     const double share = error / static_cast<double>(series.orders + 1);

@@ -1,4 +1,4 @@
-// Pixel averages far from the axis, for any Zernike terms: far away, only the edges of the aperture diffract light.
+// Pixel averages far from the axis, for any Zernike terms: there, the field consists of waves from the edges of the aperture.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class FarLight {
         for (double growth = 1.05; v <= most; v *= growth) {
             prepare(v);
             growth = 1.05;
-            // An error e of U changes I by e (2 |U| + e); 2 |U| is about 4 / v^(3/2).
+            // An error e of U changes I by e (2 |U| + e), 2 |U| being about 4 / v^(3/2): at most 0.4 * requested is for this.
             if (off_ * (4.0 / (v * std::sqrt(v)) + off_) <= 0.4 * requested) {
                 fit(v);
                 const double left = left_out(step);
@@ -62,10 +62,10 @@ class FarLight {
     void row(double right, double down, double step, std::size_t count, double* out) const;
 
    private:
-    // terms: number of terms of Hankel's expansion; kept: number of these that are summed, the others counting as error; smooth:
-    // number of coefficients of the polynomial for the smooth part.
+    // terms: number of terms of Hankel's expansion; kept: number of these that are summed (the others are bounded as an error);
+    // smooth: number of coefficients of the polynomial in 1 / v for the smooth part of I.
     static constexpr std::size_t terms = 24, kept = 12, smooth = 5;
-    // Error bound of the arc tangent polynomial (Abramowitz and Stegun, 4.4.49) including rounding, in radians.
+    // Error bound, in radians, of the polynomial for the arc tangent (Abramowitz and Stegun, 4.4.49) and of its rounding.
     static constexpr double angle_error = 1.2e-5;
     // Number of points at which a polynomial in 1 / v is sampled to bound its maximum (docs/certificate.md, section 10).
     static constexpr std::size_t points = 3 * kept;
@@ -90,8 +90,8 @@ class FarLight {
 
     void choose(const ZernikeSeries& series, double weight, double spare);
     void add(const ZernikeSeries& series, double radius, double weight);
-    // Bound on the pixel average of the interference ring of waves i and j, relative to the product of their amplitudes, which are
-    // taken as constant.
+    // Bound on |pixel average of the interference term of waves i and j| / (product of their amplitudes, taken as constant), by the
+    // divergence theorem.
     double edges(std::size_t i, std::size_t j, double step) const {
         return std::min(1.0, 2.8284271247461903 / (step * std::abs(waves_[i].frequency - waves_[j].frequency)));
     }
@@ -126,7 +126,7 @@ LOMMEL_ONCE FarLight::FarLight(const ZernikeField& field, double spare) : base_(
     }
 }
 
-// Choose the orders and degrees of one disk, whose field has the factor `weight`.
+// Choose the orders and degrees of a disk, whose field has the factor `weight`; those omitted add at most `spare` to the field U.
 LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, double spare) {
     Disk disk{0.0, weight, 0.0, 0, std::vector<double>(series.degrees, 0.0), {}};
     std::vector<double> by_order(series.orders, 0.0);
@@ -139,7 +139,7 @@ LOMMEL_ONCE void FarLight::choose(const ZernikeSeries& series, double weight, do
             }
         }
     };
-    // Reduce `count`, the number of orders or of degrees, while those omitted add at most spare / 2 to U; add their bound to base_.
+    // Reduce `count`, a number of orders or degrees, as far as the omitted ones add at most spare / 2 to U; add their sum to base_.
     const auto fewest = [&](std::size_t count, const auto& adds) {
         for (double sum = 0.0; count > 1 && sum + adds(count - 1) <= 0.5 * spare; --count) {
             sum += adds(count - 1);
@@ -208,11 +208,11 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             }
         });
     }
-    // Waves exp(+-i radius v) v^(-3/2) times the sum over k of factor (+-i)^k D_k / (radius v)^k. The wave exp(+i radius v) has D_k
-    // at psi + pi.
+    // Waves exp(+-i radius v) v^(-3/2) * sum over k of factor (+-i)^k D_k / (radius v)^k, with the sums D_k(psi) over degrees from
+    // above, psi the azimuth. The wave exp(+i radius v) has D_k(psi + pi).
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
-    // Ratio of the maximum over all angles to that over samples: near its maximum, a trigonometric polynomial falls like a cosine.
+    // Bound on (maximum over all angles) / (maximum over samples): a Fourier sum falls no faster than its highest cosine.
     const double between = 1.0 / std::cos(pi * static_cast<double>(orders_) / static_cast<double>(angles_));
     const double roundings = unit_roundoff * static_cast<double>(2 * degrees + 8 * orders_ + 64);
     for (const double sign : {1.0, -1.0}) {
@@ -253,8 +253,8 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
             power /= place;
         }
         for (std::size_t n = 0; n < disk.size.size(); ++n) {
-            // Remainder of Hankel's series for degree n after `terms` terms, by the smaller of two bounds: the terms up to k = n
-            // (`after`) plus the next (`here`); or the summed terms (`before`) plus the field of degree n.
+            // Remainder of Hankel's series for degree n after `terms` terms, by the smaller of two bounds: sum of the next terms up
+            // to k = n (`after`) plus the one that follows (`here`); or sum of the first terms (`before`) plus bound on the field.
             const double order = static_cast<double>(n + 1);
             double here = 1.0, before = 0.0, after = 0.0;
             for (std::size_t k = 0; k < std::max(terms, n + 1); ++k) {
@@ -287,8 +287,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
         places[points + i] = 0.5 + 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(smooth));
     }
     const double turn = pi * static_cast<double>(orders_) / static_cast<double>(angles_);
-    // Ratios of the maximum of a polynomial to its maximum at the samples (Ehlich and Zeller, 1964). once: for the degree of the
-    // waves; twice: for the degree of their squares.
+    // Bounds on (maximum of a polynomial) / (its maximum at the samples) (Ehlich and Zeller, 1964). once: for the waves; twice: for
+    // their squares, of twice the degree.
     const double once = 1.0 / (std::cos(turn) * std::cos(0.5 * pi * (kept - 1.0) / points)),
                  twice = 1.0 / (std::cos(2.0 * turn) * std::cos(pi * (kept - 1.0) / points));
     std::vector<double> most(angles_);
@@ -367,8 +367,8 @@ LOMMEL_ONCE void FarLight::fit(double v) {
     });
     misfit_ = *std::max_element(most.begin(), most.end());
     misfit_ *= twice;
-    // Fourier coefficients over every other angle, which suffice. At most 96 orders are computed; the mean square of the samples
-    // minus that of these orders bounds the others.
+    // Fourier coefficients of the smooth part in the azimuth, from every other sample, which suffices. At most 96 orders are
+    // computed; the mean square of the samples minus that of these orders bounds the higher orders.
     constexpr std::size_t lanes = 8;
     const std::size_t half = angles_ / 2, all = 2 * orders_, known = std::min<std::size_t>(all, 96);
     std::vector<double> rows(half * lanes, 0.0), sums(2 * lanes * known, 0.0);
@@ -430,8 +430,8 @@ LOMMEL_ONCE double FarLight::left_out(double step) const {
         const Wave& wave = waves_[i];
         size += wave.largest;
         for (std::size_t j = 0; j < i; ++j) {
-            // Bound on the pixel average of the product of two waves (interference ring): flux through the edges of the pixel, plus
-            // the contribution of the slopes of the amplitudes inside it.
+            // Bound on the pixel average of the product of two waves, by the divergence theorem: flux through the pixel's edges for
+            // constant amplitudes, plus the integral over the pixel that is due to the slopes of the amplitudes.
             const Wave& other = waves_[j];
             const double product = wave.largest * other.largest, frequency = std::abs(wave.frequency - other.frequency);
             const double sloping = wave.slope * other.largest + wave.largest * other.slope + 2.0 * product;
@@ -486,8 +486,8 @@ LOMMEL_ONCE void FarLight::row(double right, double down, double step, std::size
 }
 #endif
 
-// Averages over pixels beyond the smallest radius v <= most that the tolerance permits. found[pupil]: this radius in pixels (closer
-// pixels become 0), error bound of the averages, estimate of the largest average, row and column of the axis.
+// Averages over the pixels beyond a radius, the smallest at which the far field meets the tolerance; nearer pixels become 0.
+// found[pupil]: this radius in pixels, error bound of the averages, estimate of the largest average, row and column of the axis.
 class FarAverages {
    public:
     static constexpr std::size_t numbers = 5;
@@ -550,7 +550,7 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
     const double none[] = {far + 1.0, 0.0, 0.0, row, column};
     std::copy_n(none, numbers, found);
-    // Series in 1 / v are inaccurate up to three times the radius of the geometrical blur, estimated by a root sum square.
+    // Series in 1 / v are inaccurate up to about three times the radius of the geometrical blur, the root sum square over terms.
     double rays = 0.0;
     outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
         const double slope = amplitude * static_cast<double>(n * n);

@@ -40,8 +40,8 @@ inline const Directions directions;
 // Field U of one pupil: on radial pieces, a polynomial in v for each azimuthal order of the full disk and of the obscuration.
 class ZernikeField {
    public:
-    // Expand the pupil with an error `error` of U for v up to `reach`. inner: phase within the obscuration, a function of
-    // (radius / radius of the obscuration); lost: error of U from rounding in the coefficients of both phases.
+    // Expand the pupil for an error of U of about `error` at v <= reach. outer: phase on the full disk; inner: phase within the
+    // obscuration, a function of (radius / its radius); lost: error of U from rounding in the coefficients of both phases.
     void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
                 double lost = 0.0, int threads = 1) {
         // An obscuration is neglected if its area is below rounding.
@@ -49,7 +49,7 @@ class ZernikeField {
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // With u the unit roundoff, v is off by at most 6 v u, half from the radius, half from the step; as |U'| < 1/2, U by 3 v u.
+        // The rounding error of v is at most 6 v u, u being the unit roundoff; as |dU/dv| < 1/2, that of U is at most 3 v u.
         base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, threads, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
@@ -71,8 +71,8 @@ class ZernikeField {
     // Largest I over the sampled directions at the radius v, from Bessel functions without interpolation.
     double look(double v) const;
 
-    // Compute the coefficients of the pieces whose indices in_use(number of pieces) returns in increasing order. Omitted orders and
-    // interpolation add about `error` to U at most; afterwards base() is the error of U that all pieces have in common.
+    // Compute the coefficients of the pieces whose ascending indices in_use(number of pieces) returns. Omitted orders and
+    // interpolation change U by at most about `error`; base() then is the error of U that all pieces have in common.
     template <class InUse>
     void prepare(double error, int threads, const InUse& in_use) {
         orders_.measure(outer_, inner_, obscuration_);
@@ -80,7 +80,7 @@ class ZernikeField {
         base_ +=
             trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
-        // Interpolation on rings at 8 points multiplies the error of the piece by at most 2.3 (Lebesgue constant); 3.1 is counted.
+        // Interpolation at the 8 points of a ring multiplies the error of a piece by at most 2.3 (Lebesgue constant). 3.1 is safe.
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
             ++width;
         }
@@ -115,7 +115,7 @@ class ZernikeField {
                 inner_tables[parity] = all.get(width, within, (inner_.degrees + 2) / 2);
             }
         }
-        // By Cauchy and Parseval, sum |beta_n^m 2 J_{n+1}(v) / v| over all n, m is at most 1; separate cosines and sines double it.
+        // By Cauchy and Parseval, sum |2 beta J_{n+1}(v) / v| over all coefficients beta is <= 1; cosines apart from sines: <= 2.
         const double terms = static_cast<double>(std::max(outer_.degrees, inner_.degrees));
         base_ += 2.0 * weight_ * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
         rows_.resize(pieces);
@@ -196,7 +196,7 @@ class ZernikeField {
     }
 
    private:
-    // Index of the obscuration's piece at the radius `at`, in units of pieces of the full disk.
+    // Index of the obscuration's piece at the radius v = at * width(), the width of a piece of the full disk.
     std::size_t inner_piece(double at) const {
         return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(obscuration_ * at));
     }

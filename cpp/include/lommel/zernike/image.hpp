@@ -18,8 +18,8 @@
 
 namespace lommel {
 
-// Error bound of U in single precision: rounding of the coefficients, of x (whose powers have slopes up to 7), of Horner's rule, of
-// cos(m psi) and sin(m psi) (m times the rounding of psi), and of the sum over orders.
+// Bound on the rounding error of the field U in single precision: of coefficients, of the position x on a ring (powers of x have
+// slopes up to 7), of Horner's rule, of cos(m psi) and sin(m psi) (m times that of psi), and of the sum over azimuthal orders m.
 inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
     double sum = 0.0;
     for (const double c : coefficients) {
@@ -168,7 +168,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Compute the pixels of groups [first, last) in one ring. At the radius r, the position in the ring is slope * r + offset.
+    // Compute the pixels of groups [first, last) in one ring, at positions slope * r + offset in it (-1 to 1), r: radius in pixels.
     template <std::size_t Degree, std::size_t Unroll, class V, class Real>
     LOMMEL_INLINE void pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
                               const Real* coefficients, const Put<Real>& put) const {

@@ -73,7 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // A smaller `error` reduces the tolerance, too, as all pixels may be dimmer than points between them.
+                // A smaller `error` also reduces the tolerance, which is relative to the previewed peak: all pixels may be dimmer.
                 image.prepare(tol * error / first);
                 expanded = false;
             }
@@ -116,7 +116,7 @@ class ZernikeRenderer {
                                              static_cast<double>(tiles.height * tiles.width));
         image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
-        // Widely spaced pixels may all miss the peak; the second attempt has the error that the brightest pixel requires.
+        // Widely spaced pixels may miss the previewed peak; the second attempt aims at the tolerance for the brightest pixel.
         double share = 1.0;
         for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);

@@ -55,7 +55,7 @@ class PupilOrders {
         }
     }
 
-    // Keep all orders but the least important, whose bounds sum to at most `error`; return that sum.
+    // Keep all azimuthal orders except those with the smallest bounds, which sum to at most `error`; return that sum.
     double keep(double error) {
         std::vector<std::size_t> rising(sizes_.size() / 2);
         const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
@@ -72,8 +72,8 @@ class PupilOrders {
         return left;
     }
 
-    // Select, for `plan`, the kept orders up to the highest that matters at radii from v on, with the sines of all of them or of
-    // none. Return a bound on the kept orders and sines that are omitted here, at most `error`.
+    // Write to `plan` the kept orders up to the highest one needed at radii of at least v, with the sines of all or of none. Return
+    // a bound, at most `error`, on the orders and sines that this omits.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {

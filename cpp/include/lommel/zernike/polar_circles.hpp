@@ -27,11 +27,11 @@ struct PolarCircle : GriddingTaps {
 
     PolarCircle(std::size_t points, std::size_t taps);
 
-    // Smallest number of angles for which an eighth of a turn is longer than half the kernel.
+    // Smallest number of angles, at least 48, for which an eighth of a turn is longer than half the kernel of `taps` taps.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
-    // Factor by which the gains magnify errors of the orders below `orders`: by Cauchy's inequality, the rms gain over every other
-    // order from the highest down, the orders of one degree. Orders m > 0 count twice, for m and -m.
+    // Largest factor by which multiplication by the gains magnifies errors of the orders m < `orders`: by Cauchy's inequality, the
+    // rms gain over the orders of one degree, every other m up to the highest. Orders m > 0 count twice, for m and -m.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -60,8 +60,8 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 }
 #endif
 
-// One disk. parts: coefficients [order][degree][re cos, im cos, re sin, im sin] times the weight of the disk; table: transforms
-// [block][degree][radius] at sixteen radii per block, of which only the first reached[block] degrees matter.
+// One disk (aperture or obscuration). parts: Zernike coefficients times the weight of the disk, [order][degree][re cos, im cos,
+// re sin, im sin]; table: Hankel transforms [block][degree < degrees][16 radii], degrees from reached[block] on being negligible.
 struct PolarDisk {
     const ZernikeSeries* series;
     const double* parts;
@@ -233,7 +233,7 @@ class PolarRows {
     template <class Sum, class I, class Fft>
     LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
                             std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
-        // Factor that covers the rounding of the sums of moduli.
+        // Factor that covers the rounding of the sums of moduli over the orders.
         const double more = 1.0 + 2.0 * roundoff<Sum> * static_cast<double>(orders + 8);
         alignas(64) Sum around[PolarTable::block] = {}, sum[PolarTable::block] = {};
         spectra.template combine<Sum>(isa, circle.points(), circle.gains.data(), disks, block, orders,
@@ -266,7 +266,7 @@ class PolarRows {
         for (V& most : largest) {
             most = splat<V>(Fft(0));
         }
-        // With psi_q the angle number q: U at psi_q + k pi/2 is also the value of direction (k+1) pi/2 - psi at the angle n/4 - q.
+        // Of n angles psi_q = 2 pi q / n: U at psi_q + k pi/2 is also that at direction (k+1) pi/2 - psi for psi = psi_{n/4 - q}.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {

@@ -34,7 +34,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in
         return pays(field.reach(), static_cast<double>(field.outer().orders), static_cast<double>(field.outer().degrees),
                     static_cast<double>(tiles.height * tiles.width), field.obscured());
     }
-    // With an obscuration, the sum over orders interpolates both disks on every ring (factor 1.3).
+    // The alternative to interpolation, sums over orders, takes 1.3 times as long with an obscuration, a second disk to sum.
     static bool pays(double reach, double orders, double degrees, double pixels, bool obscured) {
         const double sums = (obscured ? 1.3 : 1.0) * orders * pixels;
         return reach * degrees < 1e6 && work(reach, orders, pixels) < interpolation_worth() * sums;
@@ -113,7 +113,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
-        // Where: precision of positions, single in rough styles.
+        // Where: type of positions, in single precision if Rough.
         using Where = std::conditional_t<Rough, float, double>;
         using W = std::conditional_t<Rough, Narrow, D>;
         const Where per_row = static_cast<Where>(step_ / zone.style->step()),

@@ -115,7 +115,7 @@ class PolarOrders {
         }
     }
 
-    // Bound on the orders from `orders` on, at radii of at least v; aliases: bound on aliases between circles, relative to values.
+    // Bound on the orders m >= `orders` of U at radii of at least v, plus that on their aliases, `aliases` * (bound for all radii).
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }

@@ -1,4 +1,4 @@
-// Polar non-uniform FFT, pupil: styles of interpolation between circles, and error bound of U (docs/certificate.md, section 11).
+// Polar non-uniform FFT, pupil: settings of the interpolation between circles, and error bound of the field U.
 #pragma once
 
 #include <algorithm>
@@ -14,20 +14,20 @@
 
 namespace lommel {
 
-// Style of interpolation. oversampling: circles are pi / oversampling apart in v; between, around: number of taps between circles
-// and around them; doubles: pixels are summed in double precision; exact: FFTs are in double precision; rough: positions and sums
-// over degrees are in single precision.
+// Settings of the interpolation between circles. oversampling: circles are pi / oversampling apart in v; between, around: number
+// of taps between circles and along them; doubles: pixels are summed in double precision; exact: FFTs are in double precision;
+// rough: positions and sums over degrees are in single precision.
 struct PolarStyle {
     double oversampling;
     std::size_t between, around;
     bool doubles, exact, rough = false;
 
     double step() const { return pi / oversampling; }
-    // Styles with four taps between circles use PairedTaps.
+    // Return whether PairedTaps are used: if there are four taps between circles.
     bool paired() const { return between == 4; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
-// Styles {oversampling, between, around, doubles, exact, rough}, from the most accurate to the cheapest.
+// Settings {oversampling, between, around, doubles, exact, rough = false}, from the most accurate to the fastest.
 inline constexpr std::array<PolarStyle, 14> polar_styles = {{{2.0, 14, 14, true, true},
                                                              {2.0, 12, 12, true, true},
                                                              {3.0, 10, 10, true, true},
@@ -55,7 +55,7 @@ struct PolarPupil {
     double base;  // error bound of U from the expansion and from rounding of positions
 
     explicit PolarPupil(const ZernikeField& field)
-        // Positions are off by < 64 (v + 64) roundoffs: 12 v between circles, 24 v * angle around them. |U'| < 1/2 halves this.
+        // Rounding errors of positions, less than 64 (v + 64) roundoffs in v, change U by at most half as much, as |dU/dv| < 1/2.
         : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
         add(field.outer(), 1.0, 1.0);
         if (field.obscured()) {
@@ -81,8 +81,8 @@ struct PolarPupil {
     }
 };
 
-// Kernels of the interpolation between circles, for both disks (aperture and obscuration) and one PolarStyle (circles per lambda N,
-// taps, precision), and what they add to the error of U.
+// Kernels of the interpolation between circles, one for the aperture and one for the obscuration, with the settings `style`, and
+// their contributions to the error of the field U.
 struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
     double aliasing = 0.0;  // bound on the error of U from aliases
@@ -92,7 +92,7 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // `aliases` holds for pupil functions whose chord means have a mean square <= 1. A truncation error e adds growth * e.
+            // `aliases` bounds the aliases for pupil functions of modulus <= 1. A truncation error e of U adds aliases * e.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -100,8 +100,8 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding error of the field U before the FFT, by Cauchy's inequality for cosines and sines separately. chain: error of sums over
-// every other degree; each: error of (n + 1) * value of degree n in the table; left_out: bound on degrees not in the table.
+// Rounding error of the field U before the FFT, by Cauchy's inequality for cosines and sines separately: of sums over every other
+// degree (chain), of the table, and from omitted degrees (left_out). each: error of (n + 1) * table value of degree n.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
@@ -140,14 +140,14 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
-    // Error of a kernel's taps. Exact styles use double-precision taps, rounded once.
+    // Error of a kernel's taps. With style.exact, they are computed in double precision and rounded once.
     const auto off = [&](const GriddingTaps& taps) {
         return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
-    // Rounding: storing the circles, two products, a chain of sums for each kernel, and four roundings of I, which count half in U.
+    // Rounding of U: 1 of stored circles, 2 of products, 4 of I, which count half, and of the chain of sums for each kernel.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
-    // Rounding of single-precision positions in rough styles.
+    // With style.rough, add the error of U due to positions in single precision.
     const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);
     // A complex number is at most sqrt(2) < 1.42 times the larger of |re|, |im|.
     return (base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +

@@ -137,7 +137,7 @@ struct PolarTable {
         return i / quarter < 2 ? size : -size;
     }
 
-    // Fill block b; return the sum of the weights of the nodes.
+    // Compute block b of the table; return the sum of the weights of the quadrature nodes, by which rounding is bounded.
     template <class I>
     LOMMEL_INLINE double fill(I isa, std::size_t b, const Rule& rule) {
         using V = typename I::pack;

@@ -17,16 +17,16 @@ namespace lommel {
 
 // Error budget of an image by interpolation between circles: shares of allowed errors and of the tolerance.
 struct PolarBudget {
-    // image: share of the tolerance for the error at the peak; brighter: factor by which |U| may exceed its estimate.
+    // image: share of the tolerance for the error of I; brighter: factor by which |U| may exceed its estimate from the preview.
     static constexpr double image = 0.9, brighter = 1.15;
-    // Shares of the allowed error of U. promise: largest estimated error of a PolarStyle that is chosen; orders: error
-    // due to omitted azimuthal orders.
+    // Shares of the allowed error of U. promise: largest estimated error with which a PolarStyle is chosen; orders: error due to
+    // omitted azimuthal orders.
     static constexpr double promise = 0.95, orders = 0.05;
-    // Factor on the tolerance in a second attempt, in addition to the ratio of the tolerance to the first error bound.
+    // The second attempt, if any, aims at retry * tolerance * (tolerance / error bound of the first attempt).
     static constexpr double retry = 0.7;
 };
 
-// Zone of an image: range of radii, with a style of interpolation and the circles for it.
+// Zone of an image: range of radii, the settings of the interpolation there, and the circles for it.
 struct PolarZone {
     const PolarStyle* style;
     std::int64_t low, high;   // range of the squared distances of its pixels from the axis, in pixels^2
@@ -48,8 +48,8 @@ struct PolarZone {
 class PolarZones {
    public:
     // Plan zones for pixels at a pitch of `step` in v whose squared distances from the axis, in pixels^2, are `nearest` to
-    // `farthest`, for an error of I of at most `tol` times its maximum at these pixels. Returns false if the expansion or the most
-    // accurate style is unlikely to meet this.
+    // `farthest`, for an error of I of at most `tol` times its maximum at these pixels. Returns false if the errors of the pupil's
+    // expansion or of the most accurate PolarStyle are likely to exceed this.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
 
     // Compute the field on the circles of all zones.
@@ -69,7 +69,7 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // Index of the first sample, searched backwards from `end`, from which on a style meets the allowed error.
+    // Smallest index i for which `style` meets the allowed error of U at all radii looks.v[i], ..., looks.v[end - 1].
     template <class Allowed>
     static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                              const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {
@@ -135,7 +135,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     std::array<double, polar_styles.size() + 1> starts;
     std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
     starts.back() = 1e300;
-    // Try styles from the cheapest on, up to the first that is accurate enough at all radii.
+    // Try the settings in order, from the fastest to the first that is accurate enough at all radii.
     std::size_t most_exact = polar_styles.size(), first = looks.v.size();
     do {
         const std::size_t s = --most_exact;
@@ -149,7 +149,7 @@ LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int
     const auto end = [&](std::size_t s) {
         return std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
     };
-    // Drop narrow zones: their circles would cost more than the cheaper style saves on their pixels.
+    // Drop narrow zones: their own circles would take more time than their faster interpolation saves.
     for (std::size_t s = polar_styles.size(); --s > most_exact;) {
         if (end(s) - starts[s] < 2.0 * static_cast<double>(PolarTable::block) * polar_styles[s].step()) {
             starts[s] = starts.back();

@@ -1,5 +1,5 @@
-// Bound on the mean modulus of a pupil function over chords of the disk that are continued to complex points, from samples: it is
-// smaller than the product of the maxima of all Zernike terms (docs/certificate.md, section 7, "Means by samples").
+// Growth of a pupil function at complex points: bound on the mean of its modulus over chords of the disk, continued to complex
+// coordinates. It is computed from samples, and so is smaller than the product of the bounds for single Zernike terms.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 
 namespace lommel {
 
-// Zernike terms at samples of one curve (one value of b): points with the component cos(a + ib) along xi and sin(a + ib) cos(tau)
-// along xi', xi and xi' orthonormal, for a quarter of a turn of a and tau. A sample (x, y) also represents (+-x, +-y) and their
+// Zernike terms at sampled complex points cos(a + ib) xi + sin(a + ib) cos(tau) xi' of the disk, for orthonormal vectors xi, xi',
+// one value of b, and a and tau from 0 to pi/2. By symmetry, a sample (x, y) also represents (+-x, +-y) and their complex
 // conjugates, so half a turn of directions xi suffices.
 struct GrowthTable {
     std::vector<ZernikeTerm> terms;
@@ -36,7 +36,7 @@ struct GrowthTable {
 
     GrowthTable(const TermPairs& list, std::size_t at);
 
-    // Angle in radians: step(): between samples; turn(): between directions.
+    // Angles in radians: step() between samples of a and of tau, turn() between directions xi.
     double step() const { return 0.5 * pi / static_cast<double>(side - 1); }
     double turn() const { return pi / static_cast<double>(directions); }
 
@@ -46,7 +46,7 @@ struct GrowthTable {
         return side * side * static_cast<double>(directions_for(list) / row_lanes) *
                (2.0 * static_cast<double>(list.pairs.size()) + 40.0);
     }
-    // Return whether the terms on this curve, at most sinh(degree * b), are well within the range of float.
+    // Return whether the imaginary parts of all terms, at most sinh(degree * b), are well within the range of float.
     static bool serves(const TermPairs& list, std::size_t curve) {
         return static_cast<double>(list.degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -93,7 +93,7 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
         polynomials.at(x, y, [&](std::size_t j, const std::complex<wide>& value) {
             values[s * both.size() + j] = j % 2 == 1 && both[j].m == 0 ? 0.0f : static_cast<float>(value.imag());
         });
-        // Weights of a sample in the means over uniform a and uniform eta = cos(tau). A sample represents eight points.
+        // Weights of a sample, which represents eight points, in the mean over a (`first`) and over eta = cos(tau) (`second`).
         const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
         const double along = step() * static_cast<double>(q);
         const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
@@ -111,9 +111,9 @@ LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
 }
 #endif
 
-// Growth of a pupil function exp(i Phi): logarithm of the mean of e^{-Im Phi} over a complex curve on every chord of one direction,
-// for the direction where it is largest. mean: this logarithm from samples; margin: its error from rounding, and between samples
-// from the second derivatives of the Zernike terms, each at most n^2 or m^2 times the term's maximum.
+// Growth of a pupil function exp(i Phi): logarithm of the mean of e^{-Im Phi} over the complex points of all chords of a direction,
+// for the direction where it is largest. mean: this logarithm from samples. margin: bound on its error, from rounding and, between
+// samples, from the second derivatives of the Zernike terms, which are at most n^2 or m^2 times the maximum of the term.
 struct SampledGrowth {
     double mean, margin;
 };

@@ -16,11 +16,11 @@ namespace lommel {
 struct SeriesCost {
     static constexpr double least = 27000.0;     // time of the smallest image
     static constexpr double declined = 20000.0;  // time of the chordal rule's estimates, added if this rule declines
-    // Relative error of interpolation between circles for a bright image. Strong aberrations may dim the image twice as much as
-    // estimated.
+    // Error of interpolation between circles / peak intensity without aberrations. With aberrations, which dim the field by an
+    // estimated factor `dim`, it may be up to 2 * dim - 1 times as large.
     static constexpr double circles = 1.2e-10;
-    // Rounding of the expansion as a share of the allowed error. Above `rounded`, circles cannot be used and the image may have to
-    // be computed twice; above `lost`, possibly no method meets the tolerance.
+    // Limits of (rounding error of the expansion) / (allowed error). Above `rounded`, interpolation between circles cannot be used,
+    // and the image may have to be computed twice; above `lost`, possibly no method meets the tolerance.
     static constexpr double rounded = 0.17, lost = 0.25;
 
     // Estimated time for the image of one pupil of the stack, by interpolation between circles or on rings.

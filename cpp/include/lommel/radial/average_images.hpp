@@ -66,8 +66,8 @@ class PixelRenderer {
 
     // Return whether averages by filters of finer samples are faster than by all methods of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Return whether derivatives, which the flux through pixel edges does not give, are faster by filters of finer samples than by
-    // tables of weights.
+    // Return whether derivatives of pixel averages are faster by filters of finer samples than by tables of weights. (They cannot
+    // be computed from the flux through pixel edges.)
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {
@@ -96,7 +96,7 @@ class PixelRenderer {
     }
 
    private:
-    // Accuracy of tables in decimal digits. last_level: highest to request; exact_level: from it on, rounding limits the accuracy.
+    // Accuracies of tables, in decimal digits. last_level: highest one requested; exact_level: where rounding begins to dominate.
     static constexpr int last_level = 15, exact_level = 14;
     // Filters of finer samples are for pixel pitches up to `widest_filtered` (optical units). The flux through pixel edges is
     // faster for tolerances below `least_filtered`, or if interference rings matter in at most beside_filters * pitch^4 pixels.
@@ -114,7 +114,7 @@ class PixelRenderer {
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
         // Later attempts. each: share for the error of the table, and for that of U; half if values are divided by their maximum.
         static constexpr double each = 0.2;
-        // Averages from the flux through pixel edges. rings: error by omitting interference rings; sums: error of each quadrature.
+        // Averages from the flux through pixel edges. rings: error due to omitted interference rings; sums: error of quadratures.
         static constexpr double rings = 0.6, sums = 0.05;
         static_assert(table + 2.0 * field + cubics + places <= 1.0 && 2.0 * each <= 1.0);
     };

@@ -89,7 +89,7 @@ class Batch {
         const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
         const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
         const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack.count);
-        // Exclude large phases: `worst` has the largest coefficients of all pupils and may exceed limits that no pupil exceeds.
+        // Exclude large phases: `worst`, the largest coefficients of all pupils, may exceed limits that no single pupil exceeds.
         return table < pieces && terms * radii < 4e6 && worst.size() < 1e3;
     }
 
@@ -118,7 +118,7 @@ LOMMEL_ONCE void Batch::run(int threads, const Take& take) const {
     parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
         thread_local SeriesScratch scratch;
         thread_local Doubles re, im, values;
-        // Each stage (coefficients, fields) handles a whole group, so that the first-level cache holds one table at a time.
+        // Compute the coefficients of the whole group before its fields: the first-level cache then holds one table at a time.
         const std::size_t first = task * group, here = std::min(group, stack_.count - first);
         constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
         re.resize(rounded * room);

@@ -282,7 +282,7 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 // by Gauss quadrature; farther out from the smooth part of the intensity, with a bound on the omitted interference rings.
 class CoarseAverages {
    public:
-    // by_rings: error bound of averages without interference rings; error: bound for those from the flux; top: largest average.
+    // by_rings, error: error bounds of the averages without interference rings and of those from the flux; top: largest average.
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
@@ -302,13 +302,13 @@ class CoarseAverages {
         double rings, field, sums;  // requested errors: of averages by omitted rings; field U; of averages by quadrature
     };
 
-    // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r. Edges that
-    // face the axis subtend at most sqrt(2) step / r, the others as much back: 2 sqrt(2) step / r in all. Around the axis, edges
-    // subtend 2 pi <= pi step / r, as the pixel is at least 2 r wide; the second term is then at most pi / 2 times curved(r).
+    // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r from the axis.
+    // Seen from it, the near edges subtend an angle of at most sqrt(2) step / r, the far ones as much: 2 sqrt(2) step / r in all.
+    // If the axis is in the pixel, its edges subtend 2 pi <= pi step / r, and the second term is at most pi / 2 times curved(r).
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
-    // Smallest distance, by bisection, from which on averages without interference rings have an error of at most `request`.
+    // Smallest distance from the axis, found by bisection, from which on averages without interference rings err by <= `request`.
     static double without_rings(const EnergyTail& tail, double step, double request) {
         double low = 1.0, high = 1e8;
         while (high > 1.01 * low) {
@@ -403,7 +403,7 @@ LOMMEL_ONCE void CoarseAverages::make(const CoarseWindow& coarse, const Phase& p
                 off += sides_of[i].off;
             }
             values[pixel.group] = sum / square;
-            // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, which nearly cancel.
+            // A constant error of the encircled energy is multiplied by the sum of the edges' signed angles, which is nearly 0.
             const double first = energy_.off(step * std::sqrt(coarse.nearest(pixel.column, pixel.row))),
                          last = energy_.off(step * std::sqrt(coarse.farthest(pixel.column, pixel.row)));
             const double given = std::min(off, 0.5 * (last - first) * turns + 0.5 * (last + first) * std::abs(turn));

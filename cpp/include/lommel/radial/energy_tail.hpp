@@ -14,8 +14,8 @@
 namespace lommel {
 
 // Beyond the geometric rays, only the edges of the aperture contribute to the field U(v): by partial integration U is a sum of
-// exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a mean,
-// mean() / v^3 at first order, plus rings, whose amplitude at v bounds their integral from v on (docs/certificate.md, section 9).
+// exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a smooth
+// mean, mean() / v^3 to leading order, plus interference rings (docs/certificate.md, section 9).
 class EnergyTail {
    public:
     EnergyTail(const Phase& phase, double obscuration) {
@@ -68,8 +68,8 @@ class EnergyTail {
     }
 
    private:
-    // terms: number of terms of partial integration that are expanded in waves; powers: number of powers of 1 / v in a wave;
-    // orders: number of derivatives of the pupil function that are bounded, for remainder().
+    // terms: number of terms of the partial integration that are expanded in waves; powers: number of coefficients of a wave, one
+    // for each power of 1 / v; orders: number of derivatives of the pupil function that remainder() uses bounds on.
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
     struct Wave {
@@ -204,7 +204,7 @@ class EnergyTail {
     std::array<Left, 4 * terms> left_{};
     std::size_t wave_count_ = 0, left_count_ = 0;
     std::array<double, 2 * powers> means_{}, rings_{};
-    // [k]: after k steps of partial integration, bounds on the edge term times v^(k + 3/2) and on the integral times v^(k + 1/2).
+    // After k steps of partial integration, at_edges_[k] bounds edge term * v^(k + 3/2), inside_[k] bounds integral * v^(k + 1/2).
     std::array<double, orders> at_edges_{}, inside_{};
 };
 

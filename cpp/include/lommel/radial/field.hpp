@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Radii at which a field is needed, in optical units: radii[0 .. count) times `step`, ascending; without radii, all up to `step`.
+// Radii at which a field is needed, in optical units: step * radii[i], i < count, ascending. Null `radii`: all radii up to `step`.
 struct Places {
     const double* radii;
     std::size_t count;
@@ -30,7 +30,7 @@ struct Places {
 // Complex field U(v) of a pupil, with or without obscuration. Contains the buffers of one thread, which grow and are reused.
 class Field {
    public:
-    // Prepare the field of t^power A exp(i Phi), t the squared pupil radius, with an error of about `error`; returns its bound.
+    // Prepare the field of t^power * pupil function, t: squared pupil radius, for an error of about `error`; returns its bound.
     double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
     // Call sink(i - first, re, im) with vectors of the field at radii[first .. last) times `step`, ascending. The sink and the
@@ -225,7 +225,7 @@ LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double 
         return bound + (1.0 + weight_) * by_series;
     }
     const double by_table = unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
-    // The sum that is interpolated is at most 1 + bound, as the field is at most 1.
+    // Interpolation errors are relative to the truncated series, which is at most 1 + bound, as the field is at most 1.
     return bound + (1.0 + weight_) * ((1.0 + bound) * piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
 }
 

@@ -70,7 +70,7 @@ class Renderer {
             store_scaled(slopes.values.data(), answer_.scales[pupil], layout_->count, values);
             const std::size_t at = d * stack_.count + pupil;
             paint(values, answer_.derivative_images + at * pixels(), 1);
-            // Error bound, over the exact peak, of the derivative 2 Re(conj(U) i T) with the fields U and T of class Slopes.
+            // Error bound, relative to the exact peak, of the derivative 2 Re(conj(U) i T), with U and T as in class Slopes.
             const double u = std::sqrt(settled.peak), t = std::sqrt(slopes.size);
             const double slope_error =
                 u * slopes.error + t * settled.bound + slopes.error * settled.bound + u * t * storing<T>(false);

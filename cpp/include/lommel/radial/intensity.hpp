@@ -54,8 +54,8 @@ LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, 
 }
 #endif
 
-// Derivative of the intensity by the phase coefficient c_k of t^k, t the squared pupil radius: dI/dc_k = 2 Re(conj(U) i T),
-// with U the field of the pupil function and T that of t^k times the pupil function.
+// Derivative of the intensity I with respect to the phase coefficient c_k of t^k, t: squared pupil radius:
+// dI/dc_k = 2 Re(conj(U) i T), where U is the field of the pupil function and T the field of t^k * pupil function.
 struct Slopes {
     Doubles values;
     double error = 0.0, size = 0.0, steepest = 0.0;  // error bound of the field T; largest |T|^2; largest |values|

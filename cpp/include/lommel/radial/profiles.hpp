@@ -20,8 +20,8 @@ inline Doubles padded(const double* v, std::size_t count) {
     return radii;
 }
 
-// Compute the complex fields out[pupil * count + i] at the ascending radii v[i], in optical units, and their error bounds, for an
-// error of the intensity within tol * estimated peak. The phase is 0 at the centre of the pupil.
+// Compute the complex fields out[pupil * count + i] at the ascending radii v[i], in optical units, with their error bounds. The
+// error of the intensity is to be at most tol * (estimated peak). The phase of the pupil function is 0 at the pupil's centre.
 inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
                    double* bounds) {
     const Doubles radii = padded(v, count);

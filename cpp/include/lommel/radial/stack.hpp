@@ -48,7 +48,7 @@ struct Stack {
     Phase operator[](std::size_t i) const { return {coefficients + i * terms, terms, &amplitude}; }
 };
 
-// Range of each coefficient in a stack, and its largest modulus.
+// Smallest and largest value (least, most) of each phase coefficient in a stack, and its largest modulus (farthest).
 struct Box {
     std::vector<double> least, most, farthest;
 
@@ -93,19 +93,19 @@ struct Answer {
 
 // Error budget of an image (docs/certificate.md, section 6).
 struct RadialBudget {
-    // Error of the field U as a share of tolerance * peak of |U|; it counts twice in the intensity. The rest is a margin.
+    // Error of the field U / (tolerance * peak of |U|). It counts twice in the intensity; 1 - 2 * field is a margin.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
-    // Shares of the field's error: full disk (outer), obscuration (inner), and interpolation in the radius (pieces).
+    // Shares of the allowed error of the field U: full disk (outer), obscuration (inner), interpolation in the radius (pieces).
     static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
-    // Shares of a disk's error: omitted terms of the Legendre series, and quadrature of its coefficients.
+    // Shares of the allowed error of one disk: omitted terms of the Legendre series, and quadrature of its coefficients.
     static constexpr double truncation = 0.5, quadrature = 0.1;
     static_assert((outer + inner) * (truncation + quadrature) + pieces <= 1.0);
     // Factor on the requested error of the field U for the next attempt, and the smallest error to try.
     static constexpr double retry = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Estimate of a field's largest modulus. Most fields exceed it; for others the error is reduced once the peak is known.
+// Low estimate of the largest modulus of a field. If a field does not reach it, it is computed again with a smaller error.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

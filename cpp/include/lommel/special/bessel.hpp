@@ -10,8 +10,8 @@
 
 namespace lommel {
 
-// J_0(v) and J_1(v) by Hankel's expansion (DLMF 10.17.3), from the cosine, sine and square root of v; for v >= 100 in all
-// lanes, where the omitted terms are below 1e-17.
+// J_0(v) and J_1(v) by Hankel's expansion (DLMF 10.17.3), from the cosine, sine and square root of v. All lanes must have v >= 100,
+// where the omitted terms are below 1e-17.
 template <class V>
 LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& first) {
     V parts[2][2];  // [order][sum of the even terms, of the odd terms]
@@ -33,7 +33,7 @@ LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& fir
     first = scale * (parts[1][0] * (sine - cosine) + parts[1][1] * (sine + cosine));
 }
 
-// Number of orders, from J_0 on, for which the upward recurrence from J_0 and J_1 is stable: orders well below v.
+// Number of orders, from J_0 on, that the upward recurrence from J_0 and J_1 may compute: it is stable for orders well below v.
 inline std::size_t rising(double v) { return v >= 100.0 ? static_cast<std::size_t>(0.5 * v) : 0; }
 
 // Starting order of Miller's backward recurrence. Beyond order v + O(v^(1/3)), J_n(v) falls faster than any power of n, so the

@@ -120,7 +120,7 @@ LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceT
                                                                     const WantedPieces& wanted, std::size_t terms) {
     auto table = std::make_shared<PieceTable>();
     table->width = width;
-    // Number of rows (orders) rounded up, so that slightly more defocus needs no new table.
+    // The number of rows (Bessel orders) is rounded up, so that slightly stronger defocus needs no new table.
     table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
     table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
     const auto rows = [&](std::size_t s) { return std::min(table->terms, Piece::most(width, s)); };

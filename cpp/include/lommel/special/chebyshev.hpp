@@ -57,7 +57,7 @@ class ChebyshevToMonomials {
             }
         }
     }
-    // Write the first `kept` Chebyshev terms as a sum of powers of x; return the sum of the moduli of the dropped terms.
+    // Write to `out` the first `kept` Chebyshev terms as powers of x; return the sum of the moduli of the other coefficients.
     template <class In, class Out>
     Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
         std::array<Real, Count> sums{};

@@ -19,8 +19,8 @@ struct ChirpMoments {
 // of two Fresnel integrals loses digits, and the moments are expanded in powers of a.
 constexpr double nearly_linear = 0.025;
 
-// moments[k] = int_{-1}^1 x^k exp(i q x) dx, k = 0 .. 16, for several q at once; divided by i for odd k, so that all are real.
-// The recurrence by partial integration runs upwards if |q| >= 2, where no error grows, otherwise downwards from 0 at k = 24.
+// moments[k] = int_{-1}^1 x^k exp(i q x) dx, k = 0 .. 16, for several q at once, divided by i for odd k, so that all are real. By
+// the recurrence of partial integration: upwards in k if |q| >= 2, where it is stable, otherwise downwards from 0 at k = 24.
 template <class I, std::size_t count>
 LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typename I::pack (&moments)[17][count]) {
     using V = typename I::pack;

@@ -82,11 +82,11 @@ class GriddingKernel {
         return std::sqrt(2.0 * squares / cells);
     }
 
-    // Bound on the sum of the kernel's values at all taps, for any position, by Poisson's summation formula.
+    // Bound on the sum of the weights of all taps, at any position between samples, by Poisson's summation formula.
     double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
 
-    // Rounding of a sum over taps i = 0 .. w - 1 at any position: bound on the sum of (w - i) times tap i, as tap i takes part
-    // in w - i successive additions.
+    // Bound, at any position, on the sum over taps i = 0 .. w - 1 of (w - i) * tap i. It bounds the rounding of a sum over taps, as
+    // tap i takes part in w - i successive additions.
     double chain() const {
         constexpr std::size_t cells = 64;
         double worst = 0.0;

@@ -15,7 +15,7 @@
 namespace lommel {
 
 // Regularised least squares by Householder reflections. Unknowns x are added one at a time, each with a regularising equation
-// `small` x = 0. Callers evaluate the residuals, which show errors of the solution.
+// small * x = 0. The solution has no error bound; callers compute its residuals.
 class LeastSquares {
    public:
     // `wanted`[side][equation]: right-hand sides; `most`: maximum number of unknowns; `small`: factor of the regularisation.

@@ -1,6 +1,6 @@
-// One piece of the Bessel table: polynomial interpolation of Bessel functions at Chebyshev points, for as many orders at once
-// as a vector has lanes. Sums are pairs of doubles, the first of which is exact, so results are as accurate as in a wider type
-// (certificate, section 4).
+// One piece of the Bessel table: polynomial interpolation of Bessel functions at Chebyshev points, for as many orders at once as a
+// vector has lanes. A sum is kept as two doubles, a leading part without rounding error and a small rest, so results are as
+// accurate as in a wider type (certificate, section 4).
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Piece {
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
-    // left_out: bound on the omitted rows' part of the field U, for any pupil; most(): number of rows that piece s needs.
+    // left_out: bound on the contribution of the omitted rows to the field U, for any pupil; most(): number of rows piece s needs.
     static constexpr double left_out = 1e-19;
     static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };

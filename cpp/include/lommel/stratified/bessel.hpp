@@ -15,9 +15,9 @@
 
 namespace lommel {
 
-// Polynomials of degree 15 on pieces of width 2. J_m is of exponential type 1 and at most 1, so the interpolation error is at
-// most 2^-15 / 16! < 2e-18 (docs/certificate.md, section 15). Rounding of sampled values, times the Lebesgue constant 1 + (2 /
-// pi) log 16, and of Horner's rule is below 96 units of roundoff.
+// Bessel functions J_0 to J_3 as polynomials of degree 15 on pieces of width 2. J_m is of exponential type 1 and at most 1, so the
+// interpolation error is at most 2^-15 / 16! < 2e-18 (docs/certificate.md, section 15). The rounding of sampled values, times the
+// Lebesgue constant 1 + (2 / pi) log 16, and of Horner's rule is below 96 units of roundoff in all.
 struct BesselPieces {
     static constexpr std::size_t orders = 4, coefficients = 16;
     static constexpr double half = 1.0, error = 96.0;  // half width of a piece; error in units of roundoff

@@ -86,7 +86,7 @@ class LayeredImages {
             });
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
-                // Errors of radii: up to 6 roundings of the largest; |dI/dv| is at most 2 judged.swing (Bernstein's inequality).
+                // 12 = 6 * 2: up to 6 roundings of a radius v, times |dI/dv| <= 2 * judged.swing (Bernstein's inequality).
                 const double off =
                     between->magnification() * judged.given + between->error * judged.swing +
                     unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);
@@ -109,7 +109,7 @@ class LayeredImages {
                 size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
                 top = largest_value(made.values.data(), made.count);
-                // For samples, the intensity at any radius is a lower bound on the peak.
+                // For samples, the intensity at each radius of the table is a lower bound on the peak; averages may be smaller.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 const double scale = note(first + p, top, peak, off);
                 store_window(*table, made, scale, T{0}, answer_.images + (first + p) * pixels());

@@ -60,8 +60,8 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in lambda / 
     }
 
     double magnification() const { return lebesgue(nodes); }
-    // Rounding of interpolated values, in roundoffs of the largest value: the second barycentric formula with its sum over the
-    // nodes has 4 * nodes + 8 (N. J. Higham, IMA J. Numer. Anal. 24, 547, 2004), magnified by the interpolation.
+    // Rounding of interpolated values, in roundoffs of the largest value: 4 * nodes + 8 for the second barycentric formula (N. J.
+    // Higham, IMA J. Numer. Anal. 24, 547, 2004), magnified by the interpolation.
     double rounding() const { return (4.0 * static_cast<double>(nodes) + 8.0) * (magnification() + 1.0); }
 
     // Interpolate `Together` rows, from values[row * stride + node] to out[row * out_stride + radius]. Whole tiles are written
@@ -104,8 +104,8 @@ struct Between : Radii {  // radii: Chebyshev points of each piece, in lambda / 
     double middle(std::size_t s) const { return half * (2.0 * static_cast<double>(s) + 1.0); }
     double point(std::size_t j) const { return chebyshev_point(nodes - 1 - j, nodes); }
 
-    // Write the Lagrange polynomial of each node j at x to to[j * tile]. The barycentric weights of Chebyshev points are sines
-    // with alternating signs.
+    // Write to to[j * tile] the Lagrange polynomial of each node j, evaluated at x by the barycentric formula. Its weights for
+    // Chebyshev points are sines with alternating signs.
     void weigh(double x, double* to) const {
         double sum = 0.0;
         for (std::size_t j = 0; j < nodes; ++j) {

@@ -25,12 +25,12 @@ struct Angles {
     // Derivatives by ln(wavenumber). turning[3][angle]: of fixed, by_depth, by_focus, each minus a constant; change: of `part`.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
-    // Rounding of a sum over angles, of its products and of Bessel functions, relative to the sum of magnitudes.
+    // Rounding error of a sum over angles / sum of the moduli of its terms; of_bessel: that of Bessel functions, in roundoffs.
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
 };
 
-// One azimuthal order of the intensity: the sum over j, l of form[j][l] F_j conj(F_l), with F_j the parts of the field, times
-// cosine cos(order phi) + sine sin(order phi), with phi the azimuth.
+// One azimuthal order of the intensity: the sum over j, l of form[j][l] F_j conj(F_l), F_j being the parts of the field, times
+// (cosine * cos(order * phi) + sine * sin(order * phi)), phi being the azimuth.
 struct Harmonic {
     std::complex<double> form[most_parts][most_parts];
     std::size_t order;
@@ -59,8 +59,8 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // Write the parts of the field times exp(i psi), psi being the phase, to re, im[part * stride + angle], and the sum over
-    // angles of |re| + |im| to sizes[part]. exp() of the decay is computed only for evanescent waves, which are few.
+    // Write (amplitudes `parts` * exp(i psi)), psi being the phase, to re, im[part * stride + angle], and the sum over angles of
+    // |re| + |im| to sizes[part]. Only evanescent waves, which are few, have a decay exp(-Im psi) to compute.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {

@@ -23,7 +23,7 @@ struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };
 
-// Fields at the radii, as sums over pupil angles of waves times tabulated Bessel functions, and intensities from the fields.
+// Fields at the radii of a table, as sums over pupil angles of waves * Bessel functions (tabulated), and their intensities.
 class Profiles {
    public:
     static constexpr std::size_t together = 3;  // planes at once: twelve chains of multiply-adds, which sixteen registers hold

@@ -39,8 +39,8 @@ struct RingTaps {
 };
 
 // Interpolation from `angles` equidistant angles on each circle to any position: each circle is replaced by a weighted sum of
-// itself and its neighbours, azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius and around. The
-// interpolation error of order m is at most aliases[m] times its modulus.
+// itself and its neighbours, azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius and along the
+// circles. The interpolation error of order m is at most aliases[m] times its modulus.
 struct RingSteps {
     std::size_t angles;
     const double* filter;  // weights of the circle itself, of its neighbours on either side, ...
@@ -219,14 +219,14 @@ class Rings {
         }
         const double* orders = fft_.whole(isa, a_.data(), b_.data());
         double* const to = orders == a_.data() ? b_.data() : a_.data();
-        // Zero the first and the last n / 2 elements, those that the transform reads; orders are then written over them.
+        // Zero the first and the last n / 2 elements, the only ones that the transform reads; then write the orders into them.
         std::fill_n(to, n / 2 * fft_element, 0.0);
         std::fill_n(to + (finer_.n - n / 2) * fft_element, n / 2 * fft_element, 0.0);
         V off[packs] = {}, size[packs] = {};
         for (std::size_t m = 0; m < steps_.orders; ++m) {
             const V gain = splat<V>(steps_.gains[m] / static_cast<double>(n));
             const V alias = splat<V>(steps_.aliases[m] / static_cast<double>(n));
-            // Two forward transforms reverse the angle, so order m goes to index -m.
+            // The second transform is a forward one, like the first, so the angle is reversed: order m goes to index -m.
             const auto put = [&](std::size_t from, std::size_t at) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t p = 0; p < packs; ++p) {
                     const V re = load<V>(orders + from * fft_element + p * I::lanes);

@@ -14,7 +14,7 @@
 
 namespace lommel {
 
-// Window of pixels with a pitch of `step` circle distances. centers[axis][row, column]: one axis per plane, or one for all.
+// Window of pixels; step: pixel pitch / distance between circles. centers[axis][row, column]: one axis per plane, or one for all.
 struct RingWindow {
     std::size_t height, width;
     const double* centers;

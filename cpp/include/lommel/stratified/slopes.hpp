@@ -19,9 +19,9 @@
 
 namespace lommel {
 
-// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, with x the depth, the focus or ln(wavenumber).
-// `axis`: two images, with x the row and the column of the axis. Derivatives by ln(wavenumber) are taken at fixed positions: in
-// metres for radially symmetric intensities, in lambda / (2 pi NA) for others.
+// Requested derivative of the intensity I: factor * dI/dx + own[plane] * I, where x is the depth, the focus or ln(wavenumber). For
+// `axis`: two images, where x is the row and the column of the axis. In derivatives by ln(wavenumber), positions are constant in
+// metres for radially symmetric intensities, in units of lambda / (2 pi NA) for others.
 struct LayeredSlope {
     enum class What { depth, focus, axis, wavenumber } what;
     double factor;
@@ -120,7 +120,7 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // Derivative of the intensity at the radii v. For that by ln(wavenumber) at fixed positions in metres, v I'(v) is added.
+    // Requested derivative of I at the radii v. By ln(wavenumber) at constant position in metres: that at constant v, plus v dI/dv.
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
@@ -147,7 +147,7 @@ class WindowSlopes {
             all.most += size * far * 2.0 * self.swing;
             all.swing += size * table.growth() * self.swing;
         }
-        // `own` contains the collected power's derivative over the power. Both are known to 1e-13, for which 1e-12 leaves room.
+        // `own` contains (derivative of the collected power) / (collected power), each with a relative error of 1e-13.
         all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
         return {mixed.data(), all};
     }

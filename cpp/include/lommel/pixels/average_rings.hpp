@@ -21,8 +21,8 @@ namespace lommel {
 struct AverageRings : PixelRings {
     // Largest distance of a pixel from the axis, in optical units; beyond it, other methods are faster.
     static constexpr double most_reach = 2000.0;
-    // Approximate number of products to compute the weights: rings * 16 distances * angles * (quadrature points in a pixel,
-    // places^2) * radii per ring, in this order.
+    // Approximate number of products to compute the weights. Its factors: number of rings, 16 distances on each, angles, quadrature
+    // points in a pixel (places^2), radii per ring.
     static double work(double pitch, double reach) {
         const double places = 0.8 * pitch + 8.0;
         return (reach / 12.0 + 1.0) * 16.0 * (1.2 * pitch + 3.0) * places * places * (1.5 * pitch + 27.0);

@@ -15,7 +15,7 @@ using RadialDegree = std::integral_constant<std::size_t, 16>;
 constexpr std::size_t radial_degree = RadialDegree::value;  // number of Chebyshev coefficients in the distance, for one ring
 constexpr std::size_t block_outputs = 16;  // number of output values in one block of weights
 
-// The number of quadrature points in a pixel is padded to a multiple of this, two of the widest vectors.
+// The number of quadrature points in a pixel is padded to a multiple of this, the lanes of two of the widest vectors.
 constexpr std::size_t position_step = 2 * row_lanes;
 
 // Compute row[k] such that sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for every polynomial f of degree below `count`.
@@ -114,7 +114,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     }
 }
 
-// Rounding error of a series, in roundoffs: sum over k of |coefficients[k]| * penalty[k], with penalty[k] that of term k per unit.
+// Rounding error of a series, in roundoffs: sum of |coefficients[k]| * penalty[k]; penalty[k]: the error if coefficient k is 1.
 template <class I>
 LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
     using V = typename I::pack;

@@ -1,4 +1,4 @@
-// Distinct distances of a window's pixels from an axis at a pixel centre or midway between pixels, and which one each pixel has.
+// Distinct distances of pixels from an axis at a pixel centre or midway between pixels, and the index of each pixel's distance.
 #pragma once
 
 #include <algorithm>

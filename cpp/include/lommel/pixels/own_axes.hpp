@@ -29,7 +29,7 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
     int level;        // requested accuracy in decimal digits; the error bound is `error`
     std::size_t harmonics = 1, gauss, degree, outputs;
     Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: rounding error if this output is 1
-    double error, of_nodes = 1.0, of_grid, rounding;  // bound; Lebesgue constants of radii, of polynomials; rounding error
+    double error, of_nodes = 1.0, of_grid, rounding;  // error bound; Lebesgue constants: radii, polynomials; rounding error
 
     AnywhereTable(double pitch, bool averages, double pixels, int digits);
 

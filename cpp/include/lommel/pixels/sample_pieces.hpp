@@ -124,8 +124,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return *std::max_element(tops.begin(), tops.end());
     }
 
-    // piece_of(): position, counted in pieces, of a distance r in units of the innermost width. It is r for r < equal, otherwise
-    // (r^2 / R - equal) / 2 + R, where R <= r < 2 R and R is equal, 2 equal, 4 equal, ... distance_of(): its inverse.
+    // piece_of(): position, counted in pieces, of a distance r in units of the innermost piece's width. It is r if r < equal, else
+    // (r^2 / R - equal) / 2 + R, with R <= r < 2 R and R = equal * (1, 2, 4, 8, ...). distance_of(): inverse function.
     static double piece_of(double distance, double equal) {
         if (distance < equal) {
             return distance;
@@ -148,7 +148,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
                static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // curves[piece]: bound on the second derivative of the intensity, each piece being [-1, 1]. Return: the same for the fourth.
+    // curves[piece]: bound on the intensity's second derivative, each piece being [-1, 1]. Return: the largest bound on the fourth.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -225,7 +225,7 @@ LOMMEL_ONCE SamplePieces::SamplePieces(int digits, std::size_t from, std::size_t
     const double equal = equal_pieces(width), half = 0.5 * width;
     error = lebesgue(terms) * interpolation_by_slope(half, points) * of_squares(equal * width, points) +
             interpolation_by_slope(half / static_cast<double>(parts->parts), terms) * of_squares(equal * width, terms);
-    // Roundings of the parts' matrices, of their products and sums, and of evaluation (24 S in docs/certificate.md, section 9).
+    // Rounding of the matrices for the parts, of products and sums, and of evaluation (24 S in docs/certificate.md, section 9).
     rounding = 24.0 * parts->sizes;
     of_grid = std::min(lebesgue(terms), 1.0 + parts->bent());
     count = (last - first) * points;

@@ -238,7 +238,7 @@ class SampleRows {
     double place_error() const;
 
     PixelWindow window_;
-    double pieces_;  // pixel pitch over the width of a piece (interval of the distance)
+    double pieces_;  // pixel pitch / width of a piece (interval of the distance)
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;

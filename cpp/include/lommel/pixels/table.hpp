@@ -58,9 +58,9 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
     std::vector<std::int32_t> places;  // for each radius of each ring: its index in the ascending `radii`
     Doubles weights;  // for each ring: [block of outputs][radius][output]
     Doubles x, cosine;  // for each value: radial position in the ring, -1 to 1; cosine of four times the angle
-    Doubles penalty;  // for each coefficient: rounding error of its term if it is 1, in units of roundoff
+    Doubles penalty;  // for each coefficient: rounding error of its term, in units of roundoff, if the coefficient is 1
     std::size_t harmonics = 1, gauss = 1;
-    double error = 0.0;  // error bound of values, over half the largest intensity, if the intensities at the radii are exact
+    double error = 0.0;  // error bound of values / half the largest intensity, if the intensities at the radii are exact
     double of_nodes = 1.0, of_grid = 1.0;  // Lebesgue constants: interpolation between radii; in distance and angle
     double rounding = 0.0;  // rounding of weights and sums, in units of roundoff times the largest intensity
 

@@ -22,7 +22,7 @@
 
 namespace lommel {
 
-// Aperture. area: upper bound on the modulus of the field U; light: transmitted light / pi, approximately; obscuration: its radius.
+// Aperture. area: upper bound on |U|, U: field; light: transmitted light / pi, approximately; obscuration: its relative radius.
 struct Aperture {
     double area, light;
     double obscuration;
@@ -64,7 +64,7 @@ class PixelRenderer {
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
-    // Return whether averages by filters of finer samples are faster than by all methods of this class.
+    // Return whether filters of finer samples (no method of this class) compute the averages faster than each of its methods.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
     // Return whether derivatives of pixel averages are faster by filters of finer samples than by tables of weights. (They cannot
     // be computed from the flux through pixel edges.)
@@ -269,7 +269,7 @@ class PixelRenderer {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        // For few pupils with a common axis, a smaller pitch suffices if AverageRings would need too many weights.
+        // The flux also serves pixels of smaller pitch, for few pupils with a common axis for which AverageRings is too large.
         const bool wide = window_.step >= CoarseAverages::least ||
                           (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
                            any_axis(AverageRings::most_reach) && !of_rings());

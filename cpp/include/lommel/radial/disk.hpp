@@ -41,7 +41,7 @@ LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double 
     check_reach(reach);
     const double left = RadialBudget::truncation * error;
     std::tie(terms, truncation) = ellipses.terms(left);
-    // Choose the number of terms by the largest distance, `reach`, instead of the phase if fewer suffice for it.
+    // Use the number of terms that suffices up to the largest distance, `reach`, if it is less than the number for the phase.
     if (terms > 1 && window_tail(terms - 1, reach) <= left) {
         terms = window_terms(reach, left);
         truncation = window_tail(terms, reach);

@@ -20,7 +20,7 @@ namespace lommel {
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
 // Piece of the Bessel table (bessel_table.hpp). Row n: the table's function of index n, as 16 coefficients of powers of x, from
-// -1 to 1 on the piece; negligible functions have no row. magnitude, azimuthal: this piece's values of these PieceTable bounds.
+// -1 to 1 on the piece; negligible functions have no row. magnitude, azimuthal: as in PieceTable, but for this piece alone.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
@@ -128,9 +128,9 @@ class PieceRule {
 };
 inline constexpr PieceRule piece_rule;
 
-// values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as by zernike_transforms(), at the 16 points v of a piece in
-// descending order. The last point must be at least half the first: otherwise the backward recurrence overflows for orders that
-// matter. `most`: largest number of terms that a piece needs; values do not depend on `terms`.
+// Compute values[16 n + point] = 2 (-1)^n J_{2n+1+parity}(v) / v, as zernike_transforms() does, at the 16 points v of a piece, in
+// descending order. The last point must be at least half the first, or else the backward recurrence overflows for orders that
+// matter. `most`: largest number of terms that a piece needs; the values do not depend on `terms`.
 template <class I>
 LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, std::size_t most,
                                 double* values) {

@@ -24,7 +24,7 @@ struct Judged {
     // Bounds for the azimuthal orders planes.harmonics[first .. last - 1] only.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        // `rounding` is an allowance for the rounding of products and Hermitian forms, and for 1e-13 of the collected power.
+        // `rounding` covers the rounding of products and Hermitian forms, and an error of 1e-13 of the collected power.
         given =
             planes.bilinear(
                 plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +

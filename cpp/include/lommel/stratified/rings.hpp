@@ -18,8 +18,8 @@ namespace lommel {
 
 constexpr std::size_t ring_planes = fft_rows;
 
-// Fields on circles around the axis: azimuthal order m of field f is the sum over nodes q in the pupil of parts[m][f][q]
-// waves[q] J_|m|(v rho_q) / sqrt(power), with v the radius of the circle and rho_q that of the node.
+// Fields on circles around the axis: azimuthal order m of field f is the sum over nodes q in the pupil of
+// parts[m][f][q] * waves[q] * J_|m|(v rho_q) / sqrt(power), with v the radius of the circle and rho_q that of the node.
 struct RingLight {
     const double* bessel;  // Bessel functions J_|m|(v rho): [|m|][circle][node]
     std::size_t orders, circles, nodes;  // azimuthal orders m = 1 - orders .. orders - 1
@@ -54,7 +54,7 @@ struct RingSteps {
     std::size_t before() const { return along.count / 2; }          // number of circles of negative radius
 };
 
-// Maxima over the circles of each plane, for its error bound.
+// Maxima over all circles of a plane, for the error bound of its image.
 struct RingSizes {
     explicit RingSizes(std::size_t fields) : squares(fields * ring_planes) {}
     Doubles squares;                    // largest squared modulus of a field: [field][plane]

@@ -46,7 +46,7 @@ struct PlaneProfiles {
     const Judged& judged;
 };
 
-// Computation of the requested derivatives of images.
+// Derivatives of images, computed from radial profiles by tables of weights.
 template <class T>
 class WindowSlopes {
    public:

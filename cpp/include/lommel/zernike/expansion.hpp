@@ -22,8 +22,8 @@ struct ZernikeBudget {
     // Shares of the allowed error of U. outer, inner: expansions of the full disk and of the obscuration; small: small coefficients
     // omitted from either expansion.
     static constexpr double outer = 0.5, inner = 0.5, small = 0.02;
-    // Shares of a disk's allowed error. degrees: omission of degrees, multiplied by `fourier`, a bound on the Lebesgue constant of
-    // Fourier sums, if orders are omitted too. orders: omission of orders. quadrature: counts twice in the error of U.
+    // Shares of a disk's allowed error. degrees: omitted degrees; this error counts `fourier` times (Lebesgue constant) if orders
+    // are omitted, too. orders: omitted orders. quadrature: distance of the pupil function from polynomials, which counts twice.
     static constexpr double degrees = 0.16, fourier = 5.0, orders = 0.05, quadrature = 0.05;
     static_assert((outer + inner) * (fourier * degrees + orders + 2.0 * quadrature) + 2.0 * small <= 1.0);
     // Shares of the allowed error of U at the brightest point, for errors that all radial pieces have in common. trimmed: omitted

@@ -212,7 +212,7 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
     // above, psi the azimuth. The wave exp(+i radius v) has D_k(psi + pi).
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
-    // Bound on (maximum over all angles) / (maximum over samples): a Fourier sum falls no faster than its highest cosine.
+    // Bound on maximum over all angles / maximum over samples: around its peak, a Fourier sum is at least its highest cosine.
     const double between = 1.0 / std::cos(pi * static_cast<double>(orders_) / static_cast<double>(angles_));
     const double roundings = unit_roundoff * static_cast<double>(2 * degrees + 8 * orders_ + 64);
     for (const double sign : {1.0, -1.0}) {
@@ -277,7 +277,7 @@ LOMMEL_ONCE void FarLight::prepare(double v) {
 
 LOMMEL_ONCE void FarLight::fit(double v) {
     prepare(v);
-    // Sum of the squared moduli of all waves at samples of x = from / v: squares[sample][angle].
+    // Sum of the squared moduli of all waves at samples of x = from_ / v between 0 and 1: squares[sample][angle].
     std::vector<double> squares((points + smooth) * angles_, 0.0);
     std::array<double, points + smooth> places;
     for (std::size_t i = 0; i < points; ++i) {

@@ -38,9 +38,9 @@ struct ZernikePart : PaintedPart {
     ZernikePart(std::size_t s, std::size_t from, std::size_t to) : piece(s), first(from), last(to) {}
 };
 
-// Image in progress: its pixels by radial pieces, each with its own accuracy. An error e of U matters less where the PSF is dark:
-// |I - I_exact| <= e (2 |U| + e). A preview at some radii decides the allowed error of a piece; the computed values give its error
-// bound.
+// Image in progress: its pixels by radial pieces, each with its own accuracy. An error e of the field U matters less where the PSF
+// is dark: |I - I_exact| <= e (2 |U| + e). A preview of I at some radii decides the allowed error of a piece; the computed values
+// give its error bound.
 class ZernikeImage : public PaintedParts<ZernikePart> {
    public:
     // Begin an image of these pixels at a pitch of `step` in v. Memory is reused by the next image.

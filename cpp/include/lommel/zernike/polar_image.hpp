@@ -19,7 +19,7 @@
 
 namespace lommel {
 
-// Interpolation is tried if its estimated time is below this factor * time of the series. Changed by tests only; 0: never.
+// Factor f: interpolation is tried if its estimated time is below f * time of sums over orders. Only tests change f; 0: never.
 inline double& interpolation_worth() {
     static double share = 1.0;
     return share;

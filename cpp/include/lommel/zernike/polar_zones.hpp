@@ -34,7 +34,7 @@ struct PolarZone {
     std::size_t orders;
     std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
-    PairedTaps both;            // taps of both kernels in one vector, for styles with four taps
+    PairedTaps both;            // taps of both kernels in one vector, if style->paired()
     PolarRows<double> doubles;  // field on the circles, in one of two precisions
     PolarRows<float> floats;
     std::vector<double> errors;  // [circle]: error bound of U
@@ -59,7 +59,7 @@ class PolarZones {
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
 
    private:
-    // Block with the first (side < 0) or last (side > 0) circle that pixels at the radius v use, plus one circle for rounding.
+    // Index of the block with the first (side < 0) or last (side > 0) circle that pixels at the radius v use; 1 covers rounding.
     static std::size_t block_at(const PolarStyle& style, double v, double side) {
         const double taken = side * (0.5 * static_cast<double>(style.between) + 1.0);
         return static_cast<std::size_t>(v / style.step() + static_cast<double>(PolarTable::before) + taken) / PolarTable::block;
@@ -87,7 +87,7 @@ class PolarZones {
             PolarRowError& row = rows[i % block];
             for (std::size_t d = 0; d < pupil.disks.size(); ++d) {
                 const PolarKernel& kernel = *kernels.disks[d];
-                // Estimated number of nodes of the table's quadrature rule.
+                // v: radius for this disk; nodes: estimated number of nodes of the quadrature that computes its table.
                 const double v = pupil.disks[d].shrunk * looks.v[i],
                              nodes = v + static_cast<double>(pupil.disks[d].series->degrees) + 40.0;
                 row.sums += polar_rounding(pupil.disks[d], style, kernel, PolarTable::rounding(kernel.shares, nodes, v));

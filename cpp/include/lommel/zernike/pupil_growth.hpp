@@ -31,7 +31,7 @@ struct GrowthTable {
     std::vector<std::size_t> order;  // indices of the pairs of terms, even azimuthal orders first
     std::size_t even;  // number of pairs of even order
     Floats values;  // [sample][pair][cosine, sine]: imaginary part of the term
-    Floats shares;  // [sample]: weight in the mean over the curve, from hat functions
+    Floats shares;  // [sample]: weight in the mean over a and cos(tau), from hat functions
     std::vector<double> turns;  // [pair][direction][cos(m psi), sin(m psi)]
 
     GrowthTable(const TermPairs& list, std::size_t at);

@@ -111,8 +111,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
                    of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
         for (std::size_t o = 0; o < weights.size() / count; ++o) {
             const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
-            // 15 * power^2: squared distances, scaled to [-1, 1], have errors of up to 15 roundoffs, which the Chebyshev polynomial
-            // T_power amplifies up to power^2 times, its largest slope.
+            // 15 * power^2: squared distances, scaled to [-1, 1], have errors of up to 15 roundoffs, and power^2 is the largest
+            // slope of the Chebyshev polynomial T_power.
             const double each =
                 1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
             penalty.push_back(o < outputs ? each : 0.0);

@@ -64,7 +64,7 @@ class PixelRenderer {
         : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
-    // Return whether filters of finer samples (no method of this class) compute the averages faster than each of its methods.
+    // Return whether filters of finer samples, in another class, compute the averages faster than any method of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
     // Return whether derivatives of pixel averages are faster by filters of finer samples than by tables of weights. (They cannot
     // be computed from the flux through pixel edges.)

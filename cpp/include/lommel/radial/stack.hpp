@@ -105,7 +105,7 @@ struct RadialBudget {
     static constexpr double retry = 0.1, least = 8.0 * unit_roundoff;
 };
 
-// Low estimate of the largest modulus of a field. If a field does not reach it, it is computed again with a smaller error.
+// Low estimate of the largest modulus of a field. A field that does not reach it is computed again with a smaller error.
 inline double likely_peak(const Phase& phase, double obscuration) {
     return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }

@@ -199,7 +199,7 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients, on 8 rings, of pupil function * weight of the ring, as rings_[m][re, im of cos, sin][ring].
+    // Azimuthal Fourier coefficients of pupil function * ring weight, on 8 rings: rings_[m][cos re, cos im, sin re, sin im][ring].
     template <class I>
     LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders,
                                  std::size_t first) {

@@ -69,7 +69,7 @@ class PolarZones {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points(taps), 4 * orders)), taps);
     }
 
-    // Smallest index i for which `style` meets the allowed error of U at all radii looks.v[i], ..., looks.v[end - 1].
+    // Smallest index i, plus 1 as a margin, for which `style` meets the allowed error of U at all radii looks.v[i .. end - 1].
     template <class Allowed>
     static std::size_t start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                              const PolarLooks& looks, const PolarOrders& orders, std::size_t end, const Allowed& allowed) {

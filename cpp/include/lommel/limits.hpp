@@ -52,21 +52,21 @@ struct ZernikeTerm {
 // Bound on the error of the intensity I = |U|^2, for an amplitude |U| <= `size` with an error of at most `error`.
 inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
 
-// `error` of an intensity over the exact peak, which is at least (sqrt(peak) - field_error)^2; `peak` is the computed peak.
+// Bound on (`error` of an intensity) / (exact peak). Exact peak >= (sqrt(peak) - field_error)^2, where `peak` is the computed one.
 inline double over_peak(double error, double peak, double field_error) {
     const double exact = std::sqrt(peak) - field_error;
     return exact > 1e-150 ? error / (exact * exact) : 1e300;
 }
 
-// Error of an intensity over its exact peak, (2 M e + e^2) / (M - e)^2, with M^2 the computed `peak` and e the `field_error`.
+// Bound on (error of an intensity) / (exact peak): (2 M e + e^2) / (M - e)^2, with M^2 the computed `peak`, e the `field_error`.
 inline double relative_error(double peak, double field_error) {
     return over_peak(intensity_error(std::sqrt(peak), field_error), peak, field_error);
 }
 
-// Error of values after division by the largest of them; `relative` is their error before, over the largest.
+// Error of values after division by the largest of them. `relative`: their error before, divided by the exact largest value.
 inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
 
-// Rounding error of stored values, over their peak. The sum of two squares, the scale and their product take at most six
+// Rounding error of stored values, divided by their peak. The sum of two squares, the scale and their product take at most six
 // roundings to double. Conversion to float rounds once more, or twice if stored values are divided by the largest of them.
 template <class T>
 constexpr double storing(bool twice) {
@@ -74,8 +74,8 @@ constexpr double storing(bool twice) {
 }
 inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
 
-// Bound on error / peak of the values returned, from `relative`, that before storing. `divided`: values are divided by the largest
-// of them; `after`: they are divided after they are stored.
+// Bound on error / peak of the values returned. `relative`: bound on error / peak of the values as computed. `divided`: they are
+// then divided by the largest of them; `after`: they are divided after they are stored.
 template <class T>
 double finished_error(double relative, bool divided, bool after) {
     return stored(divided ? normalized_error(relative) : relative, storing<T>(divided && after));

@@ -62,7 +62,7 @@ class RowRule {
     const Doubles& x() const { return x_; }
     const Doubles& weights() const { return weights_; }
     double weight() const { return weight_; }  // sum of the weights
-    // Bound on the change of a sum if rounding displaces the edges, for integrands of modulus at most 1.
+    // Bound on the change of the quadrature sum as rounding displaces the aperture's edges, for integrands of modulus at most 1.
     double lost() const { return lost_; }
     const Doubles& phase() const { return phase_; }  // phases in radians of the samples of a mask, or empty
     double largest_phase() const { return largest_phase_; }
@@ -79,7 +79,7 @@ class RowRule {
         return *rule;
     }
     static constexpr double few = 24.0;  // panels with fewer rows than this are not halved
-    // Number of rows of a panel, by the change of variable that needs the fewest, which is written to panel.root.
+    // Number of rows that a panel needs. If panel.root is 0 (linear map), a map that needs fewer rows may replace it.
     GaussNodes needed(Panel& panel, double degree, double error);
     void split(Panel panel, double degree, double error, int depth);
     void fill(const Panel& panel, std::size_t rows);
@@ -110,7 +110,7 @@ std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y);
 
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, double y) {
-    // End of an interval inside a part: the part's left or right side at the height y.
+    // End, at x, of the interval of the row that lies inside a part (shape) of the region: left or right side of this part.
     struct End {
         double x;
         std::size_t part;
@@ -146,7 +146,7 @@ LOMMEL_ONCE std::vector<std::array<Side, 2>> clear_spans(const Region& region, d
 }
 
 LOMMEL_ONCE RowRule::RowRule(const Region& region, std::size_t degree, double error) : spans_(degree, 0.5 * error) {
-    // Heights that differ by rounding only are merged. This adds or drops the rows between them, at most 2 wide, counted in lost_.
+    // Merge heights that differ by rounding only. lost_ includes the change of the area: the strip between them, at most 2 wide.
     constexpr double same = 4e-15;
     std::vector<double> heights;
     for (const double y : region.heights()) {

@@ -29,8 +29,8 @@ namespace lommel {
 // Eigenvector of a symmetric tridiagonal matrix, for the eigenvalue that exceeds `index` others. beside: off-diagonal elements.
 //
 // Bisection finds the eigenvalue: the number of negative pivots of the shifted matrix is that of eigenvalues below the shift.
-// The vector follows from the pivots of both directions, joined where the residual is smallest (I. S. Dhillon and B. N. Parlett
-// 2004, doi:10.1016/j.laa.2003.12.028, section 3).
+// The vector follows from the pivots of two eliminations, from the first row down and from the last row up, which meet in the row
+// of the smallest residual (I. S. Dhillon and B. N. Parlett 2004, doi:10.1016/j.laa.2003.12.028, section 3).
 std::vector<double> eigenvector(const std::vector<double>& diagonal, const std::vector<double>& beside, std::size_t index);
 
 // Positive zeros, ascending, of the prolate spheroidal function of an even degree: a sum of even Legendre polynomials whose
@@ -46,7 +46,7 @@ class WindowNodes {
     double gain;  // largest sum over nodes of the moduli of a pixel's weights
     double spread;  // largest ratio, over nodes, of the largest modulus of a pixel's weight to the sum of all pixels' weights
 
-    // `count`: number of nodes, an even number.
+    // step: pixel pitch, in lambda / (2 pi NA); pixels: number of pixels along the axis; count: number of nodes, even.
     WindowNodes(double step, std::size_t pixels, std::size_t count);
 
     static constexpr std::size_t most_bytes = std::size_t{1} << 24;
@@ -131,7 +131,7 @@ class EvenSeries {
 
    private:
     struct Step {
-        // Recurrence: once: factor of x P_k in P_{k+1}; twice: factor of -P_k in P_{k+2}; term: coefficient of P_k in the sum.
+        // term: coefficient of P_k in the sum. By the recurrence, P_{k+1} = once * x P_k - .., and P_{k+2} = .. - twice * P_k.
         double term, once, twice;
     };
     std::vector<Step> steps_;
@@ -243,8 +243,8 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const std::size_t nodes = x.size();
     const std::vector<double> band = band_points(half);
     const TransferRule rule(band.size());
-    // Weights that are even about the window's middle give the real part of the response, odd ones the imaginary part. Each is
-    // a least-squares problem for the nodes on one side.
+    // The even part of a pixel's weights, about the window's middle, gives the real part of the frequency response; the odd part,
+    // the imaginary part. Each part follows by least squares from the nodes on one side of the middle.
     const auto at_rule = [&](std::size_t i) { return std::sqrt(rule.weights[i]); };
     const Waves of_rule = waves(rule.at, at_rule, x), of_band = waves(band, [](std::size_t) { return 1.0; }, x);
     std::vector<double> parts[2], squares(pixels, 0.0), most(pixels, 0.0);
@@ -289,7 +289,7 @@ LOMMEL_ONCE WindowNodes::WindowNodes(double step, std::size_t pixels, std::size_
     const double rounding = 2.0 * unit_roundoff * static_cast<double>(count + 3) * gain;
     const double largest = std::sqrt(2.0) * (*std::max_element(most.begin(), most.end()) + 2.0 * rounding) + 1e-17;
     const double mean = std::sqrt(*std::max_element(squares.begin(), squares.end())) + 4.0 * rounding + 1e-17;
-    // For products of responses along both axes, with errors e, e': mean of |e e'| <= mean * largest, half of it for each axis.
+    // Responses along both axes multiply. With their errors e and e', mean |e e'| <= mean * largest, of which each axis takes half.
     error = (1.0 + 0.5 * largest) * mean;
     spread = 0.0;
     for (std::size_t i = 0; i < places.size(); ++i) {

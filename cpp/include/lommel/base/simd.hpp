@@ -92,7 +92,7 @@ LOMMEL_INLINE V loaded(V v) {
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
-    // One instruction; GCC compiles a > b ? a : b to a comparison and a mask if a and b are floats.
+    // In assembly, as a single instruction: for floats, GCC compiles a > b ? a : b to two, a comparison and a mask.
     if constexpr (sizeof(V) > 16 && sizeof(a[0]) == sizeof(float)) {
         V v;
         asm("vmaxps %2, %1, %0" : "=v"(v) : "v"(a), "v"(b));

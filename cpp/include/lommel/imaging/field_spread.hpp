@@ -47,7 +47,7 @@ class FieldSpreader {
 
     static constexpr std::size_t step = 16;  // divides window sizes; number of values that may be loaded beyond a row
 
-    // Add values[height][width], each times its window (side x side), to out[height + side - 1][width + side - 1 + step].
+    // Add values[height][width], each times its window (side x side), to out[height + side - 1][width + side - 1 + step (padding)].
     void forward(const T* values, T* out) const;
 
     // Transpose of forward(): out[height][width] = inner product of each pixel's window with `image` (size: forward()'s out).
@@ -148,7 +148,8 @@ class FieldSpreader {
         }
     }
 
-    // Compute the weights of the 3 x Order windows (3 places, Order defocus nodes) that a pixel mixes; return the first window.
+    // Compute weight[place][defocus node] = value * the weights of the 3 x Order windows in `nodes` that pixel (y, x) mixes; return
+    // the first of these windows. interval: index of the defocus interval at which the search begins, then of the one found.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {
@@ -182,7 +183,7 @@ class FieldSpreader {
         return nodes + 2 * static_cast<std::size_t>(scene_.tiles[column]) * bank_.row() + interval * bank_.size;
     }
 
-    // Mix a pixel's window and write it to `at`; if `Product`, return its inner product with the image part at `at` instead.
+    // Mix windows, from `first` on. Write the result to `at` or, if `Product`, return its inner product with the image at `at`.
     template <class I, std::size_t Order, bool Product>
     LOMMEL_INLINE T mix(const T* weights, const T* first, T* at) const {
         using V = Packed<I, T>;

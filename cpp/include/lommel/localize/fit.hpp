@@ -365,8 +365,8 @@ class MoleculeFit {
         }
     }
 
-    // Take a step, limited to one pixel in row and column, to `stride` in z, and to a decrease of photons to 30 % and of the
-    // background to 20 %. Returns whether these limits (not those of confine()) shortened the step.
+    // Take a step from `at`: at most one pixel in row and column, and at most `stride` in z. Photons keep at least 30 % of their
+    // value, and the background 20 %. Returns whether these limits (not those of confine()) shortened the step.
     bool move(const double* at, const double* step, double* to) const {
         bool shortened = false;
         for (std::size_t k = 0; k < unknown_; ++k) {

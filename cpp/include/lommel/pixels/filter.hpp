@@ -33,7 +33,7 @@ struct PixelFilter {
    private:
     static constexpr std::size_t rows_together = 4;
 
-    // Single precision is used if an image row has at least this number of strides, the number of floats in two vectors.
+    // Rows of fewer pixels (or pairs, if pixels = 2) than this number, the floats in two vectors, are summed in double precision.
     template <class I>
     static constexpr std::size_t least(I) {
         return 2 * sizeof(typename I::floats) / sizeof(float);
@@ -128,8 +128,8 @@ struct PixelFilter {
     }
 
     // Compute out[r * count + x] = sum_k of[r][k] * from[lines[k] + x], in the precision of `out`. In single precision, return
-    // the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed. Limited by loads of samples
-    // or, for four rows, by multiplications.
+    // the largest sample, or 1e300 if `count` is too small for vectors and nothing was computed. Its speed is limited by the loads
+    // of samples or, for four rows, by the multiplications.
     template <std::size_t Rows, std::size_t packs, class I, class T, class Sum>
     LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
                               Sum* out) const {

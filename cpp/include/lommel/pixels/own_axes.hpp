@@ -49,7 +49,7 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
     }
 
     // Compute out[pixel], samples or averages, in whole vectors, from the intensity at each radius; returns the rounding error
-    // of the polynomials in units of roundoff. Limited by the latency of multiply-adds, of which four chains overlap.
+    // of the polynomials in units of roundoff. Its speed is limited by the latency of multiply-adds; four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
@@ -131,7 +131,7 @@ LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pix
     const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
     degree = std::max<std::size_t>(2, places.count);
     of_grid = by_angle * lebesgue(degree);
-    // Averages need the intensity between the interpolation points too, hence nodes of their own; samples only at these points.
+    // Averages, unlike samples, use the intensity between the interpolation points too, so they have nodes of their own.
     const RingNodes nodes =
         integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
     for (std::size_t i = 0; i < nodes.count; ++i) {

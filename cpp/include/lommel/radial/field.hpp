@@ -33,8 +33,8 @@ class Field {
     // Prepare the field of t^power * pupil function, t: squared pupil radius, for an error of about `error`; returns its bound.
     double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
-    // Call sink(i - first, re, im) with vectors of the field at radii[first .. last) times `step`, ascending. The sink and the
-    // radii need room for widest_step values past the last.
+    // For ascending i, from `first` until radii[last - 1] is done, call sink(i - first, re, im) with a vector of the field at the
+    // ascending step * radii[i], step * radii[i + 1], .. The sink and the radii need room for widest_step values past the last.
     template <class I, class Sink>
     LOMMEL_INLINE void evaluate(I isa, const double* radii, std::size_t first, std::size_t last, double step,
                                 const Sink& sink) {
@@ -152,7 +152,7 @@ class Field {
                         b[j] = b[j] * x[j] + m;
                     }
                 }
-                // Vectors may extend past the end of a piece; the next piece overwrites these values.
+                // Vectors may extend past the end of a piece; the next piece overwrites the values beyond this end.
                 for (std::size_t j = 0; j < unroll; ++j) {
                     sink(i - first + j * I::lanes, a[j], b[j]);
                 }
@@ -190,7 +190,7 @@ class Field {
 LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places,
                                   double error) {
     const double reach = places.reach();
-    // Neglect an obscuration that blocks less light than rounding errors.
+    // Neglect an obscuration below 1e-18 of the aperture's area: it changes the field by less than the field's rounding error.
     obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
     const double area = obscuration_ * obscuration_;
     double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);

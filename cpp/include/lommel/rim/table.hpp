@@ -48,7 +48,7 @@ struct RimWaves {
     std::size_t angles = 0;   // number of equally spaced angles on the rim
     std::size_t first = 0;    // wave i < count() has the azimuthal order i - first
     // Factors of the Fourier coefficients in X (`real`) and Y (`imaginary`). Field U: v^(3/2) U = X (e^iv + e^-iv) + i Y (e^iv -
-    // e^-iv). Indices: [wave][tile of radii][k][radius in the tile].
+    // e^-iv). Indices: [wave][tile of radii][k][radius in the tile]; k: order of the derivative of the pupil function at the rim.
     Floats real, imaginary;
     Floats forward[4];  // cos, sin on the rim, for each kind of fold(): [tile of orders][angle][order in the tile]
     Floats back[4];  // cos, sin in the image, for each kind of fold(): [tile of angles][order][angle in the tile]
@@ -155,7 +155,7 @@ class RadiusRule {
     double largest(double rho) const { return 0.5 * (1.0 + low) + 0.25 * (1.0 - low) * (rho + 1.0 / rho); }
     // Bound on the interpolation error at x for functions that are at most 1 in the ellipse.
     double error(double x, double rho) const;
-    // Compute `shares` for x; returns the sum of their moduli.
+    // Compute `shares`, the weights of the values at `places` in the interpolated value at x; return the sum of their moduli.
     LOMMEL_INLINE double at(double x) {
         double all = 0.0, moduli = 0.0;
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -181,7 +181,7 @@ struct RimTable {
     std::size_t around = 0, taps = 0, margin = 0;
     std::vector<RimPixels> pixels;
     std::vector<Floats> weights;  // [radius]: weights of all pixels, see RimPixels
-    // Error of averages due to interpolation between angles, relative to the rms over a ring of channel 0 of rim_channels().
+    // Error of averages due to interpolation between angles, divided by the rms of channel 0 of rim_channels() around a ring.
     double off_angles = 0.0;
     double gain = 0.0;  // largest sum of the moduli of a pixel's weights, all channels
     // Error of averages due to interpolation between radii, relative to the square of RimSums::size, for each of
@@ -208,8 +208,8 @@ struct RimTable {
     std::size_t channels() const { return rims.size() == 1 ? 3 : 9; }
     std::size_t radii() const { return rule.places.size(); }
     std::size_t ring() const { return around + 2 * margin; }  // number of angles, margins included
-    // Number N of angles on a rim, a multiple of 4. N > 2 (K - 1) (degree - 1), K = rim_orders, makes means of squared
-    // derivatives over the rim exact; N >= 5 m + 8, m = `orders`, makes aliases (of orders beyond N - m) small.
+    // Number N of angles on a rim, a multiple of 4. N > 2 (K - 1) (degree - 1), K = rim_orders, makes means over the rim exact for
+    // squared derivatives of a pupil of this degree; N >= 5 m + 8, m = `orders`, makes aliases (of orders beyond N - m) small.
     static std::size_t angles_of(std::size_t degree, std::size_t orders) {
         return (std::max(5 * orders + 8, 2 * (rim_orders - 1) * (degree - 1) + 4) + 3) / 4 * 4;
     }
@@ -282,8 +282,8 @@ LOMMEL_ONCE RadiusRule::RadiusRule(double from, std::size_t points) : low(from) 
 }
 
 LOMMEL_ONCE double RadiusRule::error(double x, double rho) const {
-    // Sum over Chebyshev polynomials T_k, k >= n, for n points: the coefficient of T_k is at most 2 / rho^k, |T_k(x)| <= out^k,
-    // and its interpolant is +-T_j, j < n, or 0.
+    // Sum of the errors, after interpolation at n points, of the terms k >= n of the function's Chebyshev series. The coefficient
+    // of T_k is at most 2 / rho^k, |T_k(x)| <= out^k, and the interpolant of T_k is +-T_j, j < n, or 0.
     const double t = std::abs((2.0 * x - 1.0 - low) / (1.0 - low)), out = t <= 1.0 ? 1.0 : t + std::sqrt(t * t - 1.0);
     const double ratio = out / rho, power = std::pow(ratio, static_cast<double>(places.size()));
     return ratio >= 1.0 ? 1e300 : 2.0 * power * (1.0 / (1.0 - ratio) + 1.0 / (out * (1.0 - 1.0 / rho)));
@@ -303,7 +303,7 @@ LOMMEL_ONCE RadiusRule RimTable::chosen_rule() const {
             for (double x = last; x < 1.0; x *= 1.05) {
                 worst = std::max(worst, x * x * x * rule.error(x, rule.rho(0)));
             }
-            // Estimated squared modulus of waves in the ellipse: 1.2 * nearest, and more in large boxes, which large phases need.
+            // Estimated squared modulus of waves in the ellipse: 1.2 * nearest, and more in large boxes, as phases are then large.
             const double large = std::pow(nearest / 55.0, 4), squares = 1.2 * nearest * (1.0 + large);
             if (4.0 * squares * worst <= 0.2 * window.error * nearest * nearest * nearest) {
                 best = rule;
@@ -543,7 +543,7 @@ LOMMEL_ONCE void RimTable::make_pixels() {
             });
             product(lights.data(), radii() * channels(), points * points, shares.data(), count, 1, sums.data());
             margin = std::max(margin, count + taps);
-            // Omit the interference rings of highest frequency if their weights sum to little; no ring exceeds channel 0.
+            // Omit interference rings of highest frequency whose weights sum to little: no ring's amplitude exceeds channel 0.
             const auto sum_of = [&](std::size_t radius, std::size_t channel, std::size_t angle) {
                 return sums[(radius * channels() + channel) * count + angle];
             };

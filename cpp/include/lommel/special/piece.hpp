@@ -19,8 +19,8 @@ namespace lommel {
 
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
-// Piece of the Bessel table (bessel_table.hpp). Row n: the table's function of index n, as 16 coefficients of powers of x, from
-// -1 to 1 on the piece; negligible functions have no row. magnitude, azimuthal: as in PieceTable, but for this piece alone.
+// Piece of the Bessel table (bessel_table.hpp). Row n: function n of the table, as 16 coefficients of powers of x = -1 .. 1 on the
+// piece; negligible functions have no row. magnitude, azimuthal: bounds on the sum of moduli of all terms of U here (PieceTable).
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
@@ -202,7 +202,7 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     }
 }
 
-// Compute the first `terms` rows of piece s, which covers width * s <= v <= width * (s + 1).
+// Compute piece s of the Bessel table of this parity, width * s <= v <= width * (s + 1), with rows for the first `terms` functions.
 Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {

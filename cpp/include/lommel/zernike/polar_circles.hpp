@@ -30,8 +30,8 @@ struct PolarCircle : GriddingTaps {
     // Smallest number of angles, at least 48, for which an eighth of a turn is longer than half the kernel of `taps` taps.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
-    // Largest factor by which multiplication by the gains magnifies errors of the orders m < `orders`: by Cauchy's inequality, the
-    // rms gain over the orders of one degree, every other m up to the highest. Orders m > 0 count twice, for m and -m.
+    // Bound on the factor by which the gains of orders m < `orders` magnify rounding in the sums over degrees: the rms gain over
+    // m = highest, highest - 2, .. >= 0, the orders of one degree (Cauchy). m > 1 counts twice, for m and -m; m = 1 counts once.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -88,9 +88,9 @@ template <class Fft>
 struct PolarSpectra {
     Aligned<Fft> spectrum[2], other;
 
-    // Sum over degrees in the precision `Sum`, which gives A_m and B_m of U = sum over m of A_m cos(m psi) + B_m sin(m psi). Write
-    // c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2, times gains[m], for FFTs of length n. For each vector of circles,
-    // starting at `at`, call seen(m, at, size) with size >= |c_m| + |c_{-m}|.
+    // Compute A_m and B_m of U = sum over m of A_m cos(m psi) + B_m sin(m psi), by sums over degrees in the precision `Sum`. Write
+    // gains[m] c_m and gains[m] c_{-m}, c_{+-m} = (A_m -+ i B_m) / 2 but c_0 = A_0, for FFTs of length n. For each vector of
+    // circles, the first of which is `at`, call seen(m, at, size) with size >= |c_m| + |c_{-m}|, without the gain.
     template <class Sum, class I, class Seen>
     LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
@@ -266,7 +266,8 @@ class PolarRows {
         for (V& most : largest) {
             most = splat<V>(Fft(0));
         }
-        // Of n angles psi_q = 2 pi q / n: U at psi_q + k pi/2 is also that at direction (k+1) pi/2 - psi for psi = psi_{n/4 - q}.
+        // The last pass gives U at psi_q + k pi/2, psi_q = 2 pi q / n. `low`: store it at angle q, as directions psi_q + k pi/2.
+        // `high`: store it at angle n/4 - q, as the directions (k+1) pi/2 - psi of this angle psi = pi/2 - psi_q.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {

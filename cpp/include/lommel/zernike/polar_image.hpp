@@ -118,7 +118,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // each part: one tile in
         using W = std::conditional_t<Rough, Narrow, D>;
         const Where per_row = static_cast<Where>(step_ / zone.style->step()),
                     per_angle = static_cast<Where>(static_cast<double>(zone.circle->points()) / 6.283185307179586477);
-        // Shifts from the position of a pixel to its first tap, in circles and in angles.
+        // The first tap of a pixel has the index (position + shift), rounded up, counted in circles and in angles of a circle.
         const Where row_shift = static_cast<Where>(static_cast<double>(PolarTable::before) -
                                                    static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between),
                     angle_shift = static_cast<Where>(static_cast<double>(rows.margin()) - 0.5 * Around);

@@ -201,7 +201,7 @@ struct PolarTable {
     }
 };
 
-// Exact transforms of Zernike polynomials at the radii 40 sinh(k/18) times `shrunk`, the relative radius of a disk, for previews.
+// Table for previews: +-2 J_{n+1}(v) / v at v = shrunk * 40 sinh(k/18). shrunk: radius of a disk, divided by that of the aperture.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 

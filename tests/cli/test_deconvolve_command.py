@@ -121,7 +121,7 @@ def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(files, monkeypatch, out
         (("stack.ome.tif", "lens.toml", "-o", "./stack.ome.tif"), "--output must be another file than STACK, got"),
         (("stack.ome.tif", "lens.toml", "--gain", "2", "-o", "a.tif"), "--read must be given"),
         (("stack.ome.tif", "lens.toml", "--modality", "confocal", "-o", "a.tif"), "excitation"),
-        (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; say which with --time, from 0 to 1"),
+        (("movie.ome.tif", "lens.toml", "-o", "a.tif"), "2 time points; select one with --time, from 0 to 1"),
         (("missing.ome.tif", "lens.toml", "-o", "a.tif"), "No such file"),
     ],
 )

@@ -15,7 +15,7 @@ from lommel.microscopy import held_out, refinement
 from lommel.microscopy.depth_model import DepthModel
 from lommel.microscopy.held_out import Best, HeldOut
 from lommel.microscopy.refinement import StackContext
-from lommel.recorded.camera_noise import LeftOut, hot_pixels, hot_voxels, sharpness
+from lommel.recorded.camera_noise import MaskedStack, hot_pixels, hot_voxels, sharpness
 from objectives import OIL_60X
 
 CAMERA = lm.Noise(white=0.5, read=1.5, offset=100.0)
@@ -28,7 +28,7 @@ def one_psf(monkeypatch):
     """Take the PSF of the middle everywhere, in a small part."""
     psfs = DepthModel.psfs
     monkeypatch.setattr(DepthModel, "psfs", lambda model, margin, slabs=1: psfs(model, margin, slabs))
-    for name, value in {"_NARROWEST": 15, "_ROUGH_SIDE": 18}.items():
+    for name, value in {"_NARROWEST": 15, "_FIRST_SIDE": 18}.items():
         monkeypatch.setattr(refinement, name, value)
 
 
@@ -131,12 +131,12 @@ def test_halves_add_up_to_the_counts_and_are_independent():
 def test_the_background_is_the_highest_that_held_out_photons_allow(monkeypatch):
     asked = []
 
-    def walked(_, blur, told, *, background, start, steps):
+    def deconvolve_half(_, blur, told, *, background, start, steps):
         asked.append((background.level, float(start.light[0]), steps))
         loss = 0.5 * ((background.level - 15.0) / 0.05) ** 2
         return Best(loss, 0, np.zeros(1), np.zeros(1), background.level, State(), [])
 
-    monkeypatch.setattr(held_out.Halves, "walked", walked)
+    monkeypatch.setattr(held_out.Halves, "deconvolve_half", deconvolve_half)
     monkeypatch.setattr(HeldOut, "blur", lambda *_: None)
     free = Best(99.0, 50, np.zeros(1), np.zeros(1), 14.7, State(np.full(1, 7.0, np.float32)), [])
     level = held(flat()).level(free)
@@ -168,7 +168,7 @@ def test_another_index_is_told_where_held_out_photons_are_sure(monkeypatch):
     assert (found.code, found.severity) == ("psf_doubtful", "doubt")
     assert found.numbers["preferred"] == pytest.approx(1.33, abs=1e-6)
     assert found.numbers["preferred_error"] == pytest.approx(2.0 / np.sqrt(2e5), rel=1e-3)
-    assert found.numbers["lnL"] > held_out._SURE * found.numbers["lnL_error"]
+    assert found.numbers["lnL"] > held_out._SIGNIFICANT * found.numbers["lnL_error"]
     assert (1.33, 0) in calls  # it went on until lnL fell
 
 
@@ -255,16 +255,16 @@ def test_hot_pixels_are_those_above_their_neighbours_in_most_planes(excess):
 
 def test_what_is_left_out_is_unknown():
     voxels = np.array([[1, 2, 3]])
-    whole = LeftOut(np.full((2, 4, 5), 7, np.uint16), 4000.0, voxels=voxels)
+    whole = MaskedStack(np.full((2, 4, 5), 7, np.uint16), 4000.0, voxels=voxels)
     assert whole.limit == 4000.0
     assert whole[1, 1:3, 2:].tolist() == [[7, 7, 7], [7, 4000, 7]]
     assert (whole[0] == 7).all()
-    assert LeftOut(np.zeros((2, 4, 5), np.uint16), np.inf, voxels=voxels).limit == 65535
-    assert np.isnan(LeftOut(np.zeros((2, 4, 5), np.float32), np.inf, voxels=voxels)[1][2, 3])
+    assert MaskedStack(np.zeros((2, 4, 5), np.uint16), np.inf, voxels=voxels).limit == 65535
+    assert np.isnan(MaskedStack(np.zeros((2, 4, 5), np.float32), np.inf, voxels=voxels)[1][2, 3])
     mask = np.zeros((4, 5), bool)
     mask[2, 3] = True
     for given in (mask, np.stack([mask, mask])):
-        assert np.argwhere(LeftOut(whole, 4000.0, mask=given)[0, 1:, 2:] == 4000).tolist() == [[1, 1]]
+        assert np.argwhere(MaskedStack(whole, 4000.0, mask=given)[0, 1:, 2:] == 4000).tolist() == [[1, 1]]
 
 
 GIVEN = {

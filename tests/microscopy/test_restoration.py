@@ -410,8 +410,8 @@ def test_depths_in_focus_are_those_of_the_brightest_focus():
 @pytest.mark.parametrize(
     ("changes", "kind", "said"),
     [
-        ({"pixel": None}, ValueError, r"does not say the voxel size: give pixel= \(on the camera\) and step="),
-        ({"step": None}, ValueError, "does not say the voxel size"),
+        ({"pixel": None}, ValueError, r"states no voxel size: give pixel= \(on the camera\) and step="),
+        ({"step": None}, ValueError, "states no voxel size"),
         ({"wavelength": None}, ValueError, "emission wavelength of 'channel 0': give wavelength="),
         ({"stack": np.ones((2, 9, 9))}, ValueError, "3 planes or more, got 2"),
         ({"stack": np.ones((9, 9))}, ValueError, r"must have the shape \(planes, height, width\)"),
@@ -527,7 +527,10 @@ def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_
     way = lm.imaging.RichardsonLucy(steps=1, target=0.0)
     said = " ".join(lm.microscopy.restore(deep[:5], microscope, method=way, **given).notes)
     pixel = 1e6 * microscope.pixel
-    assert f"does not say its pixel: that of the objective file was taken, {pixel:g} um on the camera; pixel=" in said
-    assert "does not say its step: that of the objective file was taken" in said
+    assert (
+        f"does not state its pixel: that of the objective file was used, {pixel:g} um on the camera; set pixel="
+        in said
+    )
+    assert "does not state its step: that of the objective file was used" in said
     sized = lm.microscopy.restore(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
     assert "objective file" not in " ".join(sized.notes)

@@ -107,7 +107,7 @@ def test_memory_that_is_short_is_not_called_damage(tmp_path, error, monkeypatch)
         raise error
 
     cut(ONE[0], tmp_path / "a.zarr", 3)
-    monkeypatch.setattr("lommel.microscopy.restoration._opened", short)
+    monkeypatch.setattr("lommel.microscopy.restoration._open_group", short)
     with pytest.raises(type(error)) as told:
         restored(ONE[0], tmp_path / "a.zarr")
     assert told.value is error

@@ -119,5 +119,5 @@ def test_a_page_alone_has_the_module_inside(made):
 
 def test_what_was_not_made_is_told(tmp_path, monkeypatch):
     monkeypatch.setattr(page_server, "__file__", str(tmp_path / "module.py"))
-    with pytest.raises(FileNotFoundError, match=r"live page's module is not there .*make page"):
+    with pytest.raises(FileNotFoundError, match=r"live page's module is missing .*make page"):
         page_server.path()

@@ -31,7 +31,7 @@ def test_pages_stacks_and_single_images_follow_each_other(tmp_path):
     with pytest.raises(RecordingError, match=r"it holds colours \(RGB\), 3 x 4 x 3 along YXS"):
         read_images([tmp_path / "colour.tif"])
     Image.fromarray(np.zeros((8, 9, 3), np.uint8)).save(tmp_path / "colour.png")
-    with pytest.raises(RecordingError, match="it has 3 channels: save what the sensor counted in grey"):
+    with pytest.raises(RecordingError, match="it has 3 channels: save the counts of the sensor in grey"):
         read_images([tmp_path / "colour.png"])
 
 
@@ -67,8 +67,8 @@ def test_what_is_no_grey_image_is_refused(tmp_path):
         file.write(STACK[0], photometric="minisblack")
         file.write(STACK[0, :, :3], photometric="minisblack")
     for names, said in [
-        (("a.npy", "wide.npy"), r"wide.npy: images of 3 x 3 uint16, those before are of 3 x 4 uint16"),
-        (("a.npy", "float.npy"), r"images of 3 x 4 float64, those before are of 3 x 4 uint16"),
+        (("a.npy", "wide.npy"), r"wide.npy: images of 3 x 3 uint16, but the first images are of 3 x 4 uint16"),
+        (("a.npy", "float.npy"), r"images of 3 x 4 float64, but the first images are of 3 x 4 uint16"),
         (("line.npy",), r"line.npy: it must have images of one pixel or more, .*, got the shape \(4,\)"),
         (("complex.npy",), "save one stack of grey images"),
         (("text.tif",), "is not a TIFF"),

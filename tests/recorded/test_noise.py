@@ -149,7 +149,7 @@ def test_what_was_assumed_or_may_be_saturated_is_said_once():
     found = counted(bright.astype(np.uint16))
     assert found.saturation == 1023
     said = told([found[0], found[1], found[2]])
-    assert said.count("that of 10 bits: they were taken as saturated; saturation= states another") == 1
+    assert said.count("that of 10 bits: they were taken as saturated; saturation= sets another limit") == 1
     other = counted(np.minimum(bright, 1000.0))
     said = told([other[k] for k in range(3)])
     assert "pixels of image 1 have exactly the largest value, 1000: if they are saturated, state it" in said

@@ -80,7 +80,7 @@ def test_an_ome_zarr_of_version_five_is_read(tmp_path):
 
 def test_time_points_are_asked_for(tmp_path):
     path = write(tmp_path / "t.ome.tif", STACK, "TZYX")
-    with pytest.raises(RecordingError, match="holds 2 time points; say which with time=, from 0 to 1"):
+    with pytest.raises(RecordingError, match="holds 2 time points; select one with time=, from 0 to 1"):
         open_recording(path)
     with open_recording(path, time=1) as found:
         np.testing.assert_array_equal(np.asarray(found.stack()), STACK[1])
@@ -91,7 +91,7 @@ def test_time_points_are_asked_for(tmp_path):
 def test_axes_that_a_file_does_not_state_may_be_given(tmp_path):
     path = tmp_path / "q.tif"
     tifffile.imwrite(path, STACK[0], photometric="minisblack")
-    with pytest.raises(RecordingError, match=r'does not say what its axis of 5 images is; .* axes="ZYX"'):
+    with pytest.raises(RecordingError, match=r'does not state the meaning of its axis of 5 images; .* axes="ZYX"'):
         open_recording(path)
     with open_recording(path, axes="ZYX") as found:
         assert found.pixel is None
@@ -128,7 +128,7 @@ def test_a_size_that_cannot_be_is_told(tmp_path):
     with open_recording(write(tmp_path / "huge.ome.tif", STACK[0], "ZYX", PhysicalSizeZ=500.0)) as found:
         assert found.step is None
         assert found.unusable == {"step": "0.5 m"}
-        assert "planes apart by 0.5 m, which cannot be used." in " ".join(found.notes)
+        assert "a plane spacing of 0.5 m, which cannot be used." in " ".join(found.notes)
 
 
 @pytest.mark.parametrize(
@@ -140,9 +140,9 @@ def test_a_length_that_is_stated_but_unusable_is_not_replaced_by_another(value, 
     path = write(tmp_path / "a.ome.tif", STACK, "CZYX", PhysicalSizeZ=value, PhysicalSizeZUnit=unit)
     with open_recording(path) as found:
         assert (found.step, found.unusable) == (None, {"step": words})
-        assert f"The file says planes apart by {words}, which cannot be used." in found.notes
+        assert f"The file states a plane spacing of {words}, which cannot be used." in found.notes
     objective = load_microscope(example_files()["zeiss-63x-1.4-oil"])
-    with pytest.raises(ValueError, match=rf"a\.ome\.tif says {words} between planes, .*: give step=, in metres"):
+    with pytest.raises(ValueError, match=rf"a\.ome\.tif states {words} between planes, .*: give step=, in metres"):
         microscopy.restore(path, objective, channel=0)
     bad = {"Name": ["a", "b"], "EmissionWavelength": [0, 520]}
     path = write(tmp_path / "b.ome.tif", STACK, "CZYX", Channel=bad)
@@ -183,8 +183,8 @@ def test_of_several_images_the_largest_is_taken_or_that_which_is_asked_for(tmp_p
         file.write(STACK[0], photometric="minisblack", metadata={"axes": "ZYX", "Name": "stack", **SIZES})
     with open_recording(path) as found:
         assert found.notes[0] == (
-            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was taken; "
-            "two.ome.tif[0] is another."
+            "The file holds 2 images (4 x 4, 5 x 8 x 9); image 1, counted from 0, was used; "
+            "two.ome.tif[0] selects another."
         )
         assert found.step == pytest.approx(2e-7)
         np.testing.assert_array_equal(np.asarray(found.stack()), STACK[0])

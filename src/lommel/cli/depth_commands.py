@@ -16,7 +16,7 @@ from lommel.base.units import format_length
 from lommel.cli.instruments import CAMERA, LENS, SQUARE_PIXEL, instrument_of, noise_of, radial_instrument
 from lommel.cli.options import FILE, JSON, OUTPUT, Group, argument, command, documented, option, plot_option
 from lommel.cli.output import progress, save_figure, written
-from lommel.cli.photo_commands import PhotoNoise, read_as, without
+from lommel.cli.photo_commands import PhotoNoise, apply_mask, read_as
 from lommel.estimation.depth_precision import best_foci, depth_precision
 from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
 from lommel.io import photos as photo_files
@@ -159,7 +159,7 @@ def depth(
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
         given = [one.values for one in pictures]
         if noisy.masked is not None:
-            given = without(given, noisy.masked)
+            given = apply_mask(given, noisy.masked)
         started("computing the PSFs of every distance")
         start = time.perf_counter()
         found = depth_from_defocus(

@@ -65,7 +65,7 @@ if TYPE_CHECKING:
 
 
 class DepthMap(Group):
-    """What the values of a depth map mean, as :class:`lommel.io.depth_maps.DepthKeywords`."""
+    """Meaning of the values of a depth map, as in :class:`lommel.io.depth_maps.DepthKeywords`."""
 
     # fmt: off
     scale: float | None = documented(DepthValues, "scale", "--depth-scale", type=float)
@@ -81,53 +81,61 @@ class DepthMap(Group):
 
 
 def depth_facts(distance: NDArray[np.float64]) -> tuple[Facts, Callable[[str], str]]:
-    """Return the range of a depth map and the share that is not known, and a line of them around a focus."""
+    """Return the range and the unknown fraction of a depth map, and a function that formats them with a focus."""
     known = distance[~np.isnan(distance)]
     low, high = (float(end(known)) if known.size else math.nan for end in (np.min, np.max))
-    share = 1.0 - known.size / distance.size
-    facts = {"depth": [finite(low), finite(high)] if known.size else [None, None], "depth_unknown": share}
-    return facts, lambda focus: depth_line(low, high, share, focus)
+    unknown_fraction = 1.0 - known.size / distance.size
+    facts = {"depth": [finite(low), finite(high)] if known.size else [None, None], "depth_unknown": unknown_fraction}
+    return facts, lambda focus: depth_line(low, high, unknown_fraction, focus)
 
 
 def depth_line(low: float, high: float, unknown: float, focus: str) -> str:
-    """Return the line of a range of depth, NaN where none is known, and of the share that is not known."""
-    where = "not known" if math.isnan(low) else " to ".join(map(format_length, dict.fromkeys((low, high))))
-    return f"depth {where}, {focus}" + (f", {100.0 * unknown:.2g} % unknown" if unknown else "")
+    """Return a line with a range of depth (NaN if all is unknown), a focus, and the unknown fraction."""
+    range_text = "not known" if math.isnan(low) else " to ".join(map(format_length, dict.fromkeys((low, high))))
+    return f"depth {range_text}, {focus}" + (f", {100.0 * unknown:.2g} % unknown" if unknown else "")
 
 
 class DataSet(Group, heading="Data set"):
-    """A data set in place of one photograph."""
+    """Options for a data set instead of a single photograph."""
 
     # fmt: off
     batch: bool = option(is_flag=True,
         help="Blur all photos of the folder PHOTO by the depth maps of the same names in the folder DEPTH into the "
-        "folder --output, with ground truth. LENS may have pairs in place of numbers, from which a lens is drawn for "
-        "each picture. Again after an interruption, the command goes on. Files that cannot be used are reported and "
-        "left out, with exit code 3.")
+        "folder --output, with ground truth. LENS may have pairs in place of numbers: ranges from which the lens of "
+        "each picture is drawn. After an interruption, the same command resumes. Files that cannot be used are "
+        "reported and left out, with exit code 3.")
     seed: int = option(type=int, default=0, help="Seed of the lenses and of the noise.")
     copies: int = documented(render_dataset, "copies", type=int)
     workers: int = documented(render_dataset, "workers", type=int, help="Number of processes.")
     form: str = documented(render_dataset, "form", type=click.Choice(FORMATS),
         help="Format of the images: png has 16 bits and the encoding of the photo, the others are linear.")
     shard: int | None = documented(render_dataset, "shard", type=int,
-        help="Number of pictures in each tar file, as WebDataset reads them; by default a file each.")
+        help="Number of pictures in each tar file, as WebDataset reads them; by default a file for each.")
     psfs: int = documented(render_dataset, "psfs", type=int,
-        help="Number of PSFs stored of each picture, by which its pixels are indexed, or 0.")
+        help="Number of PSFs stored with each picture, to which its pixels refer by an index; 0 for none.")
     white: float | None = option(type=float, default=None, help="Electrons at white, such as 5000, for photon noise.")
     read: float | None = option(type=float, default=None, help="Read noise, rms electrons; needs --white.")
     # fmt: on
 
     def arguments(self) -> Facts:
         """Return the arguments of :func:`lommel.imaging.render_dataset`."""
-        given = vars(self).copy()
-        white, read = given.pop("white"), given.pop("read")
+        arguments = vars(self).copy()
+        white, read = arguments.pop("white"), arguments.pop("read")
         if white is None and read is not None:
             raise ValueError("--read needs --white, the electrons at white")
-        del given["batch"]
-        return given | {"noise": None if white is None else Noise(white=white, read=read or 0.0)}
+        del arguments["batch"]
+        return arguments | {"noise": None if white is None else Noise(white=white, read=read or 0.0)}
 
 
-_OF_ONE = ("bits", "pixel_from_exif", "no_exif", "last", "frames", "fps", "camera")  # options of a single photo
+_SINGLE_PHOTO_OPTIONS = (
+    "bits",
+    "pixel_from_exif",
+    "no_exif",
+    "last",
+    "frames",
+    "fps",
+    "camera",
+)  # options of a single photo
 
 
 def render(
@@ -138,72 +146,72 @@ def render(
     data: DataSet,
     options: PhotoOptions,
 ) -> Report:
-    """Render a data set of photos and depth maps in folders, and of the lenses of a file, into a folder."""
+    """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
     photos, depths, lens = files
     stated = vars(options.made) | vars(options.seen) | pull
-    for name in _OF_ONE:
+    for name in _SINGLE_PHOTO_OPTIONS:
         if stated[name]:
-            raise ValueError(f"{flag_of(name)} is for one photo, without --batch")
+            raise ValueError(f"{flag_of(name)} is an option for a single photo; it cannot be combined with --batch")
     lenses = _lenses(lens, stated | {"focus_distance": focus})
-    given = data.arguments() | {"encoding": options.encoding}
+    arguments = data.arguments() | {"encoding": options.encoding}
     values: Facts = {**options.depth_values}
-    given |= {"depth_scale": values.pop("scale"), "inverse_depth": values.pop("inverse"), **values}
+    arguments |= {"depth_scale": values.pop("scale"), "inverse_depth": values.pop("inverse"), **values}
     Settings(**options.settings)
-    given |= options.settings
-    start, made = time.perf_counter(), 0
+    arguments |= options.settings
+    start, rendered = time.perf_counter(), 0
     done = total = 0
     failed: list[Facts] = []
-    seen: list[Facts] = []
+    rendered_facts: list[Facts] = []
     try:
-        with progress("reading") as started:
-            for picture in render_dataset(photos, depths, out, lenses, on_error="skip", **given):
+        with progress("reading") as status:
+            for picture in render_dataset(photos, depths, out, lenses, on_error="skip", **arguments):
                 done, total = picture.done, picture.total
                 if picture.failure is None:
-                    made += 1
-                    seen.append(picture.facts)
-                    started(f"picture {done} of {total}", done / total)
+                    rendered += 1
+                    rendered_facts.append(picture.facts)
+                    status(f"picture {done} of {total}", done / total)
                     continue
                 reason = with_options(picture.failure)
-                if reason not in [before["reason"] for before in failed]:  # of another copy
+                if reason not in [earlier["reason"] for earlier in failed]:  # of another copy
                     click.echo(f"Left out: {reason}", err=True)
                 failed.append({"number": picture.number, **picture.facts, "reason": reason})
     except KeyboardInterrupt:
-        there = f"{done} of {total} pictures are there" if made else "no picture was finished"
-        click.echo(f"Interrupted: {there}; the same command goes on.", err=True)
+        finished_text = f"{done} of {total} pictures are finished" if rendered else "no picture was finished"
+        click.echo(f"Interrupted: {finished_text}; the same command resumes.", err=True)
         raise
     seconds = time.perf_counter() - start
     if failed and not done:
         raise ValueError(f"no picture could be rendered: {failed[0]['reason']}")
-    facts = {"output": str(out), "rendered": made, "seconds": seconds, "failed": failed}
-    said = f"{made} pictures rendered in {seconds:.3g} s" if made or failed else "all pictures were there"
-    lines = [said, f"folder {out}"]
-    if seen:
-        shares = [each["depth_unknown"] for each in seen]
-        ends = [float(end) for each in seen for end in each["depth_range"]] or [math.nan]
-        foci = [float(each["focus_distance"]) for each in seen]
+    facts = {"output": str(out), "rendered": rendered, "seconds": seconds, "failed": failed}
+    text = f"{rendered} pictures rendered in {seconds:.3g} s" if rendered or failed else "all pictures were there"
+    lines = [text, f"folder {out}"]
+    if rendered_facts:
+        shares = [each["depth_unknown"] for each in rendered_facts]
+        ends = [float(end) for each in rendered_facts for end in each["depth_range"]] or [math.nan]
+        foci = [float(each["focus_distance"]) for each in rendered_facts]
         between = " to ".join(map(format_length, dict.fromkeys((min(foci), max(foci)))))
-        share = sum(shares) / len(shares)
-        facts |= {"depth": [finite(min(ends)), finite(max(ends))], "depth_unknown": share}
-        lines.insert(0, depth_line(min(ends), max(ends), share, f"focus {between}"))
+        unknown_fraction = sum(shares) / len(shares)
+        facts |= {"depth": [finite(min(ends)), finite(max(ends))], "depth_unknown": unknown_fraction}
+        lines.insert(0, depth_line(min(ends), max(ends), unknown_fraction, f"focus {between}"))
     if failed:
-        lines.append(f"{len(failed)} of {total} pictures left out; mend their files and give the same command again")
+        lines.append(f"{len(failed)} of {total} pictures left out; correct their files and repeat the command")
     return Report(facts, lines, converged=not failed)
 
 
 def _lenses(file: Path | None, stated: Facts) -> LensRanges:
-    """Return the lenses of a file, with what options say instead, or of the options."""
+    """Return the lenses of a file, with the values of options in place of its own, or the lenses of the options."""
     from lommel.lensfiles.lens_files import load_lens_ranges
 
-    own = {name: stated[name] for name in ("focal_length", "f_number", "focus_distance", "pixel")}
-    known = {name: value for name, value in own.items() if value is not None}
+    values = {name: stated[name] for name in ("focal_length", "f_number", "focus_distance", "pixel")}
+    known = {name: value for name, value in values.items() if value is not None}
     if file is not None:
         return LensRanges(**{**vars(load_lens_ranges(file)), **known})
-    if missing := [flag_of(name) for name in own if name not in known]:
+    if missing := [flag_of(name) for name in values if name not in known]:
         raise ValueError(f"give a lens file or {', '.join(missing)}")
     return LensRanges(**known)
 
 
-_AGREE = 0.02  # relative: EXIF has the nominal figures of a lens, rounded
+_TOLERANCE = 0.02  # largest relative difference from the EXIF, which has rounded nominal values
 _TYPES: dict[str, np.dtype[np.generic]] = {
     "8": np.dtype(np.uint8),
     "16": np.dtype(np.uint16),
@@ -229,7 +237,7 @@ class PhotoNoise(Group, heading="Noise"):
 
 
 class PhotoCamera(Group, heading="Camera"):
-    """The lens and the camera of a photograph, where a file does not state them."""
+    """Lens and camera of a photograph, if no file states them."""
 
     # fmt: off
     f_number: float | None = option(type=float, help="F-number; by default from the lens file or the EXIF.")
@@ -248,13 +256,13 @@ class PhotoCamera(Group, heading="Camera"):
 
 
 class PhotoDepth(DepthMap, heading="Photo and depth map"):
-    """The values of a depth map, and what is done where they are missing."""
+    """Meaning of the values of a depth map, and treatment of missing values."""
 
     missing: str = documented(Settings, "missing", type=click.Choice(MISSING))
 
 
 class Blurring(Group, heading="Blur"):
-    """How the light is blurred."""
+    """Settings of the blur."""
 
     border: str = documented(Settings, "border", type=click.Choice(BORDERS))
     occlusion: bool = documented(Settings, "occlusion", "--occlusion/--no-occlusion", sentences=2)
@@ -264,7 +272,7 @@ class Blurring(Group, heading="Blur"):
 
 
 class OutputFile(Group, heading="Output file"):
-    """How the result is stored."""
+    """Format of the result."""
 
     # fmt: off
     bits: str | None = option(type=click.Choice(list(_TYPES)),
@@ -274,7 +282,7 @@ class OutputFile(Group, heading="Output file"):
 
 
 class PhotoOptions(Group, heading="Photo and depth map"):
-    """What the commands on one photograph with a depth map have in common."""
+    """Options common to the commands on one photograph with a depth map."""
 
     # fmt: off
     seen: PhotoCamera = PhotoCamera()
@@ -287,12 +295,12 @@ class PhotoOptions(Group, heading="Photo and depth map"):
 
     @property
     def depth_values(self) -> DepthKeywords:
-        """What the values of the depth map mean."""
+        """Keyword arguments for the values of the depth map."""
         return cast("DepthKeywords", {name: one for name, one in vars(self.depth_map).items() if name != "missing"})
 
     @property
     def settings(self) -> Facts:
-        """The arguments of :class:`lommel.imaging.settings.Settings`."""
+        """Arguments of :class:`lommel.imaging.settings.Settings`."""
         return {"wavelengths": self.seen.wavelengths, "missing": self.depth_map.missing} | vars(self.blurring)
 
 
@@ -309,7 +317,7 @@ class FocusPull(Group, heading="Focus pull"):
 
 
 class FieldOfView(Group, heading="Field of view"):
-    """Whether a photograph is rendered over the field of a lens."""
+    """Rendering of a photograph over the field of a lens."""
 
     # fmt: off
     over: bool = option("--over-field", is_flag=True,
@@ -339,8 +347,8 @@ def blur(
 
     PHOTO is a PNG, JPEG, TIFF, EXR, WebP, BMP or HEIC, grey or RGB. DEPTH is a depth map of the same size, the
     distance of each point from the lens along the optical axis, in metres: a grey TIFF, NPY, PFM, PNG or EXR. Without
-    a lens file LENS, focal length and f-number come from the options or from the photo's EXIF; those that contradict
-    it are refused.
+    a lens file LENS, focal length and f-number come from the options or from the photo's EXIF; an option that
+    contradicts the EXIF is rejected.
 
     The aberrations of the lens must be radially symmetric (defocus, spherical), and its aperture round: leave out
     coma, astigmatism and other terms with a direction.
@@ -356,12 +364,12 @@ def blur(
       lommel blur photo.png camera-field.toml --over-field --pixel 6um -o out.png
       lommel blur --batch photos/ depths/ phone.toml --seed 1 --workers 2 -o set/
     """
-    for flag, there in (
+    for flag, is_set in (
         ("--over-field", field.over),
         ("--batch", data.batch),
         ("--pixel-from-exif", options.seen.pixel_from_exif),
     ):
-        if supersample > 1 and there:
+        if supersample > 1 and is_set:
             raise ValueError(f"--supersample cannot be combined with {flag}, got {supersample}")
     if field.over:
         return _through_field(photo, depth, output, options)
@@ -369,25 +377,25 @@ def blur(
         return render(output, (photo, depth, lens), focus_distance, vars(pull), data, options)
     for one in DataSet.options():
         if one.name != "batch" and getattr(data, one.name or "") != one.default:
-            raise ValueError(f"--{one.name} is for data sets, with --batch")
-    opened = partial(Job, photo, depth, lens, output, options, supersample=supersample)
+            raise ValueError(f"--{one.name} is an option for data sets, and needs --batch")
+    open_job = partial(Job, photo, depth, lens, output, options, supersample=supersample)
     if pull.last is not None:
-        return _pull_focus(opened, output, (focus_distance, pull.last), pull)
+        return _pull_focus(open_job, output, (focus_distance, pull.last), pull)
     if pull.frames is not None or pull.fps is not None:
         name = "fps" if pull.frames is None else "frames"
         raise ValueError(f"--{name} needs --focus-to, the end of a focus pull")
     find(output, "--output")
-    with terminated_as_interrupted(), progress("reading") as started:
-        job = opened()
-        of = job.focused(focus_distance)
-        started("computing PSFs")
+    with terminated_as_interrupted(), progress("reading") as status:
+        job = open_job()
+        focused_lens = job.focused(focus_distance)
+        status("computing PSFs")
         start = time.perf_counter()
-        made = job.photograph(of, lambda share: started("blurring", share))
+        photograph = job.photograph(focused_lens, lambda share: status("blurring", share))
         seconds = time.perf_counter() - start
-        clipped = job.write(made.values)
-    facts, lines = _worst([made], [clipped])
-    facts = {"focus_distance": finite(of.focus_distance), "seconds": seconds} | facts
-    return job.report(of, facts, lines, [output])
+        clipped = job.write(photograph.values)
+    facts, lines = _worst([photograph], [clipped])
+    facts = {"focus_distance": finite(focused_lens.focus_distance), "seconds": seconds} | facts
+    return job.report(focused_lens, facts, lines, [output])
 
 
 _OF_FIELD = ("photo", "depth", "output", "over", "as_json", "camera", "pixel", "encoding", "bits", "quality")
@@ -407,40 +415,42 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
             raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
     find(output, "--output")
     seen, stored_as = options.seen, options.made
-    with terminated_as_interrupted(), progress("reading") as started:
+    with terminated_as_interrupted(), progress("reading") as status:
         picture = read_photo(photo, options.encoding)
         light = picture.light()
         instrument = instrument_of(path)
         field = instrument.field()
         if field.vignetting is not None:
             raise ValueError(
-                f"{path} must have no [field.vignetting]: state all the relative illumination as [field.shading]"
+                f"{path} must have no [field.vignetting]: state the whole relative illumination in [field.shading]"
             )
         camera = seen.camera or instrument.camera
         pitch = seen.pixel or (instrument.side if camera is None else camera.side)
         dtype, encoding = output_type(picture, output, stored_as.bits)
-        started("computing PSFs and blurring")
+        status("computing PSFs and blurring")
         start = time.perf_counter()
-        given = {name: value for name, value in options.settings.items() if name in stated}
-        made = field_photograph(light, field, pitch, encoding="linear", **given)
+        stated_settings = {name: value for name, value in options.settings.items() if name in stated}
+        photograph = field_photograph(light, field, pitch, encoding="linear", **stated_settings)
         seconds = time.perf_counter() - start
-        clipped = write_like(picture, output, made.values, encoding=encoding, dtype=dtype, quality=stored_as.quality)
+        clipped = write_like(
+            picture, output, photograph.values, encoding=encoding, dtype=dtype, quality=stored_as.quality
+        )
     height, width = light.shape[:2]
     x, y = (0.5 * (side - 1) * pitch for side in (width, height))
-    moved = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
-    facts, lines = _worst([made], [clipped])
+    shift = math.hypot(*(float(part) for part in field.displacement(x, y))) / pitch
+    facts, lines = _worst([photograph], [clipped])
     read = read_as(picture, options.encoding)
     facts |= {
         "shape": list(light.shape),
         "encoding": {"photo": picture.encoding, "output": encoding},
         "read": read,
         "pixel": pitch,
-        "moved": moved,
+        "moved": shift,
         "seconds": seconds,
     }
     lines = [
         read,
-        f"{width} x {height} pixels of {format_length(pitch)}; the lower right corner is moved by {moved:.3g} pixels",
+        f"{width} x {height} pixels of {format_length(pitch)}; the lower right corner is moved by {shift:.3g} pixels",
         *lines,
     ]
     if clipped:
@@ -449,7 +459,7 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
 
 
 def _pull_focus(
-    opened: Callable[..., Job], output: Path, ends: tuple[float | None, float], pull: FocusPull
+    open_job: Callable[..., Job], output: Path, ends: tuple[float | None, float], pull: FocusPull
 ) -> Report:
     """Blur a photograph once for each focus distance of a focus pull; a failure leaves no file."""
     first, last = ends
@@ -460,24 +470,24 @@ def _pull_focus(
             raise ValueError(f"{name} must be > 0 metres, got {distance:g}")
     photographs: list[Photograph] = []
     shares: list[float] = []
-    with terminated_as_interrupted(), progress("reading", total=frames) as started:
-        job = opened(one_file="%" not in output.name)
+    with terminated_as_interrupted(), progress("reading", total=frames) as status:
+        job = open_job(one_file="%" not in output.name)
         near = 1.0 / (job.focused(None).focus_distance if first is None else first)
-        # A lens moves by equal steps where 1 / distance does.
+        # Equal steps of 1 / distance are equal movements of a lens.
         steps = [near + (1.0 / last - near) * k / (frames - 1) for k in range(frames)]
         lenses = [job.focused(1.0 / step if step else math.inf) for step in steps]
         start = time.perf_counter()
 
-        def made() -> Iterator[NDArray[np.generic]]:
+        def frame_values() -> Iterator[NDArray[np.generic]]:
             for number, lens in enumerate(lenses, 1):
-                started(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
+                status(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
                 photograph = job.photograph(lens)
                 values, clipped = stored(photograph.values, job.stored_as, job.dtype)
-                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep all of them
+                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep all values in memory
                 shares.append(clipped)
                 yield values
 
-        files = write_frames(output, made(), fps=fps, quality=job.options.made.quality, exif=job.picture.exif)
+        files = write_frames(output, frame_values(), fps=fps, quality=job.options.made.quality, exif=job.picture.exif)
         seconds = time.perf_counter() - start
     foci = [finite(lens.focus_distance) for lens in lenses]
     facts, lines = _worst(photographs, shares)
@@ -486,19 +496,19 @@ def _pull_focus(
 
 
 def _worst(photographs: list[Photograph], clipped: list[float]) -> tuple[Facts, list[str]]:
-    """Return the worst errors of blurred photographs, and a line of them."""
-    side, lost, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
-    if lost:
+    """Return the largest errors of blurred photographs, and a line of text with them."""
+    side, light_beyond, error = (max(getattr(p, name) for p in photographs) for name in ("window", "lost", "error"))
+    if light_beyond:
         text = (
-            f"PSFs up to {side} pixels wide, with all but {100.0 * lost:.2g} % of their light; interpolation error "
-            f"{error:.2g} of their peak"
+            f"PSFs up to {side} pixels wide, with all but {100.0 * light_beyond:.2g} % of their light; interpolation "
+            f"error {error:.2g} of their peak"
         )
     else:
         text = (
             f"PSFs up to {side} pixels wide and all their light beyond; interpolation error {error:.2g} of the "
             "brightest point"
         )
-    facts = {"largest_window": side, "light_beyond_windows": lost, "interpolation_error": error}
+    facts = {"largest_window": side, "light_beyond_windows": light_beyond, "interpolation_error": error}
     return facts | {"clipped": max(clipped)}, [text]
 
 
@@ -506,24 +516,24 @@ _METHODS = ("richardson-lucy", "total-variation", "one-pass")
 
 
 class RestoredNoise(PhotoNoise, heading="Noise"):
-    """The noise of a photograph, and its pixels that do not count."""
+    """Noise of a photograph, and pixels to ignore."""
 
     # fmt: off
     saturation: float | None = option(type=float,
         help="Level at which pixels saturate, as a fraction of white in linear light (after decoding sRGB), such as "
         "0.95.")
     masked: Path | None = option("--mask", type=FILE,
-        help="Image of the pixels to leave out, as unknown: not 0 there.")
+        help="Image whose nonzero pixels mark the pixels of the photo to ignore.")
     # fmt: on
 
 
 class Restoring(Group, heading="Restoration"):
-    """How a photograph is restored."""
+    """Method of the restoration and its settings."""
 
     # fmt: off
     method: str = option(type=click.Choice(_METHODS), default=_METHODS[0],
         help="Richardson-Lucy maximises the likelihood; total variation also smooths and preserves edges: usually "
-        "less noise at the same sharpness, but ten to forty times slower; one-pass takes Wiener's filters, and is as "
+        "less noise at the same sharpness, but ten to forty times slower; one-pass applies Wiener filters, and is as "
         "good where depth has few edges.")
     steps: int | None = option(type=int,
         help=f"Maximum number of steps; by default {RichardsonLucy.steps}, with total-variation "
@@ -535,7 +545,7 @@ class Restoring(Group, heading="Restoration"):
         help="Weight of the total variation; by default such that the discrepancy is --target.")
     # fmt: on
 
-    def way(self) -> RichardsonLucy | TotalVariation | OnePass:
+    def restoration_method(self) -> RichardsonLucy | TotalVariation | OnePass:
         """Return the restoration method."""
         if self.method == _METHODS[2]:
             if self.steps is not None or self.strength is not None:
@@ -577,50 +587,50 @@ def restore(
       lommel restore photo.tif depth.tif phone.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """
     find(output, "--output")
-    way = restoring.way()
-    with terminated_as_interrupted(), progress("reading") as started:
+    method = restoring.restoration_method()
+    with terminated_as_interrupted(), progress("reading") as status:
         job = Job(photo, depth, lens, output, options)
-        of = job.focused(focus_distance)
+        focused_lens = job.focused(focus_distance)
         values = job.picture.values
         if noisy.masked is not None:
-            (values,) = without([values], noisy.masked)
-        started("computing PSFs")
+            (values,) = apply_mask([values], noisy.masked)
+        status("computing PSFs")
         start = time.perf_counter()
 
         def step_done(step: int, discrepancy: float, left: float) -> None:
             spent = time.perf_counter() - start
-            started(f"step {step}, discrepancy {discrepancy:.3g}", spent / max(spent + left, 1e-9))
+            status(f"step {step}, discrepancy {discrepancy:.3g}", spent / max(spent + left, 1e-9))
 
-        found = restored(
+        result = restored(
             values,
             job.distance,
-            of,
+            focused_lens,
             job.pitch,
             encoding=job.picture.encoding,
             noise=noise_of(vars(noisy), job.camera, photographs=True),
-            method=way,
+            method=method,
             saturation=noisy.saturation,
             progress=step_done,
             **options.settings,
         )
         seconds = time.perf_counter() - start
-        clipped = job.write(np.asarray(found.light))
-    facts = {"focus_distance": finite(of.focus_distance), "seconds": seconds, "method": restoring.method}
-    facts |= found.to_dict() | {"clipped": clipped}
-    lines = [f"discrepancy {found.before:.3g} of the photo, {found.discrepancy:.3g} of the result"]
-    if found.strength is not None:
-        lines.append(f"strength of the total variation {found.strength:.3g}")
-    why = found.findings.text or {"noise": "the rest is noise"}.get(found.stopped, found.stopped)
-    lines.append(f"stopped after {found.steps} steps: {why}")
-    if found.unknown:
-        lines.append(f"saturated or unknown: {100.0 * found.unknown:.2g} % of the values")
-    return job.report(of, facts, lines, [output]) + Report({}, [], found.converged)
+        clipped = job.write(np.asarray(result.light))
+    facts = {"focus_distance": finite(focused_lens.focus_distance), "seconds": seconds, "method": restoring.method}
+    facts |= result.to_dict() | {"clipped": clipped}
+    lines = [f"discrepancy {result.before:.3g} of the photo, {result.discrepancy:.3g} of the result"]
+    if result.strength is not None:
+        lines.append(f"strength of the total variation {result.strength:.3g}")
+    reason = result.findings.text or {"noise": "the rest is noise"}.get(result.stopped, result.stopped)
+    lines.append(f"stopped after {result.steps} steps: {reason}")
+    if result.unknown:
+        lines.append(f"saturated or unknown: {100.0 * result.unknown:.2g} % of the values")
+    return job.report(focused_lens, facts, lines, [output]) + Report({}, [], result.converged)
 
 
-def without(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
-    """Return photos with what a file says to leave out hidden."""
-    hidden = mask_of(masked, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
-    each = [hidden] * len(photos) if hidden.ndim == 2 else list(hidden)
+def apply_mask(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
+    """Return photos with the pixels masked that an image file marks."""
+    mask = mask_of(masked, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
+    each = [mask] * len(photos) if mask.ndim == 2 else list(mask)
     return [
         np.ma.masked_array(photo, np.broadcast_to(out.reshape(*out.shape, *[1] * (photo.ndim - 2)), photo.shape))
         for photo, out in zip(photos, each, strict=True)
@@ -643,9 +653,10 @@ def terminated_as_interrupted() -> Iterator[None]:
 
 @dataclass
 class Job:
-    """A photograph, its depth map and its lens, by the options of a command, and how to store the result.
+    """A photograph, its depth map and its lens from the options of a command, and the format of the result.
 
-    The lens is as in its file, or focused at infinity; `one_file` is for the frames of an animation or a stack.
+    The lens is focused as in its file, or at infinity without a file. With `one_file` all frames of the result are
+    written to one file.
     """
 
     photo: Path
@@ -684,12 +695,14 @@ class Job:
         """Return a lens with the data of the options or the EXIF, focused at infinity."""
         exif, seen = self.picture.exif, self.options.seen
         return Lens(
-            focal_length=self._agreed("--focal-length", seen.focal_length, exif.focal_length, format_length),
-            f_number=self._agreed("--f-number", seen.f_number, exif.f_number, lambda n: f"f/{n:g}"),
+            focal_length=self._option_or_exif("--focal-length", seen.focal_length, exif.focal_length, format_length),
+            f_number=self._option_or_exif("--f-number", seen.f_number, exif.f_number, lambda n: f"f/{n:g}"),
             wavelength=540e-9 if self.picture.values.ndim == 3 else 550e-9,
         )
 
-    def _agreed(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
+    def _option_or_exif(
+        self, option: str, given: float | None, read: float | None, show: Callable[[float], str]
+    ) -> float:
         """Return the value of an option or of the EXIF; ValueError if they contradict each other."""
         known = None if self.options.seen.no_exif else read
         if given is None:
@@ -697,7 +710,7 @@ class Job:
                 reason = "the EXIF is ignored" if self.options.seen.no_exif else f"{self.photo} has none in its EXIF"
                 raise ValueError(f"give a lens file or {option}: {reason}")
             return known
-        if known is not None and not math.isclose(given, known, rel_tol=_AGREE):
+        if known is not None and not math.isclose(given, known, rel_tol=_TOLERANCE):
             raise ValueError(
                 f"{option} {show(given)} contradicts the EXIF of {self.photo}, {show(known)}; "
                 "give --no-exif to ignore the EXIF"
@@ -708,8 +721,8 @@ class Job:
         """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
         seen = self.options.seen
         if seen.focal_length is not None or seen.pixel_from_exif:
-            stray = "--focal-length" if seen.focal_length is not None else "--pixel-from-exif"
-            raise ValueError(f"{stray} cannot be combined with a lens file, which states it")
+            flag = "--focal-length" if seen.focal_length is not None else "--pixel-from-exif"
+            raise ValueError(f"{flag} cannot be combined with a lens file, which states this value")
         instrument = radial_instrument(path)
         side = instrument.side
         self.pixel = side if self.pixel is None else self.pixel
@@ -720,7 +733,7 @@ class Job:
             raise ValueError(f"--f-number of {path}: {error}") from None
 
     def focused(self, focus: float | None) -> Lens:
-        """Return the lens, focused at a distance or as in its file."""
+        """Return the lens, focused at a distance, or as in its file for None."""
         if focus is None and self.lens is None:
             raise ValueError("without a lens file give --focus")
         return self.optics if focus is None else self.optics.focused(focus)
@@ -732,9 +745,9 @@ class Job:
         plan = FocusPlan(self.picture.light(), self.distance, lens, self.pitch, encoding="linear", **more)
         if progress is not None:
             blur = plan.blur()
-            # Where the whole PSF is kept, occlusion blurs white images too: twice for each spectrum.
-            looks = 2 * len(set(blur.spectra)) if settings.occlusion and settings.energy == 1.0 else 0
-            total, done = self.distance.size * (blur.channels + looks), 0
+            # If the whole PSF is kept, occlusion also blurs white images: twice for each spectrum.
+            occlusion_passes = 2 * len(set(blur.spectra)) if settings.occlusion and settings.energy == 1.0 else 0
+            total, done = self.distance.size * (blur.channels + occlusion_passes), 0
 
             def watch(points: int) -> None:
                 nonlocal done
@@ -754,7 +767,7 @@ class Job:
     def report(
         self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
     ) -> Report:
-        """Return the report of the job: the facts and lines of a command, within those that all have."""
+        """Return the report of the job: facts and lines of the command, and those that all commands have."""
         read, (height, width, *_) = read_as(self.picture, self.options.encoding), self.picture.values.shape
         height, width = height // self.supersample, width // self.supersample
         common = {
@@ -766,15 +779,15 @@ class Job:
             "f_number": lens.f_number,
             "pixel": self.pitch,
         }
-        known, of_depth = depth_facts(self.distance)
-        common |= known
+        facts_of_depth, depth_text = depth_facts(self.distance)
+        common |= facts_of_depth
         last = f" to {format_length(until.focus_distance)}" if until else ""
         focus = f"focus {format_length(lens.focus_distance)}{last}"
         pixels = f"{width} x {height} pixels of {format_length(self.pitch)}"
         lines = [
             read,
             f"{pixels}; f = {format_length(lens.focal_length)}, f/{lens.f_number:.3g}",
-            of_depth(focus),
+            depth_text(focus),
             *lines,
         ]
         if facts["clipped"]:
@@ -795,14 +808,14 @@ def read_as(picture: Picture, given: str | None) -> str:
 def output_type(picture: Picture, output: Path, bits: str | None) -> tuple[np.dtype[np.generic], str]:
     """Return the type and the encoding of the output, by default those of the photo."""
     kind = picture.values.dtype
-    made = _TYPES[bits or _bits(kind, output.suffix.lower())]
-    # Values of the same kind keep their encoding; others get the one that readers will take them for.
-    kept = (made.kind == "f") == (kind.kind == "f")
-    return made, picture.encoding if kept else "linear" if made.kind == "f" else "srgb"
+    dtype = _TYPES[bits or _bits(kind, output.suffix.lower())]
+    # Values of the same kind keep their encoding; others get the encoding that readers assume for them.
+    same_kind = (dtype.kind == "f") == (kind.kind == "f")
+    return dtype, picture.encoding if same_kind else "linear" if dtype.kind == "f" else "srgb"
 
 
 def _bits(photo: np.dtype[np.generic], suffix: str) -> str:
-    """Return the bits of the output by default: those of the photo, if the format holds them."""
+    """Return the default bits of the output: those of the photo, if the format can store them."""
     if suffix in (".jpg", ".jpeg"):
         return "8"
     if photo.kind != "f":

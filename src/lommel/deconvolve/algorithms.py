@@ -37,9 +37,9 @@ class RichardsonLucy:
     Each step raises the likelihood; since late steps fit the noise, stopping early keeps the result smooth. The
     iteration stops when the discrepancy D (Poisson deviance per pixel, about 1 for the true scene) reaches `target`.
     A discrepancy that stays above 1 shows a misfit of depth, lens or noise, which further steps would turn into
-    artefacts. Each doubling of the number of steps k lowers D by less than the doubling before. Step k >= 20 is
-    therefore a misfit if D would still exceed 1 by more than d, three standard deviations of its noise, after all n
-    steps, even if every remaining doubling (at least one) lowered it as much as the last:
+    artefacts. Each doubling of the number of steps k lowers D by less than the doubling before. A step k >= 20 is
+    therefore a misfit if a forecast of D after all n steps exceeds 1 + d, where d is three standard deviations of D.
+    The forecast assumes that each remaining doubling (at least one) lowers D as much as the last:
     ``D(k) - (D(k/2) - D(k)) max(log2(n/k), 1) > 1 + d``.
 
     Parameters
@@ -117,7 +117,7 @@ class StoppingRule:
         step, history, target = self.steps, self._history, self._method.target
         total = float(self._method.steps)
         if step >= 2 and target > 0.0 and history[step] < history[step // 2]:
-            # D falls about as steps^-rate: the rate is the slope of log D over log steps in the last doubling.
+            # D falls about as steps^-rate: minus the slope of log D over log steps in the last doubling.
             rate = np.log(history[step // 2] / history[step]) / np.log(step / (step // 2))
             total = min(total, step * max(history[step] / target, 1.0) ** min(1.0 / rate, 8.0))
         return max(total - step, 0.0) * elapsed / max(step, 1)
@@ -142,8 +142,8 @@ class TotalVariation:
         Dimensionless weight of the total variation, typically ``0.15 / sqrt(electrons per pixel)``. Chosen from the
         noise by default.
     steps : int, default 150
-        Maximum number of steps for each `strength` tried, 1 to 100000. Fewer are taken once the objective hardly
-        falls.
+        Maximum number of steps for each `strength` tried, 1 to 100000. The steps end earlier once the objective
+        hardly falls.
     target : float, default 0.9
         Discrepancy to reach, above 0. The default is below 1 because the result also fits part of the noise.
 
@@ -202,8 +202,8 @@ def _next_strength(trials: list[tuple[float, float]]) -> float:
     if below and above:
         (a, u), (b, v) = max(below), min(above)
         # Secant in the bracket [a, b], kept away from its ends so that the bracket shrinks by at least 30 %.
-        share = min(max(-u / (v - u), 0.3), 0.7) if b > a else 0.5
-        return math.exp(a + share * (b - a))
+        fraction = min(max(-u / (v - u), 0.3), 0.7) if b > a else 0.5
+        return math.exp(a + fraction * (b - a))
     last, excess = trials[-1]
     slope = 0.3  # typical d ln(discrepancy) / d ln(strength)
     if len(trials) > 1 and last != trials[-2][0]:
@@ -227,18 +227,18 @@ class Restoration(Judged):
         Restored image, of the shape, type and encoding of the photograph, without the offset of its noise; float32
         for a stack.
     light : ndarray of float, or None
-        The same in linear light, not clipped at white. None for results of tiles.
+        Restored image in linear light, not clipped at white. None for results of tiles.
     discrepancy : float
-        Poisson deviance per pixel between the photograph and the blurred result: about 1 for the scene itself, a
-        little less for a good result, which follows some of the noise.
+        Poisson deviance per pixel between the photograph and the blurred result: about 1 if the result is the true
+        scene, and a little less for a good result, which also fits some of the noise.
     by_channel : tuple of float
         Discrepancy of each channel, or of each plane of a stack.
     before : float
-        Discrepancy of the photograph itself, taken as the result.
+        Discrepancy before the restoration, with the photograph itself as the result.
     steps : int
-        Number of steps in all; each applies the blur and its transpose once.
+        Total number of steps; each applies the blur and its transpose once.
     stopped : str
-        Why it stopped: "noise" where the result agrees with the photograph within its noise, "steps" at the maximum
+        Reason to stop: "noise" if the result agrees with the photograph within its noise, "steps" at the maximum
         number of steps, "one pass", "misfit: ..." where depth, lens or noise of a photograph (PSF or noise of a
         stack) do not fit.
     strength : float or None
@@ -248,13 +248,13 @@ class Restoration(Judged):
     clipped : float
         Fraction of the values that were clipped at white; 0 for floats.
     background : float or ndarray
-        Light of each voxel of a stack, or of each pixel of its planes, that is no part of the values; 0 for
-        photographs.
+        Light of each voxel of a stack (float), or of each pixel of all planes (ndarray), that the values exclude; 0
+        for photographs.
     photograph : float
-        Share of the photograph itself in the result, 0 to 1: 1 where the method's own would be farther from the
-        scene, because depth, lens or noise do not fit; between where blur is hardly larger than noise.
+        Weight of the photograph in the result, 0 to 1. It is 1 if the result of the method would be farther from the
+        scene, because depth, lens or noise do not fit, and below 1 if the blur is hardly larger than the noise.
     findings : Findings
-        What does not fit: the codes "misfit", "too_quiet" and, where more steps would fit better, "not_settled".
+        Problems found: the codes "misfit", "too_quiet" and, if more steps would fit better, "not_settled".
     """
 
     values: Pixels
@@ -277,18 +277,18 @@ class Restoration(Judged):
         return self._message(f"discrepancy {self.discrepancy:.3g} after {self.steps} step{'s' * (self.steps != 1)}")
 
     def to_dict(self) -> Json:
-        """Return the result as plain data, as JSON has it, without images.
+        """Return the result as data that can be written as JSON, without images.
 
         Returns
         -------
         dict
-            Status, converged, reliable, and the attributes but for arrays; None where these are not finite.
+            Status, converged, reliable, and all attributes except arrays; numbers that are not finite are None.
         """
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable")}
         numbers = {name: each for name, each in fields_of(self).items() if not isinstance(each, np.ndarray)}
         numbers.pop("light", None)  # None of tiles
-        found: Json = plain(verdict | numbers)
-        return found
+        data: Json = plain(verdict | numbers)
+        return data
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Pixels:
         """Return the values."""
@@ -305,18 +305,18 @@ class Restoration(Judged):
 
 @contextmanager
 def shown(progress: ProgressCallback | None) -> Iterator[ProgressCallback]:
-    """Yield the function called at each step: `progress`, or a line on standard error if it is a terminal."""
+    """Yield the function called at each step: `progress`, or one that writes to a terminal on standard error."""
     validation.function("progress", progress, required=False)
     if progress is not None or sys.stderr is None or not sys.stderr.isatty():
         yield progress or silent
         return
-    line, due = sys.stderr, time.monotonic() + _QUIET
+    stream, due = sys.stderr, time.monotonic() + _QUIET
 
     def write(step: int, discrepancy: float, left: float) -> None:
         nonlocal due
         if (now := time.monotonic()) >= due:
-            line.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {left:.0f} s left\x1b[K")
-            line.flush()
+            stream.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {left:.0f} s left\x1b[K")
+            stream.flush()
             due = now + _PAUSE
 
     start = due
@@ -324,5 +324,5 @@ def shown(progress: ProgressCallback | None) -> Iterator[ProgressCallback]:
         yield write
     finally:
         if due > start:
-            line.write("\r\x1b[K")
-            line.flush()
+            stream.write("\r\x1b[K")
+            stream.flush()

@@ -1,4 +1,4 @@
-"""Steps of a deconvolution of Poisson counts: Richardson and Lucy's, and those with a penalty on total variation."""
+"""Steps of a deconvolution of Poisson counts: Richardson-Lucy steps, and steps with a penalty on total variation."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from lommel.deconvolve.poisson_counts import PhotographCounts, PoissonCounts, at
 
 _STRIDE = 2  # stride along each axis of the voxels from which the extrapolation factor is computed
 _MAX_GROWTH = 4.0  # largest factor by which extrapolation multiplies the light of a voxel
-_DIM_START = 0.01  # initial light of the specimen over the mean light, where the background is estimated too
+_DIM_START = 0.01  # smallest initial light of the specimen, relative to the mean light
 
 
 class Background(NamedTuple):
@@ -48,8 +48,8 @@ _NO_BACKGROUND = Background(0.0)
 class StepSettings(NamedTuple):
     """Settings of a step that another part of the same recording can repeat.
 
-    `extrapolation` is the factor from which the step starts (0: none), `background` the levels at the grid points,
-    shape (points, points), and `strength` the weight of the total variation.
+    `extrapolation` is the factor of the extrapolation before the step (0: none), `background` the levels at the grid
+    points, shape (points, points), and `strength` the weight of the total variation.
     """
 
     extrapolation: float
@@ -60,24 +60,24 @@ class StepSettings(NamedTuple):
 class State(NamedTuple):
     """Light from which an iteration starts; None for uniform light.
 
-    `light` has the shape of the specimen with its margin, `outside` one value for each plane: the light beyond it.
+    `light` has the shape of the specimen with its margin; `outside` is the light beyond it, one value for each plane.
     """
 
     light: Values | None = None
     outside: Values | None = None
 
-    def less(self, level: float) -> State:
+    def subtract(self, level: float) -> State:
         """Return the state with `level` subtracted from the light everywhere."""
         light, outside = (None if values is None else values - np.float32(level) for values in self)
         return State(light, outside)
 
 
 class Iteration:
-    """Richardson-Lucy steps with memory for twice the specimen and once the recording.
+    """Richardson-Lucy steps with memory for two specimens and one recording.
 
-    An unknown `background` is estimated together with the specimen. Uniform light could be assigned to either, since
-    both have the same image. Each step multiplies light by a factor, so that uniform light is assigned to whichever
-    starts brighter: the specimen therefore starts at `_DIM_START` of the mean light.
+    An unknown `background` is estimated together with the specimen. A uniform background and a uniform specimen have
+    the same image. Each step multiplies light by a factor, so that the one that starts brighter receives uniform
+    light: the specimen therefore starts at `_DIM_START` of the mean light.
 
     `course`, the settings of the steps of another part of the same stack, prescribes the number of steps, their
     extrapolation factors and, for a background of a single level, that level.
@@ -109,11 +109,11 @@ class Iteration:
         self._background_before = self._extrapolated_background = self._background
         counted.set_background(self._extrapolated_background)
         self._light = np.full(blur.whole, start, dtype=counted.dtype)  # result of the last step
-        # Result of the step before the last; its memory then receives the light extrapolated from both.
+        # Result of the step before the last; the extrapolated light then overwrites it.
         self._before: Values | None = None
         self._misfit = np.empty(blur.shape, dtype=counted.dtype)  # weighted ratio of counts to model, less 1
         blur.weigh(counted.most_weight)
-        # Light of the specimen beyond its margin, one value for each plane, if the blur has any.
+        # Light of the specimen beyond its margin, one value for each plane, if the blur models it.
         self._outside = None if blur.outside is None else np.full(blur.whole[0], start, dtype=counted.dtype)
         self._outside_before = self._outside
         self._extrapolation = 0.0
@@ -121,10 +121,10 @@ class Iteration:
         self.strength: float | None = None  # estimated weight of the total variation
         # Last change of the light, sampled with stride _STRIDE.
         self._last_change = np.zeros([-(-side // _STRIDE) for side in blur.whole], dtype=counted.dtype)
-        self.course: list[StepSettings] = []  # of all steps so far
+        self.course: list[StepSettings] = []  # settings of all steps so far
         self._specimen_discrepancies: list[float] = []  # of the voxels lit by the specimen, after each step
         self.discrepancies = np.full(len(counted.known), np.inf)  # of each plane
-        self.enough: Callable[[int, float], bool] | None = None  # further criterion to stop: step and discrepancy
+        self.enough: Callable[[int, float], bool] | None = None  # additional stopping rule of step and discrepancy
 
     @property
     def state(self) -> State:
@@ -137,7 +137,7 @@ class Iteration:
         return self._light if self._before is None else self._before
 
     def start_from(self, state: State) -> None:
-        """Start from the light of another iteration, where the state has any."""
+        """Start from the light of another iteration, if `state` contains light."""
         if state.light is not None:
             self._light = at_least(state.light, self._counted.smallest)
         if state.outside is not None:
@@ -189,7 +189,7 @@ class Iteration:
         history, slack = self._specimen_discrepancies, self._counted.of_specimen[1]
         if target == 0.0 or discrepancy > limit:
             return False
-        # Compared with half as many steps, so that a slow improvement is not mistaken for none.
+        # Compare with half as many steps, so that even a slow improvement is detected.
         return history[-1] <= target or history[(len(history) - 1) // 2] - history[-1] < slack
 
     def guess(self, plane: int, rows: slice, columns: slice) -> Values:
@@ -197,13 +197,13 @@ class Iteration:
         return self._extrapolated[plane, rows, columns]
 
     def _extrapolate(self, prescribed_background: Array) -> None:
-        """Extrapolate light and background; the light overwrites that of the step before the last."""
+        """Extrapolate light and background; the light overwrites the result of the step before the last."""
         factor, smallest = self._extrapolation, self._counted.smallest
         if self._outside is not None and self._outside_before is not None:
             self._blur.outside = np.maximum(_extrapolate(self._outside, self._outside_before, factor), smallest)
         if self._background_unknown:
-            own = np.maximum(_extrapolate(self._background, self._background_before, factor), smallest)
-            self._extrapolated_background = prescribed_background if self._background_prescribed else own
+            estimate = np.maximum(_extrapolate(self._background, self._background_before, factor), smallest)
+            self._extrapolated_background = prescribed_background if self._background_prescribed else estimate
             self._counted.set_background(self._extrapolated_background)
         if self._before is None:
             return
@@ -214,13 +214,13 @@ class Iteration:
             at_least(_extrapolate(light, before, factor, out=before), smallest)
 
     def _step(self) -> float:
-        """Take a step, update the sampled change, and return the product of this change and the one before."""
+        """Take a step, and return the scalar product of its sampled change and the change before."""
         following = np.empty_like(self._light) if self._before is None else self._before
         smallest = self._counted.smallest
 
         def step_part(plane: int, rows: slice, columns: slice, correction: Values) -> float:
             guess = self.guess(plane, rows, columns)
-            # x (1 + A^T[w (ratio - 1)] / A^T w). Light that no recorded voxel sees stays the same: per_seen is 0.
+            # x (1 + A^T[w (ratio - 1)] / A^T w). Light that is not recorded stays the same, because per_seen is 0.
             stepped = np.multiply(correction, self._blur.per_seen(plane, rows, columns), out=correction)
             stepped += 1.0
             stepped *= guess
@@ -248,7 +248,7 @@ class Iteration:
         return results
 
     def _update_change(self, plane: int, rows: slice, columns: slice, stepped: Values, guess: Values) -> float:
-        """Replace the sampled change of a part by that of this step, and return the product of both."""
+        """Replace the sampled change of a part by the change of this step, and return the scalar product of both."""
         if plane % _STRIDE:
             return 0.0
         first = -rows.start % _STRIDE, -columns.start % _STRIDE
@@ -261,7 +261,7 @@ class Iteration:
         return overlap
 
     def inside(self, planes: int, pixels: int) -> Values:
-        """Return the light without margins of so many planes and pixels; frees memory, so it ends the iteration."""
+        """Return the light without its margin of `planes` and `pixels`; the iteration ends, as memory is freed."""
         self._misfit = np.empty((0, 0, 0), self._counted.dtype)
         self._blur.release()
         rows, columns = (slice(pixels, side - pixels) for side in self._blur.whole[1:])
@@ -274,8 +274,8 @@ class Iteration:
 def _extrapolate(light: Values, before: Values, factor: float, out: Values | None = None) -> Values:
     """Return ``light / (factor before / light + 1 - factor)``: extrapolated by a ratio, so that it stays positive.
 
-    The ratio is a weighted harmonic mean of light / before and 1. It replaces ``(light / before)^factor``, which
-    agrees to first order and takes longer.
+    The ratio is a weighted harmonic mean of light / before and 1. It agrees with ``(light / before)^factor`` to first
+    order, and is faster to compute.
     """
     result = np.multiply(before, factor, out=out)
     result += (1.0 - factor) * light
@@ -286,8 +286,8 @@ def _extrapolate(light: Values, before: Values, factor: float, out: Values | Non
     return result
 
 
-_ROUNDING = 0.01  # gradient over the mean light below which the norm of the total variation is rounded
-# Converged: the objective fell by less than this share of the likelihood term in so many steps.
+_ROUNDING = 0.01  # gradient, relative to the mean light, below which the norm of the total variation is rounded
+# An iteration has converged if the objective fell by less than _CONVERGED times the likelihood term in these steps.
 _CONVERGENCE_STEPS, _CONVERGED = 20, 1e-3
 
 
@@ -304,11 +304,11 @@ class VariationIteration(Iteration):
       ``(x_i - x_j)^2 <= ((2 x_i - c)^2 + (2 x_j - c)^2) / 2`` with ``c = x'_i + x'_j``.
 
     With ``P = strength * sum 1/|g'|`` and ``Q = strength * sum c/|g'|`` over the differences of a voxel with its
-    neighbours, the minimum is the positive root of ``2 P x^2 + (s - Q) x = e``. Steps are extrapolated as those of
-    Richardson and Lucy; after a step that raised the objective the next one is not.
+    neighbours, the minimum is the positive root of ``2 P x^2 + (s - Q) x = e``. Steps are extrapolated as in
+    :class:`Iteration`, except for the step after one that raised the objective.
 
-    Memory: one specimen more than the iteration of Richardson and Lucy. `aspect` is the pixel size over the step
-    along z, by which differences between planes are multiplied, so that all are per pixel. Without `aspect` planes
+    Memory: one specimen more than :class:`Iteration`. `aspect` is the pixel size divided by the step along z.
+    Differences between planes are multiplied by it, so that all differences are per pixel. Without `aspect` planes
     are channels: the norm of the gradient is taken over all of them together, so that they share their edges.
     """
 
@@ -369,7 +369,7 @@ class VariationIteration(Iteration):
         return len(self.course) - 1, stopped, self.discrepancies
 
     def _converge(self, strength: float, steps: int, report: ProgressCallback, *, final: bool) -> float:
-        """Take at most so many steps with one strength, until they converge, and return the discrepancy.
+        """Take at most `steps` steps with one strength, until they converge, and return the discrepancy.
 
         `final`: no other strength follows. Convergence is then tested for stacks only (`PoissonCounts.settles`).
         """
@@ -391,7 +391,7 @@ class VariationIteration(Iteration):
             discrepancy = self._evaluate(extrapolation)
             seconds_per_step = (time.perf_counter() - self._start_time) / len(self.course)
             done = len(self.objectives)
-            # Another strength starts from light near its own, and takes about two tests of convergence.
+            # Another strength starts near its result, and takes about twice the steps of a test of convergence.
             remaining = max(steps - done, 0) + (0 if final else 2 * _CONVERGENCE_STEPS)
             report(len(self.course) - 1, discrepancy, seconds_per_step * remaining)
             if done >= steps or (self._prescribed and len(self.course) >= len(self._prescribed)):
@@ -405,7 +405,7 @@ class VariationIteration(Iteration):
         return discrepancy
 
     def _step(self) -> float:
-        """Take a step, record the objective at its start, and return the product of this change and the last."""
+        """Take a step, record the objective at its start, and return the scalar product of the last two changes."""
         guess = self._extrapolated
         following = np.empty_like(guess) if self._spare is None else self._spare
         smallest = self._counted.smallest
@@ -445,7 +445,7 @@ class VariationIteration(Iteration):
     def _neighbours(self, light: Values, plane: int) -> tuple[Values, Values, float]:
         """Return P/strength and Q/strength (class docstring) at each voxel of a plane, and its total variation.
 
-        Channels have the total variation in common: each returns an equal share.
+        Channels have the total variation in common: an equal part of it is returned for each.
         """
         values, norms = light[plane], self._gradient_norms(light, plane)
         variation = float(norms.sum(dtype=np.float64))

@@ -66,7 +66,7 @@ class LinearBlur(ABC):
         Parameters
         ----------
         image : ndarray of float
-            Image of a shape that :meth:`forward` takes.
+            Image of a shape that :meth:`forward` accepts.
 
         Returns
         -------
@@ -107,28 +107,28 @@ class LinearBlur(ABC):
     def require(self, image: ArrayLike, name: str = "image", *, missing: bool = False) -> Values:
         """Return `image` as an array; TypeError or ValueError unless it has the right shape and finite floats.
 
-        Messages contain `name`; with `missing` values may be NaN.
+        Messages contain `name`. With `missing`, values may be NaN.
         """
         array = validation.array(name, image)
         if array.dtype.kind != "f":
             raise TypeError(f"{name} must hold floats in proportion to light, got {array.dtype}")
-        wanted = (*self.shape, self.channels) if array.ndim == 3 or self.channels > 1 else self.shape
-        if array.shape != wanted:
-            raise ValueError(f"{name} must have the shape {wanted}, got {array.shape}")
-        fine = np.isfinite(array) | np.isnan(array) if missing else np.isfinite(array)
-        if not fine.all():
+        expected = (*self.shape, self.channels) if array.ndim == 3 or self.channels > 1 else self.shape
+        if array.shape != expected:
+            raise ValueError(f"{name} must have the shape {expected}, got {array.shape}")
+        valid = np.isfinite(array) | np.isnan(array) if missing else np.isfinite(array)
+        if not valid.all():
             limit = "finite, or NaN where it is unknown" if missing else "finite"
-            raise ValueError(f"{name} must be {limit}, got {array[~fine].flat[0]}")
+            raise ValueError(f"{name} must be {limit}, got {array[~valid].flat[0]}")
         return array
 
     def planes(self, image: Values) -> Values:
         """Return the channels of an `image` in the dtype of the operator; ValueError if that overflows."""
-        given = self.require(image)
+        array = self.require(image)
         with np.errstate(over="ignore"):
-            converted = np.require(given, self.dtype, "A")
-        if converted.dtype != given.dtype and not np.all(np.isfinite(converted)):
-            most = float(np.abs(given).max())
-            raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {most:g}")
+            converted = np.require(array, self.dtype, "A")
+        if converted.dtype != array.dtype and not np.all(np.isfinite(converted)):
+            largest = float(np.abs(array).max())
+            raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {largest:g}")
         return np.moveaxis(converted.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
@@ -191,7 +191,7 @@ class PlaneOperator(ABC):
 
     @abstractmethod
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return the reciprocal of A^T w, the weighted recorded fraction of the light of each point; 0 for none."""
+        """Return the reciprocal of A^T w, the weighted recorded fraction of the light of each point; 0 if none is."""
 
     def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
         """Set the largest weight of a pixel, by which :meth:`per_seen` is divided."""
@@ -224,13 +224,13 @@ class ImagePlanes(PlaneOperator):
 
     def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the blurred planes; see :meth:`PlaneOperator.forward`."""
-        return self._consumed(self._blur.forward, specimen, consume)
+        return self._apply(self._blur.forward, specimen, consume)
 
     def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the planes of the transpose; see :meth:`PlaneOperator.adjoint`."""
-        return self._consumed(self._blur.adjoint, recording, consume)
+        return self._apply(self._blur.adjoint, recording, consume)
 
-    def _consumed(
+    def _apply(
         self, operator: Callable[[Values], Values], values: Part, consume: PartConsumer[Result]
     ) -> list[Result]:
         rows, columns = (slice(0, side) for side in self.shape[1:])
@@ -259,18 +259,18 @@ class ImagePlanes(PlaneOperator):
 
 def overlap(start: int, stop: int, side: int) -> tuple[slice, slice]:
     """Return the pixels (0 to `side`) inside a window from `start` to `stop`, and their indices in the window."""
-    taken = slice(max(start, 0), max(min(stop, side), 0))
-    return taken, slice(taken.start - start, taken.stop - start)
+    inside = slice(max(start, 0), max(min(stop, side), 0))
+    return inside, slice(inside.start - start, inside.stop - start)
 
 
 def linear_operator(
     forward: Callable[[Values], Values],
     adjoint: Callable[[Values], Values],
-    made: tuple[int, ...],
+    result_shape: tuple[int, ...],
     dims: tuple[int, ...],
     dtype: np.dtype[np.floating],
 ) -> LinearOperator:
-    """Return a SciPy LinearOperator of functions of images of shape `dims`, with results of shape `made`."""
+    """Return a SciPy LinearOperator that maps images of shape `dims` to images of shape `result_shape`."""
     from scipy.sparse.linalg import LinearOperator
 
     def of_vectors(function: Callable[[Values], Values], shape: tuple[int, ...]) -> Callable[[Values], Values]:
@@ -280,20 +280,23 @@ def linear_operator(
         return act
 
     operator = LinearOperator(
-        (math.prod(made), math.prod(dims)), of_vectors(forward, dims), of_vectors(adjoint, made), dtype=dtype
+        (math.prod(result_shape), math.prod(dims)),
+        of_vectors(forward, dims),
+        of_vectors(adjoint, result_shape),
+        dtype=dtype,
     )
     operator.dims = dims
     return operator
 
 
-def folded(room: Values, beyond: int, count: int) -> Values:
-    """Return `count` rows of `room` from row `beyond` on; rows outside are mirrored at the edges and added."""
-    image = room[beyond : beyond + count]
-    for first in range(beyond % count - count, len(room), count):  # periods of mirror images
-        if first != beyond:
-            part = room[max(0, first) : first + count]
+def folded(padded: Values, margin: int, count: int) -> Values:
+    """Return `count` rows of `padded` from row `margin` on; the rows outside are mirrored at the edges and added."""
+    image = padded[margin : margin + count]
+    for first in range(margin % count - count, len(padded), count):  # periods of mirror images
+        if first != margin:
+            part = padded[max(0, first) : first + count]
             # Every other image is reversed.
-            onto = image[::-1] if (first - beyond) // count % 2 else image
+            onto = image[::-1] if (first - margin) // count % 2 else image
             onto[max(0, -first) :][: len(part)] += part
     return image
 
@@ -303,13 +306,13 @@ def without_copies(
 ) -> Values:
     """Return an image without its border copies, whose values are added to those of the original pixels.
 
-    `rows` and `columns` are the original row and column of each, as returned by :func:`copies`.
+    `rows` and `columns` are the indices of the original pixels, as returned by :func:`copies`.
     """
     return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
 
 
 def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
-    """Return sums of rows with equal index, (count, columns)."""
+    """Return the sums of rows with equal index, shape (count, columns)."""
     if len(places) == count:
         return taken
     total = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
@@ -319,8 +322,8 @@ def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
 
 
 LARGEST = {1: 19, 2: 31}  # largest side of windows for direct sums, for constant or varying defocus
-_STEP = 16  # windows are padded to multiples of this; the core reads up to as many pixels beyond a row
-_MOST_TILES = 32
+_STEP = 16  # windows are padded to a multiple of this size; the core reads up to _STEP pixels beyond a row
+_MAX_TILES = 32
 _ORDERS = (1, 4, 6)  # supported numbers of defocus nodes per point
 
 
@@ -351,8 +354,8 @@ class WindowBlur:
     """Space-variant blur by interpolated PSF windows; see :class:`lommel.imaging.field_blur.MixedBlur`.
 
     ``out[q] = sum_p x[p] sum_kli D_k(p_y) A_l(p_x) F_i(p) W[k, l, i, q - p]``, W being windows and D, A and F the
-    spline weights of row, column and defocus. Splines across the image are replaced by parabolas in tiles; the number
-    of tiles is such that `error` is at most `allowed`.
+    spline weights of row, column and defocus. Splines along x are replaced by parabolas, one for each tile of
+    columns. The number of tiles is increased until `error` is at most `allowed`.
 
     Parameters
     ----------
@@ -421,7 +424,7 @@ class WindowBlur:
         rows, columns = (slice(first, first + count) for count in self._shape)
         return rows, columns
 
-    def _room(self, kind: DType) -> Values:
+    def _empty_padded(self, kind: DType) -> Values:
         rows, columns = self._places
         beyond = self._side - 1
         return np.zeros((len(rows) + beyond, len(columns) + beyond + _STEP), dtype=kind)
@@ -429,21 +432,23 @@ class WindowBlur:
     def forward(self, plane: Values) -> Values:
         """Return the blurred image of a plane of light."""
         rows, columns = self._places
-        light, out = plane[rows[:, None], columns], self._room(plane.dtype)
+        light, out = plane[rows[:, None], columns], self._empty_padded(plane.dtype)
         engine.field_spread(self._splines, self._defocus, self._places, light, self._threads, out)
         return out[self._inside]
 
     def adjoint(self, plane: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image."""
         rows, columns = self._places
-        room, taken = self._room(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
-        room[self._inside] = plane
-        engine.field_spread(self._splines, self._defocus, self._places, room, self._threads, taken, transposed=True)
-        return without_copies(taken, rows, columns, self._shape)
+        padded, padded_light = self._empty_padded(plane.dtype), np.empty((len(rows), len(columns)), dtype=plane.dtype)
+        padded[self._inside] = plane
+        engine.field_spread(
+            self._splines, self._defocus, self._places, padded, self._threads, padded_light, transposed=True
+        )
+        return without_copies(padded_light, rows, columns, self._shape)
 
 
 def copies(count: int, margin: int, border: str) -> NDArray[np.int64]:
-    """Return the index of the original row or column for each one of the image with its border copies."""
+    """Return the index of the original row (or column) for each row of the image with its border copies."""
     mode: Literal["symmetric", "edge"] = "symmetric" if border == "reflect" else "edge"
     return np.pad(np.arange(count, dtype=np.int64), margin, mode=mode)
 
@@ -492,14 +497,14 @@ def _used_pieces(along: Array, breaks: Array) -> tuple[Array, int]:
 def _parabolas(
     across: Array, nodes: Nodes, x: Array, left: slice, windows: Values, allowed: float
 ) -> tuple[NDArray[np.int64], Array, Array, float]:
-    """Return the tile of each column, node weights at parabola points, weights of these in columns, and the error.
+    """Return the tile of each column, node weights at the points of parabolas, weights of points, and the error.
 
-    Interpolation along y and defocus has weights of sum 1: the error of any window is at most the largest error at
-    the nodes of y and defocus.
+    Interpolation along y and defocus has weights of sum 1. The error of any window is therefore at most the largest
+    error at the nodes of y and defocus.
     """
     count, tiles = len(x), 1
     at = np.arange(count) / max(1, count - 1)
-    while tiles <= _MOST_TILES:
+    while tiles <= _MAX_TILES:
         places = nodes.weights(x[0] + (x[-1] - x[0]) * np.linspace(0.0, 1.0, 2 * tiles + 1))[:, left]
         tile = np.minimum((at * tiles).astype(np.int64), tiles - 1)
         u = 2.0 * (at * tiles - tile) - 1.0
@@ -514,13 +519,13 @@ def _parabolas(
             return tile, places, shares, error
         # The error of parabolas is proportional to the cube of the tile width.
         tiles = max(tiles + 1, math.ceil(tiles * (error / allowed) ** (1.0 / 3.0)))
-    raise ArithmeticError(f"parabolas in {_MOST_TILES} tiles are not close enough to the windows across the image")
+    raise ArithmeticError(f"parabolas in {_MAX_TILES} tiles are not close enough to the windows across the image")
 
 
 def tiles_of(
     shape: Sequence[int], side: int | Sequence[int], overlap: int
 ) -> Iterator[tuple[Window, Window, Window]]:
-    """Yield slices of each tile, of the tile with its overlap, and of the tile within the latter."""
+    """Yield the slices of each tile, of the tile with its overlap, and of the tile inside that window."""
     down, across = (side, side) if isinstance(side, int) else side
     for top in range(0, shape[0], down):
         for left in range(0, shape[1], across):

@@ -18,10 +18,10 @@ from lommel.recorded.counts import plane_of
 from lommel.recorded.noise import Noise
 
 SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
-TINY = 1e-30  # added to denominators: the ratio of a count of 0 to a model of 0 is then 0
+TINY = 1e-30  # smallest denominator: the ratio of a count of 0 to a model of 0 is then 0
 _MANY = 3.0  # mean electrons above which the expected deviance of the true scene is taken as 1 + 1 / (6 m)
 _MAX_RATIO = 1e3  # largest ratio of counts to model
-_BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and the percentile of their means where a background starts
+_BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and percentile of their means from which a background starts
 
 
 class PoissonCounts:
@@ -37,14 +37,14 @@ class PoissonCounts:
         Recorded light; NaN where unknown.
     noise : Noise
     saturation : float
-        Value from which on pixels are ignored.
+        Smallest value of ignored pixels.
     dtype : float32 or float64
         Type of the computation.
     full : ndarray of bool, optional
         Saturated pixels, whose values are lower limits of the light.
     """
 
-    weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, over the usual one
+    weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, relative to the usual one
     settles = True  # steps with a prescribed strength end when they have converged, even before their largest number
 
     def __init__(
@@ -62,33 +62,33 @@ class PoissonCounts:
         offset = np.asarray(noise.offset, dtype=np.float64)
         gain = np.asarray(1.0 if noise.white is None else noise.white)
         read = np.asarray(noise.read, dtype=np.float64)
-        # read^2 electrons in units of light: a Poisson variable whose mean is larger by these has the variance of
+        # read^2 electrons in units of light: if these are added to its mean, a Poisson variable has the variance of
         # shot and read noise together.
         added = (read / gain) ** 2 * gain
         planes = len(recorded)
         self.known = np.zeros(planes, dtype=np.int64)  # pixels of each plane that are neither unknown nor saturated
         self._light, self._weights = [0.0] * planes, [0.0] * planes  # sums over each plane
-        counts = over = seen = 0.0
+        counts = excess = known_count = 0.0
         for plane in range(planes):
             values = plane_of(recorded, plane)
             known = np.isfinite(values) & (values < saturation)
-            each = np.where(known, gain, 0.0)
+            gains = np.where(known, gain, 0.0)
             light = np.where(known, np.maximum(values - offset + added, 0.0), 0.0)
-            self._weights[plane] = float(each.sum())
-            self._light[plane] = float((each * np.maximum(light - added, 0.0)).sum())
-            counts += float((each * light).sum())
-            seen += float(known.sum())
+            self._weights[plane] = float(gains.sum())
+            self._light[plane] = float((gains * np.maximum(light - added, 0.0)).sum())
+            counts += float((gains * light).sum())
+            known_count += float(known.sum())
             known = known if full is None else known & ~full[plane]
-            over += float((known / (6.0 * (each * light + 1.0))).sum())
+            excess += float((known / (6.0 * (gains * light + 1.0))).sum())
             self.known[plane] = int(known.sum())
         if not self.known.any():
             raise ValueError("stack must have voxels that are known, got NaN or saturated ones everywhere")
         weights = sum(self._weights)
-        self._all = seen == float(np.prod(recorded.shape))
+        self._all_known = known_count == float(np.prod(recorded.shape))
         self.background: float | Values = 0.0  # light of each voxel, or of each pixel, that is not of the specimen
         self.of_specimen = 1.0, np.inf  # discrepancy of the voxels lit by the specimen, and its slack
-        self.white = weights / seen  # mean gain, electrons per unit of light
-        # Numbers, or maps of the pixels of a plane.
+        self.white = weights / known_count  # mean gain, electrons per unit of light
+        # Scalars, or maps over the pixels of a plane.
         self._added, self._shift, self._weight = (
             np.asarray(each, dtype=self.dtype) for each in (added, added - offset, gain / self.white)
         )
@@ -100,7 +100,7 @@ class PoissonCounts:
         self.smallest = 1e-6 * max(counts / weights, TINY)
         # The expected deviance of the true scene is 1 + 1/(6 m) for m electrons; 1/m is estimated by the mean of
         # 1 / (1 + counted electrons).
-        self.expected = 1.0 + over / float(self.known.sum()) if self.electrons > _MANY else 1.0
+        self.expected = 1.0 + excess / float(self.known.sum()) if self.electrons > _MANY else 1.0
 
     @property
     def start(self) -> Array:
@@ -114,9 +114,9 @@ class PoissonCounts:
 
     @property
     def slack(self) -> float:
-        """Three standard deviations of the discrepancy of the true scene, which may exceed 1 by as much."""
-        # A term of the deviance is about chi-squared with one degree of freedom: variance 2, and 2 / n for a mean of
-        # n.
+        """Three standard deviations of the discrepancy of the true scene, which may exceed 1 by this amount."""
+        # A term of the deviance is about chi-squared with one degree of freedom: its variance is 2, and the variance
+        # of a mean of n terms is 2 / n.
         return 3.0 * math.sqrt(2.0 / float(self.known.sum()))
 
     def mean(self, discrepancies: Array) -> float:
@@ -130,7 +130,7 @@ class PoissonCounts:
         return reverse
 
     def finding(self, stopped: str, steps: int, discrepancy: float) -> Finding | None:
-        """Return the finding on a stack for which a method stopped with this reason, or None without a problem."""
+        """Return the finding for a stack, given the reason to stop of a method; None if there is no problem."""
         numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
         if stopped == MISFIT:
             parts = "aberrations, wavelength, depth, direction of z, steps of z, pixels"
@@ -142,9 +142,9 @@ class PoissonCounts:
         return None
 
     def per_pixel(self, sums: Array) -> Array:
-        """Return the discrepancy of each plane: the Poisson deviance per known pixel over that of the true scene.
+        """Return the discrepancy of each plane: Poisson deviance per known pixel, divided by that of the true scene.
 
-        `sums` are those of ``w (m - y + y ln(y / m))`` over each plane. Bertero et al. 2010,
+        `sums` are the sums of ``w (m - y + y ln(y / m))`` over each plane. Bertero et al. 2010,
         doi:10.1088/0266-5611/26/10/105004.
         """
         # The deviance is twice the logarithm of a ratio of likelihoods.
@@ -159,7 +159,7 @@ class PoissonCounts:
         else:
             counts = np.add(recorded, shift, dtype=self.dtype)
         at_least(counts, 0.0)
-        if self._all:
+        if self._all_known:
             return counts, weight
         known = np.isfinite(recorded) & (recorded < self._saturation)
         zero = self.dtype.type(0.0)
@@ -170,7 +170,7 @@ class PoissonCounts:
         return _map_part(self._added, rows, columns)
 
     def residuals(self, plane: int, rows: slice, columns: slice, light: Values) -> tuple[Values, Values, Values]:
-        """Return recorded light, its difference from the model over the noise, and 1 for known voxels (else 0).
+        """Return recorded light, its difference from the model divided by the noise, and 1 for known voxels (else 0).
 
         `light` is the image of the specimen in this part of a plane.
         """
@@ -178,14 +178,14 @@ class PoissonCounts:
         added = _map_part(self._added, rows, columns)
         model = np.maximum(light + added + _map_part(np.asarray(self.background, np.float32), rows, columns), TINY)
         known = np.broadcast_to(weight > 0.0, counts.shape)
-        # Over the standard deviation of a Poisson count, the root of its mean in electrons.
+        # Divided by the standard deviation of a Poisson count, the root of its mean in electrons.
         residual = (counts - model) * np.sqrt(self.white * weight / model)
         return np.where(known, np.maximum(counts - added, 0.0), 0.0), residual, known.astype(np.float32)
 
     def scene(self, planes: int, pixels: int) -> Part:
-        """Return the recorded light as a specimen with margins of so many planes and pixels.
+        """Return the recorded light as a specimen with a margin of `planes` planes and `pixels` pixels.
 
-        It is the mean light in the margins and in unknown voxels.
+        Margins and unknown voxels have the mean light.
         """
 
         def part(plane: int, rows: slice, columns: slice) -> Values:
@@ -201,8 +201,8 @@ class PoissonCounts:
         return part
 
     def set_background(self, levels: Array) -> None:
-        """Set the background from its levels (points, points) on a grid over the field, linear in between."""
-        down, across = (_between(side, len(levels)) for side in self._recorded.shape[1:])
+        """Set the background from its levels (points, points) on a grid over the field, interpolated linearly."""
+        down, across = (_interpolation_weights(side, len(levels)) for side in self._recorded.shape[1:])
         self.background = float(levels[0, 0]) if levels.size == 1 else (down @ levels @ across.T).astype(np.float32)
 
     def means(self, misfit: Values, count: int) -> Array:
@@ -210,7 +210,7 @@ class PoissonCounts:
 
         `misfit` (planes, height, width) is the weighted ratio of counts to model less 1.
         """
-        down, across = (_between(side, count) for side in self._recorded.shape[1:])
+        down, across = (_interpolation_weights(side, count) for side in self._recorded.shape[1:])
         sums = down.T @ misfit.sum(axis=0, dtype=np.float64) @ across
         return np.asarray(sums / np.maximum(down.T @ self._pixel_weights @ across, TINY))
 
@@ -264,8 +264,8 @@ class PoissonCounts:
             of_specimen += part_sums[1:]
         if np.any(self.background):
             deviance, weights, squares = of_specimen
-            # A term of the deviance has the variance 2, and their mean with weights w has 2 sum(w^2) / sum(w)^2. The
-            # slack is three standard deviations.
+            # A term of the deviance has the variance 2. The mean of terms with weights w has the variance
+            # 2 sum(w^2) / sum(w)^2, and the slack is three standard deviations.
             total = max(weights, TINY)
             self.of_specimen = 2.0 * self.white * deviance / total, 3.0 * np.sqrt(2.0 * squares) / total
         return self.per_pixel(sums)
@@ -273,17 +273,17 @@ class PoissonCounts:
     def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
         """Return four sums over a part of a plane; its image `light` is overwritten by the model of the counts.
 
-        The first is that of ``w (m - y + y ln(y / m))``. The others, for `of_specimen`, have the square of the
-        specimen's share of the model as the weight of each voxel: sums of the weighted terms, of the weights and of
+        The first is the sum of ``w (m - y + y ln(y / m))``. The others are for `of_specimen`, where the weight of a
+        voxel is the square of the specimen's fraction of the model: sums of the weighted terms, of the weights and of
         their squares.
         """
         counts, weight = self.part(plane, rows, columns)
         background = _map_part(np.asarray(self.background, self.dtype), rows, columns)
-        other = _map_part(self._added, rows, columns) + background
+        offset = _map_part(self._added, rows, columns) + background
         # All in place, because allocating memory would take longer than the operations.
-        at_least(light, TINY)  # narrowed kernels have negative values, beside voxels that are too bright for a step
+        at_least(light, TINY)  # narrowed kernels have negative values, which may prevail beside very bright voxels
         share = light.copy() if np.any(background) else None
-        model = np.add(light, other, out=light)
+        model = np.add(light, offset, out=light)
         ratio = np.divide(counts, model, out=counts)
         np.minimum(ratio, np.full(ratio.shape[-1:], _MAX_RATIO, ratio.dtype), out=ratio)
         if self._full is not None:  # the model may exceed the counts of a saturated pixel
@@ -312,7 +312,7 @@ class PoissonCounts:
         return np.array(sums + [0.0] * (4 - len(sums)))
 
 
-def _between(side: int, count: int) -> Array:
+def _interpolation_weights(side: int, count: int) -> Array:
     """Return the weights of linear interpolation from `count` evenly spaced points to pixels, shape (side, count)."""
     # Hat functions around the points; a single point has the weight 1 everywhere.
     position = np.linspace(0.0, count - 1.0, side)
@@ -340,7 +340,7 @@ class PhotographCounts(PoissonCounts):
         Recorded light, NaN where unknown.
     noise : Noise
     saturation : float
-        Light from which on pixels are saturated: their values are lower limits.
+        Smallest light of saturated pixels, whose values are lower limits.
     full : ndarray of bool, optional
         Saturated pixels, if these cannot be derived from `light`.
 
@@ -386,7 +386,7 @@ class PhotographCounts(PoissonCounts):
 
     @property
     def start(self) -> Array:
-        """Mean light of each channel, (channels, 1, 1); of an unknown channel the mean of all.
+        """Mean light of each channel, (channels, 1, 1); an unknown channel has the mean light of all channels.
 
         A start of 0 would stay 0, since steps multiply the light.
         """
@@ -405,7 +405,7 @@ class PhotographCounts(PoissonCounts):
 
     @cached_property
     def weight(self) -> Values:
-        """Gain of each pixel over the mean gain, 0 where unknown."""
+        """Gain of each pixel relative to the mean gain, 0 where unknown."""
         return self._image(1)
 
     @property
@@ -416,7 +416,7 @@ class PhotographCounts(PoissonCounts):
 
     @cached_property
     def image(self) -> Values:
-        """The photograph as light, unknown pixels as bright as the mean."""
+        """The photograph as light; unknown pixels have the mean light."""
         return np.where(self.weight > 0.0, np.maximum(self.counts - self.added, 0.0), self._flat)
 
     def model(self, light: Values) -> Values:

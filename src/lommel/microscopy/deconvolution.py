@@ -25,10 +25,10 @@ from lommel.recorded.noise import Noise
 from lommel.recorded.recordings import Recording
 
 FLAT = "flat"
-_BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side whose levels are estimated
+_BACKGROUNDS = {FLAT: 1, "uneven": 3}  # points along each side of the field at which levels are estimated
 
-_LEAST_PLANES = 8  # least margin in planes, where the PSF has that many
-_RIM = 0.02  # of the light, on the outermost pixels of the PSF's window: with more, the cone is cut off
+_LEAST_PLANES = 8  # smallest default margin, planes, unless half of the PSF has fewer
+_RIM = 0.02  # fraction of the light of a PSF on the rim of its window above which the light cone counts as cut off
 
 
 def deconvolve(
@@ -48,11 +48,11 @@ def deconvolve(
     Parameters
     ----------
     stack : array_like, shape (planes, height, width), or Recording of one channel
-        Recorded stack, in the unit of `noise`: integers or floats; NaN, infinite and masked values are left out.
+        Recorded stack, in the unit of `noise`: integers or floats; NaN, infinite and masked values are ignored.
     psf : PSF
-        As of :class:`lommel.microscopy.StackBlur`, with the step, pixels and direction of z of the recording. Its
-        planes and window must hold the cone of light: beyond them it is taken to be dark. Values are divided by their
-        sum, so that light is conserved.
+        PSF, as in :class:`lommel.microscopy.StackBlur`, with the step, pixels and direction of z of the recording.
+        Its planes and window must contain the cone of light: beyond them the PSF is assumed to be dark. Values are
+        divided by their sum, so that light is conserved.
     noise : Noise
         Noise of the values of `stack`; maps per pixel apply to each plane.
     method : RichardsonLucy or TotalVariation, optional
@@ -60,69 +60,69 @@ def deconvolve(
         where the PSF is much wider than a voxel. ``lm.imaging.TotalVariation(target=1.0)`` preserves edges, with
         gradients in three dimensions, those along z per pixel, too.
     background : "flat", "uneven" or float, default "flat"
-        Light of each voxel that is not of the specimen, in the unit of `stack` without the offset of its noise. It is
-        estimated with the specimen: one level for the whole stack, or, of "uneven", one at each of 3 x 3 points of
-        the field, with linear interpolation. Or a known level, 0 for none. It is no part of the values.
+        Light per voxel that is not from the specimen, in the unit of `stack` without the offset of its noise; the
+        restored values exclude it. A number is a known level, 0 for none. Otherwise the background is estimated with
+        the specimen: "flat" is one level for the whole stack, "uneven" a level at each of 3 x 3 points of the field,
+        with linear interpolation between them.
     margin : (int, int), optional
-        Number of planes and pixels restored beyond each face of the recording, to account for light from outside; by
-        default half of those of the PSF, and at most a quarter as many planes as the stack has, or 8. Planes farther
-        away are taken to be like the outermost one, pixels to be dark.
+        Number of planes and pixels restored beyond each face of the recording, to account for light from outside. By
+        default half of the planes and pixels of the PSF, and at most ``max(8, planes // 4)`` planes. Planes beyond
+        the margin are assumed to equal the outermost one; pixels beyond it are assumed to be dark.
     saturation : float, optional
-        Values from here on, in the unit of `stack`, are saturated and left out. By default the largest value of
-        integers, and where many voxels are full, that of 8 to 16 bits.
+        Smallest value, in the unit of `stack`, of saturated voxels, which are ignored. By default the largest value
+        of the integer type, or of 8 to 16 bits if many voxels have it.
     diagnosis : bool, default True
-        Whether some photons are held out, as :func:`lommel.microscopy.restore` does, to find a flat background, and
-        when to stop where the target is 1 or more: of stacks of up to 500 000 voxels, in some 80 more steps. Without,
-        of larger stacks, and where more than 2 % of the light of the PSF is on the rim of its window, all light that
-        has no detail counts as specimen but for that of the darkest parts.
+        Whether to hold out some photons, as :func:`lommel.microscopy.restore` does, to estimate a flat background
+        and, for a target of 1 or more, the number of steps. This takes about 80 more steps. It is omitted for more
+        than 500 000 voxels, or more than 2 % of the light of the PSF on the rim of its window. Without held-out
+        photons uniform light counts as specimen, except for the light of the darkest parts.
     progress : callable, optional
-        As of :func:`lommel.imaging.restore_with`.
+        Called at each step, as in :func:`lommel.imaging.restore_with`.
 
     Returns
     -------
     Restoration
-        Its `values` are float32, of the shape and unit of the stack, without the offset of its noise, like its
-        `light`; `by_channel` is the discrepancy of each plane, `background` the level that is no part of the values.
-        `stopped` states a misfit. A point that sends F photons into each plane has ``F * psf.values.sum()``, those in
-        the window of the PSF. Where that does not hold all light it is less than F times the planes, which
-        :func:`lommel.microscopy.restore` finds.
+        `values` and `light` are float32, of the shape and unit of the stack, without the offset of its noise.
+        `by_channel` is the discrepancy of each plane, `background` the level that the values exclude. `stopped`
+        states a misfit. A point that sends F photons into each plane has the value ``F * psf.values.sum()``, its
+        light in the window of the PSF. If the window does not contain all light, this is less than F times the number
+        of planes, the value that :func:`lommel.microscopy.restore` returns.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is of another type or out of range; if `stack` has no value that is known.
+        If an argument is of another type or out of range; if all values of `stack` are unknown.
 
     Notes
     -----
-    The steps of :class:`lommel.imaging.RichardsonLucy`, on as many threads as there are processors. Memory besides
-    the stack: about three times that of the stack with its margin in float32, and once its own. With total variation
-    it is once more: steps are in closed form for each voxel, and none raises the objective (De Pierro 1995,
-    doi:10.1109/42.370409). Where planes and pixels are narrow enough for it, and no more than 2 % of the light of the
-    PSF is on the rim of its window, the light of a point is spread over the nearest voxels as a B-spline of degree 2
-    or 3, as wherever it lies between them its image is then one of positive voxels (Magain et al. 1998,
-    doi:10.1086/305187).
+    Steps are those of :class:`lommel.imaging.RichardsonLucy`, on all processors. In addition to the stack, they need
+    memory for three float32 stacks with margin, approximately, and for one without. Total variation needs a fourth
+    stack with margin: its steps have a closed form for each voxel, and none raises the objective (De Pierro 1995,
+    doi:10.1109/42.370409). If voxels are small enough, and at most 2 % of the light of the PSF is on the rim of its
+    window, voxels of the specimen are B-splines of degree 2 or 3 instead of points. Positive voxels then have the
+    same image as a point anywhere between them (Magain et al. 1998, doi:10.1086/305187).
     """
     validation.optional("method", method, RichardsonLucy, TotalVariation)
-    given = stack.only("stack") if isinstance(stack, Recording) else stack
-    counts = Counts.of("stack", given, sides=(3,), shape="(planes, height, width)", saturation=saturation)
+    voxels = stack.only("stack") if isinstance(stack, Recording) else stack
+    counts = Counts.of("stack", voxels, sides=(3,), shape="(planes, height, width)", saturation=saturation)
     recorded = counts.marked()
     validation.instance("psf", psf, PSF)
     validation.instance("noise", noise, Noise).require_shape(recorded.shape)
     usual = min(psf.shape[0] // 2, max(_LEAST_PLANES, recorded.shape[0] // 4)), max(psf.grid.shape) // 2
-    asked = usual if margin is None else margin
-    if not isinstance(asked, tuple | list) or len(asked) != 2:
+    margins = usual if margin is None else margin
+    if not isinstance(margins, tuple | list) or len(margins) != 2:
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
     level = background_of(background)
-    planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
+    planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in margins)
     validation.truth("diagnosis", diagnosis)
     counted = PoissonCounts(recorded, noise)
     shape = recorded.shape[0], recorded.shape[1], recorded.shape[2]
     light, point = kernel_of(psf)
-    # Points are anywhere between voxels: the light of each is a B-spline, as wide as the PSF lets it be. One that
-    # ends at the rim of its window, as no light does, has no such splines there.
+    # Points may lie between voxels: voxels are B-splines, as wide as the PSF allows. A PSF that is cut off at the rim
+    # of its window has no such splines.
     rim = 1.0 - float(light[:, 1:-1, 1:-1].sum())
-    whole = rim < _RIM
-    kernel = narrowed(light, *spline_degrees(light)) if whole else light, point
+    is_contained = rim < _RIM
+    kernel = narrowed(light, *spline_degrees(light)) if is_contained else light, point
 
     def blur_of() -> TiledBlur:
         return TiledBlur([kernel], shape, (planes, pixels))
@@ -130,53 +130,53 @@ def deconvolve(
     blur = blur_of()
     before = counted.mean(counted.discrepancies(blur, counted.scene(planes, pixels)))
     pupil: Any = psf.pupil
-    # Planes over pixels in the sample: the total variation takes differences along z in proportion.
+    # Pixel size in the sample divided by the step: the factor of differences along z in the total variation.
     aspect = float(psf.grid.side / pupil.magnification / np.diff(stage(psf))[0])
-    way = method or RichardsonLucy(target=1.0)
+    algorithm = method or RichardsonLucy(target=1.0)
     held_out = 0
-    # Photons are held out of stacks that fit in memory, and only where a flat scene does not explain them.
-    sparse = recorded.size <= WHOLE and counted.flat() > 1.0 + counted.slack
-    if diagnosis and whole and sparse and level == Background(None):
+    # Photons are held out only of stacks that are small enough, and that a uniform scene does not fit.
+    is_testable = recorded.size <= WHOLE and counted.flat() > 1.0 + counted.slack
+    if diagnosis and is_contained and is_testable and level == Background(None):
         level, held_out = _held_out(recorded, noise, blur_of)
-    walk = iteration_of(way, blur, counted, background=level, aspect=aspect)
-    walk.enough = enough(way, held_out, counted)
-    with shown(progress) as tell:
-        steps, stopped, each = walk.solve(way, tell)
-    values, found = walk.inside(planes, pixels), counted.mean(each)
-    finding = counted.finding(stopped, steps, found)
+    iteration = iteration_of(algorithm, blur, counted, background=level, aspect=aspect)
+    iteration.enough = enough(algorithm, held_out, counted)
+    with shown(progress) as report:
+        steps, stopped, by_plane = iteration.solve(algorithm, report)
+    values, discrepancy = iteration.inside(planes, pixels), counted.mean(by_plane)
+    finding = counted.finding(stopped, steps, discrepancy)
     if finding is not None:
         stopped = f"misfit: {finding}"
     findings = [] if finding is None else [finding]
-    if not whole:
+    if not is_contained:
         text = (
-            f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its cone: what "
-            "is beyond counts as background or as a floor of light; take a wider window, or microscopy.restore"
+            f"{percent(rim)} of the light of the PSF is on the rim of its window, which cuts off its light cone: "
+            "light beyond it counts as background or as uniform specimen; use a wider window, or microscopy.restore"
         )
         findings.append(Finding("untested", "note", text, {"rim": rim, "most": _RIM}))
     unknown = 1.0 - float(counted.known.sum()) / recorded.size
     return Restoration(
-        values, values, found, tuple(map(float, each)), before, steps, stopped, walk.strength, unknown,
+        values, values, discrepancy, tuple(map(float, by_plane)), before, steps, stopped, iteration.strength, unknown,
         background=counted.background, findings=Findings(findings),
     )  # fmt: skip
 
 
 def _held_out(recorded: Values, noise: Noise, blur: Callable[[], TiledBlur]) -> tuple[Background, int]:
-    """Return the flat background that held-out photons agree with, and the number of steps."""
+    """Return the flat background and the number of steps, estimated from held-out photons."""
     halves = Halves(recorded, noise.poisson)
 
-    def walked(background: Background, start: State, steps: int) -> Best:
-        return halves.walked(blur(), silent, background=background, start=start, steps=steps)
+    def run(background: Background, start: State, steps: int) -> Best:
+        return halves.deconvolve_half(blur(), silent, background=background, start=start, steps=steps)
 
-    free = halves.walked(blur(), silent)
-    return Background(highest_level(free, walked)), free.steps
+    free = halves.deconvolve_half(blur(), silent)
+    return Background(highest_level(free, run)), free.steps
 
 
-def background_of(given: float | str) -> Background:
-    """Return a known background, or the number of points at which one is to be estimated."""
-    if isinstance(given, str):
-        if given not in _BACKGROUNDS:
+def background_of(argument: float | str) -> Background:
+    """Return the background: a known level, or the number of points at which it is estimated."""
+    if isinstance(argument, str):
+        if argument not in _BACKGROUNDS:
             raise ValueError(
-                f'background must be "flat", "uneven", or the light of each voxel, 0 for none, got {given!r}'
+                f'background must be "flat", "uneven", or the light of each voxel, 0 for none, got {argument!r}'
             )
-        return Background(None, _BACKGROUNDS[given])
-    return Background(validation.real("background", given, least=0.0))
+        return Background(None, _BACKGROUNDS[argument])
+    return Background(validation.real("background", argument, least=0.0))

@@ -24,27 +24,27 @@ MODALITIES = ("widefield", "confocal", "spinning disc", "light sheet", "two-phot
 SPREADING = ("widefield", "light sheet")
 """Modalities that record light out of focus."""
 _ISOTROPIC = emitter_of("isotropic")
-_TOL = 1e-4  # error of PSFs over their peaks
-# Differences between PSFs as fractions of their light: below the first, over the whole stack, one PSF is enough; the
-# second is the largest difference of a PSF from the mean of its neighbours.
+_TOL = 1e-4  # tolerance of PSFs, relative to their peaks
+# Differences between PSFs as fractions of their light: below _EQUAL between both ends of a stack, one PSF is enough;
+# _INTERPOLATED is the largest accepted difference of a PSF from the mean of its neighbours.
 _EQUAL, _INTERPOLATED = 0.003, 0.03
 _MAX_PSFS = 9
-_FAR_DEPTHS = 9  # number of depths of the tails of PSFs, which change slowly
-_RADIAL = 0.01  # largest deviation of a transfer function from rotational symmetry, over its rms
+_FAR_DEPTHS = 9  # number of depths at which the tails of PSFs are computed
+_RADIAL = 0.01  # largest rms deviation of a transfer function from rotational symmetry, relative to its rms
 _MIN_HALF, _MAX_HALF_PLANES, _MAX_HALF_PIXELS = 8, 64, 48  # half widths of PSF windows, planes and pixels
-_SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # of the coarse grid, along an axis: samples averaged, and half width
-_SHEET_END = 4.0  # distance over the thickness of a light sheet beyond which its light is taken as constant
+_SAMPLES_PER_NODE, _MAX_HALF_NODES = 3, 48  # of the coarse grid, along an axis: samples averaged, largest half width
+_SHEET_END = 4.0  # distance from a light sheet, in thicknesses, beyond which its intensity is treated as constant
 _FOCUS_TABLE = 33  # number of depths at which the best focus is computed
 _SPLINE_DEGREES = (3, 2)  # in the order tried
-_MAX_NEGATIVE = 0.015  # largest negative part of a narrowed PSF over its light
+_MAX_NEGATIVE = 0.015  # largest sum of the negative values of a narrowed PSF, as a fraction of its light
 
 
 class PSFs(NamedTuple):
     """Depths (m) at which PSFs are computed for a stack.
 
-    `planes` are the depths in focus in each plane (with margin), `depths` those of the windows of PSFs, and `nodes`
-    those of their tails, which blur at every few pixels. With `radial` there is a window for each plane. Otherwise,
-    and for the tails, PSFs between two depths are interpolated linearly.
+    A PSF is the sum of a window with all pixels and a tail on a coarse grid. `planes` are the depths in focus in each
+    plane (with margin), `depths` the depths of the windows, and `nodes` the depths of the tails. With `radial` each
+    plane has its own window. Tails, and windows without `radial`, are interpolated linearly between two depths.
     """
 
     planes: Array
@@ -74,7 +74,7 @@ class DepthModel:
     thickness: float | None = None
     emitter: Emitter = _ISOTROPIC
     aberrations: Wavefront | None = None
-    degrees: tuple[int, int] | None = None  # of the B-splines along z and across; None: as high as possible
+    degrees: tuple[int, int] | None = None  # degrees of the B-splines along z and across; None: the highest possible
 
     def changed(self, name: str, value: float) -> DepthModel:
         """Return the model with one parameter changed; ValueError if the result is out of range.
@@ -95,7 +95,7 @@ class DepthModel:
         return replace(self, aberrations=Wavefront.zernike(terms, unit="waves"))
 
     def psf(self, depth: float) -> PSF:
-        """Return the PSF of an emitter at a depth (m), a stack over z from its brightest focus."""
+        """Return the PSF of an emitter at a depth (m): a stack over z, with z = 0 at its brightest focus."""
         side = self.window[1]
         if self.modality == "two-photon":
             return two_photon(self._laser(depth, self._z, "brightest"), side, self.pixel, tol=_TOL)
@@ -116,22 +116,23 @@ class DepthModel:
         return self.modality in SPREADING
 
     def near(self, depth: float) -> Array:
-        """Return the light of an emitter in each voxel of the window, as a fraction of its light in all planes.
+        """Return the light of an emitter in each voxel of the PSF window, as a fraction of its light in all planes.
 
-        For modalities that record light out of focus the window is tapered towards its edge, and the fraction is of
-        all light that the objective collects in the planes of the window. For others the window has the sum 1.
+        For modalities that record light out of focus, the window is tapered towards its edge, and values are
+        fractions of the light that the objective collects in all planes of the window. For others the values sum to
+        1.
         """
         values = self.psf(depth).values.astype(np.float64)
         if not self.spreads:
             return np.asarray(values / values.sum())
-        # The taper keeps the remainder, which the coarse grid represents, free of edges.
+        # The taper leaves a remainder without edges, which the coarse grid can represent.
         return np.asarray(values * taper(self.window[1], pitch_of(self.window[1])) / self._collected_light.sum())
 
     def kernel(self, depth: float) -> Array:
-        """Return :meth:`near` for a specimen whose voxels are B-splines instead of points: a narrower kernel.
+        """Return :meth:`near` for B-splines instead of points at the voxels of the specimen: a narrower kernel.
 
-        The image of a point anywhere between voxels is then that of nearby voxels with positive light. Voxels that
-        are points could only form a wider image (Magain et al. 1998, doi:10.1086/305187).
+        B-splines with positive light have the same image as a point between the voxels. Points at the voxels could
+        only form a wider image (Magain et al. 1998, doi:10.1086/305187).
         """
         return narrowed(self.near(depth), *self.splines)
 
@@ -146,7 +147,7 @@ class DepthModel:
         """Return the tail of the PSF, all light but :meth:`near`, at the nodes of the coarse grid.
 
         The shape is (planes, side, side) with ``side = 2 reach + 1`` nodes, `pitch_of` pixels apart. Values are
-        fractions of the light per pixel. Light beyond the outermost nodes is added to these.
+        fractions of the light per pixel. Light beyond the outermost nodes is added to the nodes near the edge.
         """
         pitch, side = pitch_of(self.window[1]), 2 * reach + 1
         plane_light = self._collected_light / self._collected_light.sum()
@@ -159,14 +160,15 @@ class DepthModel:
         means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
         means *= plane_light[:, np.newaxis, np.newaxis]
         rim = np.maximum(*np.abs(np.indices((side, side)) - reach)) >= 0.8 * reach
-        # In each plane window and tail together must contain the collected light: the difference goes to the rim.
+        # In each plane, window and tail together must contain the collected light: the difference is added to the
+        # rim.
         expected = np.maximum(plane_light - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
         sums = np.maximum(means.sum(axis=(1, 2)), 1e-30)
         means *= np.minimum(expected / sums, 1.0)[:, np.newaxis, np.newaxis]
         return np.asarray(means + np.maximum(expected - sums, 0.0)[:, np.newaxis, np.newaxis] * rim / rim.sum())
 
     def reach(self, shape: tuple[int, int], margin: int) -> int:
-        """Return the half width of tails in nodes of the coarse grid: the cone of light, at most the whole field."""
+        """Return the half width of tails in nodes: enough for the cone of light, or for the whole field of view."""
         pitch = pitch_of(self.window[1])
         field = (max(shape) + margin) / pitch
         cone = _cone(self.objective, self.wavelength, self.pixel, float(np.abs(self._z).max())) / pitch
@@ -179,7 +181,7 @@ class DepthModel:
 
     @property
     def _collected_light(self) -> Array:
-        """Collected light in each plane of the window, over that in focus."""
+        """Collected light in each plane of the window, relative to the plane in focus."""
         if self.modality != "light sheet":
             return np.ones(self.window[0])
         assert self.thickness is not None
@@ -210,15 +212,15 @@ class DepthModel:
     def depths(self, margin: int = 0) -> Array:
         """Return the depth (m) in focus in each plane, with `margin` more planes on each side.
 
-        It is 0 where the focus is in the cover glass.
+        The depth is 0 where the focus is in the cover glass.
         """
         offset = self.step * (np.arange(-margin, self.planes + margin) - self.planes // 2)
         # Without a mismatch of refractive indices the focus moves as the stage does.
         if self.objective.coverslip is None and self.objective.sample == self.objective.immersion:
             return np.asarray(np.clip(self.depth + offset, 0.0, DEPTH_MOST))
         wave = self.wavelength if self.modality != "two-photon" else float(self.excitation or self.wavelength)
-        # Best focus as a table over depth, inverted by interpolation. The paraxial focus moves by the ratio of the
-        # indices; the table extends 1.6 times farther.
+        # Tabulate the best focus over depth, and invert the table by interpolation. Its range is 1.6 times the
+        # paraxial one, which is the range of the stage multiplied by the ratio of the indices.
         span = float(np.abs(offset).max()) * self.objective.sample / self.objective.immersion
         table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _FOCUS_TABLE)
         table = np.unique(np.append(table, self.depth))
@@ -232,7 +234,7 @@ class DepthModel:
         """Return the depths of the PSFs for a stack with `margin` more planes on each side.
 
         One PSF is used if PSFs hardly differ over the stack. If they are rotationally symmetric, each plane has its
-        own. Otherwise there are as many (or `slabs`) as needed for linear interpolation between neighbours.
+        own. Otherwise their number is `slabs`, or what linear interpolation between neighbours requires.
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])
@@ -295,7 +297,7 @@ class DepthModel:
             > _INTERPOLATED
             for k in range(intervals)
         ):
-            # Doubling keeps the PSFs that are already computed.
+            # Doubling reuses the PSFs that are already computed.
             intervals *= 2
         return intervals + 1
 
@@ -307,7 +309,7 @@ def _nodes(low: float, high: float, count: int) -> Array:
 
 
 def spline_degrees(kernel: Array) -> tuple[int, int]:
-    """Return the highest degrees of B-splines along z and across for which a narrowed kernel is positive, or 0."""
+    """Return the highest degrees of B-splines, along z and across, whose narrowed kernel is nearly positive, or 0."""
 
     def nearly_positive(*degrees: int) -> bool:
         narrow = narrowed(kernel, *degrees)
@@ -335,16 +337,16 @@ def _weights(depths: Array, nodes: Array) -> Array:
 
 
 def _relative_difference(kernel: Array, *others: Array) -> float:
-    """Return half of the absolute difference between a PSF and the mean of others, over its light."""
-    # Half: displaced light is counted twice, where it is missing and where it is in excess.
+    """Return half of the sum of absolute differences of a PSF from the mean of others, divided by its light."""
+    # Half, because displaced light is counted twice: where it is missing and where it is in excess.
     return float(np.abs(kernel - sum(others) / len(others)).sum() / kernel.sum()) / 2.0
 
 
 def _cone(objective: Objective, wavelength: float, pixel: float, distance: float) -> float:
     """Return the radius of the cone of light at a distance (m) from the focus, in pixels."""
     pixel_in_sample = pixel / objective.magnification
-    # The marginal ray has NA = n sin(alpha) and the slope tan(alpha); two wavelengths over NA are for the spot
-    # itself.
+    # The marginal ray has NA = n sin(alpha) and the slope tan(alpha). The spot in focus has a radius of about
+    # 2 wavelength / NA.
     tangent = objective.NA / math.sqrt(objective.immersion**2 - objective.NA**2)
     return (distance * tangent + 2.0 * wavelength / objective.NA) / pixel_in_sample
 
@@ -352,9 +354,9 @@ def _cone(objective: Objective, wavelength: float, pixel: float, distance: float
 def usual_window(
     objective: Objective, wavelength: float, pixel: float, step: float, shape: tuple[int, int, int]
 ) -> tuple[int, int]:
-    """Return planes and pixels of the PSF window for a stack: the planes of the stack and the cone of light.
+    """Return planes and pixels of the PSF window of a stack: twice its planes, and the diameter of the light cone.
 
-    Both are limited; light beyond the pixels is represented on a coarse grid.
+    Both numbers are limited; light beyond the pixels is represented on a coarse grid.
     """
     planes = min(max(_MIN_HALF, shape[0] - 1), _MAX_HALF_PLANES)
     pixels = math.ceil(_cone(objective, wavelength, pixel, planes * step))

@@ -21,7 +21,7 @@ from lommel.deconvolve.linear import PlaneOperator
 from lommel.deconvolve.poisson_counts import TINY, PoissonCounts
 from lommel.fit.findings import Finding
 from lommel.microscopy.depth_model import DepthModel
-from lommel.microscopy.refinement import StackContext, Tell, TrialDeconvolution, Work, brightest
+from lommel.microscopy.refinement import Progress, StackContext, TrialDeconvolution, Work, brightest
 from lommel.recorded.noise import Noise
 
 SIDE = 40
@@ -29,14 +29,14 @@ SIDE = 40
 WHOLE = 500_000
 """Largest number of voxels of a stack whose background is estimated from held-out photons of the whole stack."""
 _STEPS, _PATIENCE = 150, 6  # largest number of iterations, and of iterations after the best one
-_USUAL = 55  # typical number of iterations
+_USUAL_STEPS = 55  # typical number of iterations
 _RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # background steps: relative size, largest number, iterations after each
-_WITHIN = 2.0  # accepted loss of lnL of a background against the best one
-_INDEX_STEP, _FARTHER = 0.005, 4  # tested change of the sample index, and number of further steps
-_SURE = 2.5  # significance of a better PSF, standard errors
-_OPEN = -1.0, 4.0  # significance range, standard errors, in which the halves are exchanged for a second test
-_WALKS = 8.0  # typical number of deconvolutions
-_ESTIMATED, _FLAT = Background(None), State()
+_MAX_LOSS = 2.0  # accepted decrease of lnL, relative to the best background
+_INDEX_STEP, _MORE_CHANGES = 0.005, 4  # tested change of the sample index, and number of further changes
+_SIGNIFICANT = 2.5  # significance of a better PSF, standard errors
+_UNCERTAIN = -1.0, 4.0  # significance range, standard errors, in which the halves are exchanged for a second test
+_USUAL_RUNS = 8.0  # typical number of deconvolutions
+_ESTIMATED, _UNIFORM = Background(None), State()
 
 
 class Best(NamedTuple):
@@ -46,7 +46,7 @@ class Best(NamedTuple):
     steps: int
     losses: Values  # loss of each voxel
     electrons: Values  # expected electrons of each voxel
-    level: float  # background of one half
+    level: float  # estimated background of the half that was deconvolved
     state: State
     course: list[StepSettings]  # settings of all iterations
 
@@ -66,16 +66,16 @@ class _Half(PoissonCounts):
         if self._held is not None:
             at = plane, rows, columns
             _, weight = self.part(*at)
-            seen = np.maximum(self._held[at] + self._added_at(rows, columns), np.float32(0.0))
-            known = np.isfinite(seen) & (weight > 0.0)
-            seen = np.where(known, seen, light)  # `light` now holds the model
+            counts = np.maximum(self._held[at] + self._added_at(rows, columns), np.float32(0.0))
+            known = np.isfinite(counts) & (weight > 0.0)
+            counts = np.where(known, counts, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
-            loss = light - seen + seen * np.log(np.maximum(seen, TINY) / light)
+            loss = light - counts + counts * np.log(np.maximum(counts, TINY) / light)
             self._losses[at] = np.where(known, self.white * weight * loss, 0.0)
             self._electrons[at] = self.white * weight * light
         return sums
 
-    def past(self, step: int, walk: Iteration) -> bool:
+    def is_past_best(self, step: int, iteration: Iteration) -> bool:
         """Update the best iteration; return whether it is _PATIENCE or more iterations ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
@@ -85,8 +85,8 @@ class _Half(PoissonCounts):
                 self._losses.copy(),
                 self._electrons.copy(),
                 float(self.background),
-                walk.state,
-                walk.course,
+                iteration.state,
+                iteration.course,
             )
         return step - self.best.steps >= _PATIENCE
 
@@ -112,26 +112,26 @@ class Halves:
         # Each half has half of the read-noise variance.
         self.noise = Noise(white=camera.white, read=np.asarray(camera.read) / math.sqrt(2.0))
 
-    def walked(
+    def deconvolve_half(
         self, blur: PlaneOperator, progress: Callable[[int, float, float], object], *, fold: int = 0,
-        background: Background = _ESTIMATED, start: State = _FLAT, steps: int = _STEPS,
+        background: Background = _ESTIMATED, start: State = _UNIFORM, steps: int = _STEPS,
         course: list[StepSettings] | None = None,
     ) -> Best:  # fmt: skip
         """Deconvolve a half, and return the iteration that agrees best with the other half."""
         half = _Half(self.parts[fold], self.parts[1 - fold], self.noise)
-        walk = Iteration(blur, half, course, background=background)
-        walk.start_from(start)
-        walk.enough = lambda step, _: half.past(step, walk)
-        walk.solve(RichardsonLucy(steps=steps, target=0.0), progress)
+        iteration = Iteration(blur, half, course, background=background)
+        iteration.start_from(start)
+        iteration.enough = lambda step, _: half.is_past_best(step, iteration)
+        iteration.solve(RichardsonLucy(steps=steps, target=0.0), progress)
         return half.best
 
 
 def enough(
     method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonCounts
 ) -> Callable[[int, float], bool] | None:
-    """Return a stopping rule: `steps` iterations, the best for held-out photons, and a residual within noise.
+    """Return a rule that stops after `steps` iterations, best for held-out photons, with a residual within the noise.
 
-    None if `steps` is 0, or the method is not Richardson-Lucy with a target discrepancy of at least 1.
+    Return None if `steps` is 0, or the method is not Richardson-Lucy with a target discrepancy of at least 1.
     """
     if not (isinstance(method, RichardsonLucy) and method.target >= 1.0 and steps):
         return None
@@ -139,40 +139,40 @@ def enough(
     return lambda step, discrepancy: step >= steps and discrepancy <= most
 
 
-def highest_level(free: Best, walked: Callable[[Background, State, int], Best]) -> float:
+def highest_level(free: Best, run: Callable[[Background, State, int], Best]) -> float:
     """Return the background of the counts: the highest level that agrees with the held-out photons.
 
     Background and a uniform specimen have the same image, and the iteration does not redistribute light between them.
     Too low a background adds a pedestal to the specimen and reduces the likelihood only slightly; too high a
     background contradicts dark voxels. Starting from `free`, which estimated background and specimen together, the
-    background is raised in steps, and the increase is subtracted from the specimen. After each step `walked`
-    (background, state, number of iterations) continues the iteration.
+    background is raised in steps, and the increase is subtracted from the specimen. After each increase
+    ``run(background, state, steps)`` continues the iteration.
     """
     levels: list[float] = []
     losses: list[float] = []
     for raised in range(_LEVELS + 1):
         levels.append(free.level * (1.0 + _RISE) ** raised)
-        start = free.state.less(levels[-1] - free.level)
-        losses.append(walked(Background(levels[-1]), start, _SETTLE).loss)
-        most = min(losses) + _WITHIN
+        start = free.state.subtract(levels[-1] - free.level)
+        losses.append(run(Background(levels[-1]), start, _SETTLE).loss)
+        most = min(losses) + _MAX_LOSS
         if losses[-1] > most:
-            # Linear interpolation between the last two levels, which are those of one half of the counts.
-            share = (most - losses[-2]) / (losses[-1] - losses[-2])
-            return 2.0 * (levels[-2] + share * (levels[-1] - levels[-2]))
+            # The levels are those of half of the counts. Interpolate linearly between the last two, and double.
+            fraction = (most - losses[-2]) / (losses[-1] - losses[-2])
+            return 2.0 * (levels[-2] + fraction * (levels[-1] - levels[-2]))
     return 2.0 * levels[-1]
 
 
 class HeldOut(TrialDeconvolution):
     """Region of a stack with its counts split into two halves."""
 
-    def __init__(self, context: StackContext, tell: Tell, *, side: int = SIDE) -> None:
+    def __init__(self, context: StackContext, progress: Progress, *, side: int = SIDE) -> None:
         super().__init__(context, brightest(context.stack, side, context.saturation))
-        self._model, self._work = context.model, Work(tell, _WALKS * _USUAL)
+        self._model, self._work = context.model, Work(progress, _USUAL_RUNS * _USUAL_STEPS)
         self._halves = Halves(self._values, self._camera, context.saturation)
 
     @property
-    def plain(self) -> bool:
-        """True if a uniform specimen explains the stack."""
+    def is_uniform(self) -> bool:
+        """Whether a uniform specimen agrees with the counts of the region within their noise."""
         return self._counted.flat() <= 1.0 + self._counted.slack
 
     def best(self, words: str, model: DepthModel, fold: int = 0, course: list[StepSettings] | None = None) -> Best:
@@ -180,20 +180,20 @@ class HeldOut(TrialDeconvolution):
 
         The `course` of another PSF fixes the extrapolation of steps: lnL is then a smooth function of the index.
         """
-        progress = self._work(f"held-out photons, {words}", _USUAL)
-        return self._halves.walked(self.blur(model, len(self._values)), progress, fold=fold, course=course)
+        progress = self._work(f"held-out photons, {words}", _USUAL_STEPS)
+        return self._halves.deconvolve_half(self.blur(model, len(self._values)), progress, fold=fold, course=course)
 
     def level(self, free: Best) -> float:
-        """Return the background of the stack, given the deconvolution `free` that estimated it initially."""
+        """Return the background of the stack; `free` is the deconvolution that estimated it with the specimen."""
 
-        def walked(background: Background, start: State, steps: int) -> Best:
+        def run(background: Background, start: State, steps: int) -> Best:
             blur, progress = (
                 self.blur(self._model, len(self._values)),
                 self._work("held-out photons, background", steps),
             )
-            return self._halves.walked(blur, progress, background=background, start=start, steps=steps)
+            return self._halves.deconvolve_half(blur, progress, background=background, start=start, steps=steps)
 
-        return highest_level(free, walked)
+        return highest_level(free, run)
 
     def finding(self, own: Best) -> Finding | None:
         """Compare PSFs for other refractive indices of the sample with `own`, the result for the given index.
@@ -219,25 +219,25 @@ class HeldOut(TrialDeconvolution):
             return None
         value = max(gains, key=lambda each: gains[each][0] / gains[each][1])
         gain, error = gains[value]
-        if _OPEN[0] < gain / error < _OPEN[1]:
-            given = self.best("the PSF as given", self._model, 1)
-            other = index(value - start, given, 1)
+        if _UNCERTAIN[0] < gain / error < _UNCERTAIN[1]:
+            original = self.best("the PSF as given", self._model, 1)
+            other = index(value - start, original, 1)
             assert other is not None
-            more, off = _gain(given, other)
-            gains[value] = gain, error = gain + more, math.hypot(error, off)
+            more_gain, more_error = _gain(original, other)
+            gains[value] = gain, error = gain + more_gain, math.hypot(error, more_error)
         numbers: dict[str, float] = {"sample": start, "lnL": gain, "lnL_error": error}
-        if gain <= _SURE * error:
+        if gain <= _SIGNIFICANT * error:
             words = " and ".join(f"{by:+.0f} +- {off:.0f} with {each:.4g}" for each, (by, off) in gains.items())
             text = (
                 f"held-out photons prefer no other index of the sample to {start:.4g}: their lnL changes by {words}"
             )
             return Finding("psf_compared", "note", text, numbers)
-        way, best = value - start, tried[value]
-        for farther in range(2, 2 + _FARTHER):
-            following = index(farther * way, own)
+        change, best = value - start, tried[value]
+        for farther in range(2, 2 + _MORE_CHANGES):
+            following = index(farther * change, own)
             if following is None:
                 break
-            tried[start + farther * way] = following
+            tried[start + farther * change] = following
             if following.loss > best.loss:
                 break
             best = following
@@ -247,20 +247,20 @@ class HeldOut(TrialDeconvolution):
         text = (
             f"held-out photons agree better with an index of the sample of {value:.4g} than of {start:.4g} (lnL by "
             f"{gain:.0f} +- {error:.0f}), and best with {about}: the PSF may be wrong; an error of the depth, or "
-            "spherical aberration, is much like one of the index"
+            "spherical aberration, has a similar effect"
         )
         return Finding("psf_doubtful", "doubt", text, numbers)
 
 
 def estimated_held_out_steps(shape: tuple[int, ...]) -> float:
     """Return the cost of the comparison of PSFs, in iterations on the whole stack."""
-    return _WALKS * _USUAL * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
+    return _USUAL_RUNS * _USUAL_STEPS * math.prod(min(side, SIDE) for side in shape[1:]) / math.prod(shape[1:])
 
 
 def _gain(own: Best, other: Best) -> tuple[float, float]:
     """Return the increase of lnL of the held-out photons with another PSF, and its standard error.
 
-    The increase contains counts y and expectations m, m' as ``sum y ln(m'/m)``, with variance ``sum m ln(m'/m)^2``.
+    For counts y and expectations m and m' the increase is ``sum y ln(m'/m)``, with variance ``sum m ln(m'/m)^2``.
     """
     gain = float((own.losses.astype(np.float64) - other.losses).sum())
     known = (own.electrons > 0.0) & (other.electrons > 0.0)
@@ -271,7 +271,7 @@ def _gain(own: Best, other: Best) -> tuple[float, float]:
 def _least(losses: dict[float, float]) -> tuple[float, float]:
     """Return the minimum of a parabola through the smallest loss and its neighbours, and twice its standard error.
 
-    Twice the standard error is the actual error in simulated stacks; inf if the smallest loss is the outermost.
+    In simulated stacks twice the standard error was the actual error. It is inf if the smallest loss is at an end.
     """
     values = sorted(losses)
     at = min(range(len(values)), key=lambda k: losses[values[k]])

@@ -16,8 +16,10 @@ from lommel.methods.question import output_type
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
-_DARK = 5.0  # thicknesses beyond which a sheet is dark: 1e-30 of its light
-_CLOSE = 1e-12  # metres: largest distance of planes of two colours that count as the same
+_DARK = (
+    5.0  # largest distance from the centre of a sheet, in thicknesses: its intensity there is 1e-30 of the maximum
+)
+_CLOSE = 1e-12  # metres: largest difference between planes of two wavelengths that count as equal
 
 
 def confocal(
@@ -36,13 +38,15 @@ def confocal(
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes; either may have
-        aberrations, the excitation the same in all planes. A :class:`lommel.Dipole` absorbs the component of the
-        field along it; a wobbling one reorients between absorption and emission. The foci of two wavelengths differ:
-        ``z=emission.focus, origin="coverslip"`` puts the excitation in the planes of the emission.
+        Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes. Both may have
+        aberrations; those of the excitation must be the same in all planes. A :class:`lommel.Dipole` absorbs the
+        component of the field along it; a wobbling dipole reorients between absorption and emission. The foci of two
+        wavelengths differ: ``z=emission.focus, origin="coverslip"`` computes the excitation in the planes of
+        emission.
     shape : int or (int, int)
     pixel : float
-        As of :func:`lommel.psf`: metres on the camera, the magnification times those in the sample.
+        Shape and pixel pitch as in :func:`lommel.psf`: metres on the camera, the pitch in the sample times the
+        magnification.
     pinhole : float, default 1
         Diameter of the pinhole in Airy units, ``1.22 lambda / NA`` of the emission.
     integrate : bool, default False
@@ -88,8 +92,8 @@ def confocal(
     """
     _same_planes("excitation", excitation, emission)
     validation.choice("normalize", normalize, ("strehl", "peak"))
-    way = Confocal(excitation, pinhole, tol)
-    return psf(emission, shape, pixel, method=way, normalize=normalize, integrate=integrate)
+    method = Confocal(excitation, pinhole, tol)
+    return psf(emission, shape, pixel, method=method, normalize=normalize, integrate=integrate)
 
 
 def two_photon(
@@ -108,9 +112,9 @@ def two_photon(
     excitation : ObjectivePupil
         Excitation, whose emitter is a :class:`lommel.Beam`.
     shape, pixel, integrate, normalize, tol
-        As of :func:`lommel.microscopy.confocal`; 1 is the squared intensity in the focus of a uniform scalar aperture
-        that sends as much light through the same plane of the sample. To compare depths at constant laser power,
-        multiply by ``excitation.collected**2``.
+        As in :func:`lommel.microscopy.confocal`; the value 1 is the squared intensity in the focus of a uniform
+        scalar aperture that sends as much light through the same plane of the sample. To compare depths at constant
+        laser power, multiply by ``excitation.collected**2``.
 
     Returns
     -------
@@ -146,9 +150,9 @@ def bead(
     pupil : ObjectivePupil
         Pupil of an emitter at the centre of the bead.
     diameter : float
-        Metres, in the sample.
+        Diameter of the bead in the sample, metres.
     shape, pixel, integrate, normalize
-        As of :func:`lommel.psf`.
+        As in :func:`lommel.psf`.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
@@ -165,7 +169,7 @@ def bead(
 
     See Also
     --------
-    lommel.methods.Bead : how, and with what proven error
+    lommel.methods.Bead : the method, and its proven error bound
     """
     validation.instance("pupil", pupil, ObjectivePupil)
     return psf(pupil, shape, pixel, method=Bead(diameter, tol), normalize=normalize, integrate=integrate)
@@ -188,15 +192,15 @@ def light_sheet(
     emission : ObjectivePupil
         Emission, of any emitter.
     thickness : float
-        Full width at half maximum of the sheet, Gaussian across; metres in the sample.
+        Full width at half maximum of the sheet, whose profile is Gaussian; metres in the sample.
     shape, pixel
-        As of :func:`lommel.psf`; pixel-integrated.
+        As in :func:`lommel.psf`; pixel-integrated.
     offset : array_like, optional
         Distance of the emitter from the centre of the sheet in each plane, metres in the sample; broadcasts with the
-        stack. By default z of the pupil: the sheet stays in the focal plane, and sample and immersion have the same
-        index.
+        stack. By default `z` of the pupil, for a sheet that stays in the focal plane, and a sample with the index of
+        the immersion.
     normalize : {"energy", "emitted", "strehl"}, default "energy"
-        As of :func:`lommel.psf`, for an emitter at the centre of the sheet.
+        As in :func:`lommel.psf`, for an emitter at the centre of the sheet.
     tol : float, default 1e-6
         Tolerance relative to the peak of each plane.
 
@@ -212,40 +216,47 @@ def light_sheet(
     ToleranceError
         If the tolerance cannot be met.
     """
-    seen = validation.instance("emission", emission, ObjectivePupil)
+    pupil = validation.instance("emission", emission, ObjectivePupil)
     width = validation.real("thickness", thickness, above=0.0, unit="metres")
     validation.choice("normalize", normalize, ("energy", "emitted", "strehl"))
-    away = seen.z if offset is None else validation.real_array("offset", offset)
-    away = validation.broadcast("offset and the stack", away, seen.z)[0]
-    if away.shape != seen.shape:
-        raise ValueError(f"offset must broadcast to the stack of shape {seen.shape}, got shape {away.shape}")
-    if (far := float(np.abs(away).max(initial=0.0))) > _DARK * width:
-        raise ValueError(f"offset must be within {_DARK:g} times the thickness, beyond which it is dark, got {far:g}")
+    distance = pupil.z if offset is None else validation.real_array("offset", offset)
+    distance = validation.broadcast("offset and the stack", distance, pupil.z)[0]
+    if distance.shape != pupil.shape:
+        raise ValueError(f"offset must broadcast to the stack of shape {pupil.shape}, got shape {distance.shape}")
+    if (farthest := float(np.abs(distance).max(initial=0.0))) > _DARK * width:
+        raise ValueError(
+            f"offset must be within {_DARK:g} times the thickness, beyond which the sheet is dark, got {farthest:g}"
+        )
     # A Gaussian of full width `width` at half maximum: exp(-4 ln 2 x^2).
-    lit = np.exp(-4.0 * math.log(2.0) * (away / width) ** 2)
+    sheet = np.exp(-4.0 * math.log(2.0) * (distance / width) ** 2)
     dtype = output_type(None, validation.real("tol", tol, least=Method.least_tol, below=1e-1))
-    # Values are stored once more after they are multiplied.
-    further = storing(dtype)
-    # Room for that in the tolerance, and 10 % more.
-    made = psf(seen, shape, pixel, tol=tol - 1.1 * further, normalize=normalize, dtype=np.float64)
-    values = (made.values * lit[..., None, None]).astype(dtype)
-    if made.error_bound is None:
-        raise ToleranceError(f"tol={tol:g} cannot be met: {type(made.method).__name__} has no bound")
-    return replace(made, values=values, scale=made.scale * lit, error_bound=made.error_bound + 1.01 * further)
+    # The products are rounded once more when they are stored.
+    rounding = storing(dtype)
+    # Leave this error and 10 % more of it in the tolerance.
+    emission_psf = psf(pupil, shape, pixel, tol=tol - 1.1 * rounding, normalize=normalize, dtype=np.float64)
+    values = (emission_psf.values * sheet[..., None, None]).astype(dtype)
+    if emission_psf.error_bound is None:
+        raise ToleranceError(f"tol={tol:g} cannot be met: {type(emission_psf.method).__name__} has no bound")
+    return replace(
+        emission_psf,
+        values=values,
+        scale=emission_psf.scale * sheet,
+        error_bound=emission_psf.error_bound + 1.01 * rounding,
+    )
 
 
 def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
-    """Refuse what is not a pupil, and pupils of other planes."""
+    """Raise TypeError or ValueError unless both are pupils in the same planes."""
     validation.instance(what, beam, ObjectivePupil)
     validation.instance("emission", emission, ObjectivePupil)
     if beam.shape != emission.shape:
         raise ValueError(f"{what} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
     for name in ("depth", "focus"):
-        apart = float(np.abs(getattr(beam, name) - getattr(emission, name)).max(initial=0.0))
-        if apart > _CLOSE:
+        difference = float(np.abs(getattr(beam, name) - getattr(emission, name)).max(initial=0.0))
+        if difference > _CLOSE:
             raise ValueError(
-                f"{what} must have the planes of the emission, got a {name} up to {apart:.3g} metres off; "
-                'objective.pupil(depth=..., z=emission.focus, origin="coverslip", ...) has the same'
+                f"{what} must have the planes of the emission, got a {name} up to {difference:.3g} metres off; "
+                'objective.pupil(depth=..., z=emission.focus, origin="coverslip", ...) computes the same planes'
             )
 
 
@@ -265,22 +276,23 @@ def sted(
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        As of :func:`lommel.microscopy.confocal`; emitters are freely rotating dipoles.
+        As in :func:`lommel.microscopy.confocal`; emitters are freely rotating dipoles.
     depletion : ObjectivePupil
-        ``lm.Beam("vortex")`` of its wavelength, in the same planes, with one set of aberrations or none.
+        Depletion beam, a pupil with the emitter ``lm.Beam("vortex")``, in the same planes; its aberrations, if any,
+        are the same in all planes.
     shape, pixel
-        As of :func:`lommel.microscopy.confocal`, point-sampled.
+        As in :func:`lommel.microscopy.confocal`, point-sampled.
     saturation : float
         Maximum intensity of the doughnut relative to the intensity that depletes half of the fluorescence, 0 to a few
         hundreds. The maximum is that of a doughnut without aberrations behind the same interfaces, so that depletion
-        decreases where the layers blur it.
+        decreases where the layers blur the doughnut.
     pinhole, tol : float
-        As of :func:`lommel.microscopy.confocal`.
+        As in :func:`lommel.microscopy.confocal`.
 
     Returns
     -------
     PSF
-        As of :func:`lommel.microscopy.confocal`; planes of one depth, and saturations, are on one scale.
+        As in :func:`lommel.microscopy.confocal`; for one depth, planes and saturations are on one scale.
 
     Raises
     ------
@@ -292,7 +304,7 @@ def sted(
 
     See Also
     --------
-    lommel.methods.Sted : the model, and with what proven error
+    lommel.methods.Sted : the model, and its proven error bound
 
     Examples
     --------
@@ -315,8 +327,9 @@ def sted(
     _same_planes("excitation", excitation, emission)
     _same_planes("depletion", depletion, emission)
     factor = validation.real("saturation", saturation, least=0.0)
-    plain = replace(depletion, aberrations=None)
-    # The saturation is stated at the crest of the doughnut: over its intensity there.
-    highest = crest(plain) if plain.radial else 1.0  # a beam that is no doughnut is refused by the method
-    way = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
-    return psf(emission, shape, pixel, method=way, normalize="strehl", integrate=False)
+    unaberrated = replace(depletion, aberrations=None)
+    # The saturation is relative to the intensity at the crest of the doughnut: divide by this intensity. The method
+    # rejects a beam that is not a doughnut.
+    highest = crest(unaberrated) if unaberrated.radial else 1.0
+    method = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
+    return psf(emission, shape, pixel, method=method, normalize="strehl", integrate=False)

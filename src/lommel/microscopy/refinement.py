@@ -25,20 +25,20 @@ from lommel.recorded.noise import Noise
 PARAMETERS = {"depth": "depth", "sample": "index of the sample", "spherical": "spherical aberration"}
 """Parameters that can be estimated from a stack, with their names in words."""
 
-Tell = Callable[[float, str], object]
-"""Progress callback: fraction of the work that is done, 0 to 1, and its description."""
+Progress = Callable[[float, str], object]
+"""Callback for the progress: fraction of the work that is done, 0 to 1, and its description."""
 
 _STEPS = 40  # steps of trials in a search: with fewer, too sharp PSFs have the lower discrepancy
-_FINE_STEPS = 100  # steps of trials near the minimum: with 40 dim points are not restored, with 160 noise is fitted
+_FINE_STEPS = 100  # steps of trials near the minimum: 40 would not restore dim points, 160 would fit noise
 _SIDES = 48, 64  # pixels: smallest and largest side of the part of the stack that is used
 _NARROWEST, _WIDEST = 33, 49  # pixels: smallest and largest side of PSFs
-_ROUGH_SIDE = 40  # pixels: side of the part in a first search, with the narrowest PSFs
+_FIRST_SIDE = 40  # pixels: side of the part in a first search, with the narrowest PSFs
 _MIN_MARGIN = 8  # planes
 _FAR_DEPTHS = 3  # number of depths of the tails of PSFs, which change slowly
-_RANGE = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}  # of the search on either side of the start
-_SPACING = 1 / 6  # of the range: distance of trials near the minimum; twice that in the first search
-_ROUNDS = 3  # largest number of times that the trials are moved if the minimum is not between them
-# Alternatives if a stack does not follow its PSF: first change of each parameter, doubled while the fit improves.
+_RANGE = {"depth": 3e-6, "sample": 0.03, "spherical": 0.3}  # half width of the range of the search
+_SPACING = 1 / 6  # distance of trials near the minimum, as a fraction of _RANGE; doubled in the first search
+_ROUNDS = 3  # largest number of rounds of trials; a round is moved if the minimum is not between its trials
+# Alternatives after a misfit: first change of each parameter, doubled while the fit improves, and name in words.
 _OTHERS = {
     "sample": (6e-3, "index of the sample"),
     "NA": (0.02, "NA"),
@@ -49,17 +49,17 @@ _OTHERS = {
 _MAX_CHANGES = 5  # largest number of changes of a parameter in one direction
 _USUAL_CHANGES = 2.6  # average number of trials of a parameter, for the progress
 _SIGNIFICANT = 9.0  # least decrease of the deviance by a better PSF: three standard deviations
-_MIN_EXPLAINED = 0.03  # least fraction of the misfit that a better PSF explains
-_COMPARABLE = 0.5  # PSFs that explain this fraction of what the best PSF explains are reported, too
+_MIN_EXPLAINED = 0.03  # least decrease of the discrepancy by a better PSF, as a fraction of its excess over 1
+_COMPARABLE = 0.5  # PSFs whose decrease is at least this fraction of the largest decrease are reported, too
 
 
 def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
-    """Return rows and columns of a part around the brightest detail, of the `side` of PSFs within limits."""
+    """Return rows and columns of a part around the brightest detail, of the `side` of the PSFs within limits."""
     return brightest(stack, max(_SIDES[0], min(side, _SIDES[1])), saturation)
 
 
 def brightest(stack: Stack, size: int, saturation: float) -> tuple[slice, slice]:
-    """Return rows and columns of a part of this side (pixels) around the brightest detail of the stack."""
+    """Return rows and columns of a part of `size` pixels (side) around the brightest detail of the stack."""
     from scipy.ndimage import uniform_filter
 
     planes, height, width = stack.shape
@@ -106,16 +106,16 @@ class StackContext(NamedTuple):
 class Work:
     """Progress of several trials with a total of about `steps` steps."""
 
-    def __init__(self, tell: Tell, steps: float) -> None:
-        self._tell, self._steps, self._done = tell, steps, 0.0
+    def __init__(self, progress: Progress, steps: float) -> None:
+        self._progress, self._steps, self._done = progress, steps, 0.0
 
     def __call__(self, words: str, steps: int) -> Callable[[int, float, float], None]:
-        """Begin a trial of so many steps, and return the function to be called after each step."""
+        """Begin a trial of about `steps` steps, and return the function to be called after each step."""
         before, self._done = self._done, self._done + steps
 
         def report(step: int, *_: float) -> None:
-            share = (before + step) / max(self._steps, self._done)
-            self._tell(min(share, 1.0), words)
+            fraction = (before + step) / max(self._steps, self._done)
+            self._progress(min(fraction, 1.0), words)
 
         report(0)
         return report
@@ -136,8 +136,8 @@ class TrialDeconvolution:
         self._camera = Noise(**maps)
         self._counted = PoissonCounts(self._values, self._camera, context.saturation)
         self._threads, self._widest = context.threads, widest
-        self._degrees: tuple[int, int] | None = None  # of the B-splines of the first model
-        self._courses: dict[int, list[StepSettings]] = {}  # of the first trial with each number of steps
+        self._degrees: tuple[int, int] | None = None  # degrees of the B-splines of the first model
+        self._courses: dict[int, list[StepSettings]] = {}  # settings of the first trial with each number of steps
 
     @property
     def slack(self) -> float:
@@ -146,7 +146,7 @@ class TrialDeconvolution:
 
     @property
     def known(self) -> int:
-        """Number of known voxels."""
+        """Number of voxels that are not ignored."""
         return int(self._counted.known.sum())
 
     def course(
@@ -187,9 +187,9 @@ class TrialDeconvolution:
         return small.blur((shape[0], shape[1], shape[2]), margin, psfs, threads=self._threads)
 
 
-def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], tell: Tell) -> tuple[str, str]:
+def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], progress: Progress) -> tuple[str, str]:
     """Return "up" or "down", the direction of z with the lower discrepancy, and a sentence on the result."""
-    trial, work = TrialDeconvolution(context, crop), Work(tell, 2.0 * _STEPS)
+    trial, work = TrialDeconvolution(context, crop), Work(progress, 2.0 * _STEPS)
     up, down = (
         trial.course(context.model, _STEPS, work(f"direction of z, {words}", _STEPS), turned=turned)[-1]
         for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
@@ -198,28 +198,29 @@ def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], tell:
     figures = f"after {_STEPS} steps of a part of it the discrepancy is {better:.3g}, and {worse:.3g} with the planes"
     if worse - better < max(0.5 * trial.slack, 0.005 * better):
         return "up", (
-            f"The direction of z cannot be told from the stack ({figures} the other way round): the first plane was "
-            "taken to be the nearest to the cover glass."
+            f"The direction of z cannot be determined from the stack ({figures} the other way round): the first "
+            "plane was assumed to be the nearest to the cover glass."
         )
     if up < down:
         return "up", f"The planes run from the cover glass into the sample ({figures} the other way round)."
     return "down", (
-        f"The planes run towards the cover glass ({figures} the other way round): the last one is the nearest to it."
+        f"The planes run towards the cover glass ({figures} the other way round): the last plane is the nearest to "
+        "it."
     )
 
 
-def rank_alternatives(context: StackContext, tell: Tell, *, turned: bool) -> list[str]:
-    """Return descriptions of PSFs with one changed parameter that the stack follows better, the best first.
+def rank_alternatives(context: StackContext, progress: Progress, *, turned: bool) -> list[str]:
+    """Return descriptions of PSFs with one changed parameter that fit the stack better, the best first.
 
     Points between voxels leave a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
-    tried if `turned`. Spherical aberration is not tried, as its effect is like that of another sample index. All PSFs
-    that explain at least half of what the best one does are named, because errors of index, depth and step have
-    similar effects.
+    tried if `turned`. Spherical aberration is not tried, as its effect is like that of another sample index. Errors
+    of index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
+    as much as the best one.
     """
     model, steps = context.model, _STEPS
-    crop = brightest(context.stack, _ROUGH_SIDE, context.saturation)
+    crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
     trial = TrialDeconvolution(context, crop, widest=_NARROWEST)
-    work = Work(tell, steps * (1.0 + turned + _USUAL_CHANGES * len(_OTHERS)))
+    work = Work(progress, steps * (1.0 + turned + _USUAL_CHANGES * len(_OTHERS)))
 
     def cost(changed: DepthModel, words: str, *, turned: bool = False) -> float:
         discrepancies = trial.course(changed, steps, work(words, steps), turned=turned)
@@ -255,8 +256,8 @@ def _line_search(
 ) -> tuple[float, float]:
     """Return the value with the lowest cost, and that cost, with few evaluations.
 
-    From `start` the change is doubled while the cost falls, first in one direction, then in the other. An infinite
-    cost marks a value out of range and ends a direction.
+    From `start` the change is doubled while the cost falls, in the first of two directions in which it falls. An
+    infinite cost marks a value out of range and ends a direction.
     """
     for step in (first_change, -first_change):
         values, costs = [start], [start_cost]
@@ -280,7 +281,7 @@ def _line_search(
 
 
 def _value_in_words(model: DepthModel, name: str, value: float) -> str:
-    """Return the value of a parameter in words; those of wavelength, step and NA are factors of the model's."""
+    """Return a parameter in words; for wavelength, step and NA `value` is a factor of the value of the model."""
     if name == "depth":
         return format_length(value, digits=3)
     if name in ("wavelength", "step"):
@@ -289,18 +290,18 @@ def _value_in_words(model: DepthModel, name: str, value: float) -> str:
 
 
 def refined(
-    context: StackContext, crop: tuple[slice, slice], names: Sequence[str], tell: Tell
+    context: StackContext, crop: tuple[slice, slice], names: Sequence[str], progress: Progress
 ) -> tuple[DepthModel, dict[str, float], dict[str, float]]:
-    """Estimate parameters of a stack; return the model with these, their values and their standard errors."""
+    """Estimate parameters of a stack; return the model with the estimates, their values and standard errors."""
     model = context.model
     start = np.array([_start(model, name) for name in names])
     spacing = np.array([_RANGE[name] * _SPACING for name in names])
     lower, upper = np.array([_limits(name, value) for name, value in zip(names, start, strict=True)]).T
-    rough_crop = brightest(context.stack, _ROUGH_SIDE, context.saturation)
+    rough_crop = brightest(context.stack, _FIRST_SIDE, context.saturation)
     rough = TrialDeconvolution(context, rough_crop, widest=_NARROWEST)
     fine = TrialDeconvolution(context, crop)
-    rough_cost = rough.known / fine.known  # of a step, over that of a fine trial
-    work = Work(tell, _trials(len(names)) * (_STEPS * rough_cost + _FINE_STEPS))
+    rough_cost = rough.known / fine.known  # computing time of a step, relative to a step of a fine trial
+    work = Work(progress, _trials(len(names)) * (_STEPS * rough_cost + _FINE_STEPS))
 
     def course(trial: TrialDeconvolution, steps: int, cost: float) -> Callable[[Array], list[float]]:
         """Return a function from values of the parameters to the discrepancy after each step."""
@@ -325,7 +326,7 @@ def refined(
 
 
 def _start(model: DepthModel, name: str) -> float:
-    """Return the value from which the search of a parameter starts: that of the model, or 1 for a factor."""
+    """Return the value from which the search of a parameter starts: the model's, 0 for a change, 1 for a factor."""
     values = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
     return values.get(name, 1.0)
 
@@ -343,20 +344,21 @@ def _minimum(
     """Return the parameters with the lowest discrepancy after all steps, and their standard errors.
 
     A quadratic function is fitted to trials at distances `spacing`. At one standard error the deviance, `known` times
-    the discrepancy, rises by 1. This error by photon noise is combined with the change of the minimum since half of
-    the steps, because the change by further steps is unknown.
+    the discrepancy, rises by 1. This error by photon noise is combined with the change of the minimum over the second
+    half of the steps, because the change by further steps is unknown.
     """
     count, centre = len(start), np.clip(start, *limits)
     unit = np.eye(count)
     pairs = [(i, k) for i in range(count) for k in range(i)]
-    # Trials, in units of the spacing: the centre, one forth and one back along each axis, and one for each pair.
+    # Trials, in units of the spacing: the centre, one forward and one back along each axis, one for each pair of
+    # axes.
     offsets = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
     best, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):
         courses = np.array([course(centre + offset * spacing) for offset in offsets])
         fits = [_quadratic(values, pairs) for values in (courses[:, courses.shape[1] // 2], courses[:, -1])]
         hessian, slope = fits[-1]
-        # Whether each quadratic function has a minimum.
+        # A quadratic function has a minimum if its matrix is positive definite.
         early, late = (bool(np.linalg.eigvalsh(matrix)[0] > 0.0) for matrix, _ in fits)
         errors = np.full(count, np.inf)
         if not late:
@@ -382,7 +384,7 @@ def _minimum(
 def _quadratic(values: Array, pairs: Sequence[tuple[int, int]]) -> tuple[Array, Array]:
     """Return the matrix of second derivatives and the slope of a quadratic function, from its values.
 
-    `values` are those at the origin, at 1 and then at -1 along each axis, and at (1, 1) for each pair of axes.
+    The values are at the origin, at 1 along each axis, at -1 along each axis, and at (1, 1) for each pair of axes.
     """
     count = (len(values) - 1 - len(pairs)) // 2
     up, down = values[1 : count + 1] - values[0], values[count + 1 : 2 * count + 1] - values[0]

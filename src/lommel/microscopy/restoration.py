@@ -46,7 +46,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.recorded import recordings
 from lommel.recorded.camera_noise import (
     MOST,
-    LeftOut,
+    MaskedStack,
     contradiction,
     hot_pixels,
     hot_voxels,
@@ -70,8 +70,8 @@ MISFIT = "misfit"
 
 _DIRECTIONS = ("auto", "up", "down")
 _MEMORY = 2.0**31  # default memory limit, bytes
-_TOLERANCE = 0.02  # relative difference between a value of the file and that of the objective that is not reported
-_DARK_FRACTION = 0.02  # fraction of voxels darker than the offset above which the offset is doubted
+_TOLERANCE = 0.02  # relative difference between values of the file and of the objective above which a note is added
+_DARK_FRACTION = 0.02  # fraction of voxels darker than the offset above which a note is added
 _USUAL_STEPS = 60  # typical number of steps of a restoration, for the progress display
 _MISFIT_PROGRESS = 0.3  # progress shown after `EARLIEST` steps, when the restoration may end as a misfit
 _MIN_MARGIN = 8  # smallest default margin, planes
@@ -86,12 +86,12 @@ class RestoredChannel:
     Attributes
     ----------
     discrepancy, before : float
-        Poisson deviance per voxel after the restoration, and before it, with the recording itself as the estimate;
-        about 1 where PSF and noise model fit.
+        Poisson deviance per voxel after the restoration, and before it, where the recording itself is the estimate of
+        the specimen; about 1 if PSF and noise model are right.
     steps : int
-        Number of steps, that of the central chunk.
+        Number of steps of the central chunk.
     stopped : str
-        "noise", "steps" or "misfit" as of :class:`lommel.imaging.Restoration`; "interrupted" after Ctrl-C.
+        "noise", "steps" or "misfit" as in :class:`lommel.imaging.Restoration`; "interrupted" after Ctrl-C.
     noise : Noise
     direction : str
         "up" if the planes run from the cover glass into the sample, else "down".
@@ -100,13 +100,13 @@ class RestoredChannel:
     psf_depths : ndarray of float
         Depths of the PSFs that were used.
     refined, errors : dict of float
-        Parameters of `refine` estimated from the stack, by name, and their standard errors, which combine photon
-        noise and the change since half of the steps; inf where the stack does not determine a parameter.
+        Estimates and standard errors of the parameters of `refine`, by name. A standard error combines photon noise
+        and the change of the estimate since half of the steps; inf if the stack does not determine the parameter.
     projections : Projections
-        Projections that :meth:`RestoredStack.plot` draws: maxima of recording and result, and the residual, each
-        along z and along y. NaN in chunks that were restored by an earlier call.
+        Maximum projections of recording and result, and projected residuals, along z and along y, as drawn by
+        :meth:`RestoredStack.plot`. NaN in chunks that an earlier call restored.
     background : float or ndarray of shape (height, width)
-        Background per voxel, in the unit of the recording without the offset; the restored values exclude it.
+        Background per voxel, in the unit of the recording, without the camera offset. Restored values exclude it.
     strength : float or None
         Weight of the total variation.
     findings : Findings
@@ -136,9 +136,9 @@ class RestoredStack(FitReport):
     Attributes
     ----------
     values : ndarray of float32, or array of Zarr
-        Restored light in the unit of the recording, without the offset of the camera, planes in the order of the
-        recording; shape (planes, height, width), or (channels, planes, height, width) for several channels and with
-        `out`.
+        Restored light in the unit of the recording, without the camera offset. Planes are in the order of the
+        recording; the shape is (planes, height, width), or (channels, planes, height, width) for several channels and
+        with `out`.
     channels : tuple of RestoredChannel
     recording : Recording
         The recording, with the voxel sizes and wavelengths that were used.
@@ -147,7 +147,8 @@ class RestoredStack(FitReport):
     findings : Findings
         Results of the checks of all channels. Errors: "misfit" and "too_quiet". Doubts: "psf_doubtful", where
         held-out photons agree better with another PSF; "misfit" where no other PSF fits better; "hot_pixels",
-        "not_settled" and "interrupted". The rest are notes. They set ``converged``, ``reliable`` and ``status``.
+        "not_settled" and "interrupted". All others are notes. Findings set ``converged``, ``reliable`` and
+        ``status``.
     summary : str
         Discrepancy and number of steps of each channel.
     """
@@ -171,13 +172,13 @@ class RestoredStack(FitReport):
         )
 
     def to_dict(self) -> Json:
-        """Return the result as plain data, as JSON has it, without values.
+        """Return the result as data that can be written as JSON, without `values`.
 
         Returns
         -------
         dict
-            The entries of every fit, the shape and the voxel sizes (metres). Each channel has its name, wavelength,
-            least and greatest depth, number of PSFs, and mean background.
+            The entries of :meth:`FitReport.to_dict`, the shape, and the voxel sizes (metres). Each channel has its
+            name, wavelength, smallest and largest depth, number of PSFs, and mean background.
         """
         result = super().to_dict()
         channels = zip(result["channels"], self.channels, self.recording.names, self.recording.emission, strict=False)
@@ -191,9 +192,9 @@ class RestoredStack(FitReport):
     def plot(self) -> Figure:
         """Return a matplotlib figure of maximum projections before and after, and of the normalized residual.
 
-        Projections along z (xy) are above those along y (xz), with a scale bar. The residual is in units of the
-        noise, summed along each projected line and divided by the square root of its number of voxels: where PSF and
-        noise model are right it has no pattern, and hardly exceeds 3.
+        Projections along z (xy) are above those along y (xz), with a scale bar. The residual in units of the noise is
+        summed along each projected line and divided by the square root of its number of voxels. If PSF and noise
+        model are right, it has no pattern, and its modulus rarely exceeds 3.
 
         Returns
         -------
@@ -223,13 +224,13 @@ class RestoredStack(FitReport):
         Parameters
         ----------
         *paths : path
-            Files to write: OME-TIFF if the name ends in .tif or .tiff, OME-Zarr (0.4) if it ends in .zarr. Each is
-            written under a temporary name and moved into place.
+            Files to write: OME-TIFF if the name ends in .tif or .tiff, OME-Zarr (0.4) if it ends in .zarr. Each file
+            is written under a temporary name and then renamed.
 
         Raises
         ------
         ValueError
-            If a name has another suffix, or is that of the recording.
+            If a name has another suffix, or is the name of the recording.
         OSError, ImportError
             If a file cannot be written, or tifffile or zarr is not installed.
         """
@@ -280,29 +281,29 @@ def restore(
     Parameters
     ----------
     stack : path or array_like
-        As of :func:`lommel.microscopy.open_recording`: OME-TIFF, TIFF of ImageJ, OME-Zarr; arrays of NumPy, dask or
-        Zarr, of shape (planes, height, width) or (channels, planes, height, width), of any real type.
+        Recording, as in :func:`lommel.microscopy.open_recording`: OME-TIFF, TIFF of ImageJ, OME-Zarr; arrays of
+        NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height, width), of any real type.
     objective : Objective or Microscope
-        The objective; or the microscope of :func:`lommel.load_microscope`, whose emitter and aberrations are used,
-        and whose depth, wavelength, pixel and step are the defaults where the file states none.
+        Objective, or microscope from :func:`lommel.load_microscope`. A Microscope also sets emitter and aberrations,
+        the default depth, and the wavelength, pixel and step of files without these values.
     depth : float, optional
-        Depth below the cover glass that is in focus in plane ``planes // 2``, metres. By default that of the
-        Microscope; without one, half of the stack, as if the stack began at the glass.
+        Depth below the cover glass that is in focus in plane ``planes // 2``, metres. By default the depth of the
+        Microscope; for an Objective ``planes // 2 * step``, as if the stack began at the glass.
     wavelength : float or sequence of float, optional
-        Emission wavelength, metres; one for all channels or one for each. By default that of the file.
+        Emission wavelength, metres; one for all channels or one for each. By default the wavelength in the file.
     pixel, step : float, optional
-        Pixel pitch on the camera, and stage displacement between planes, metres. By default those of the file, whose
-        pixel size in the sample is multiplied by the magnification.
+        Pixel pitch on the camera, and stage displacement between planes, metres. By default the values in the file;
+        its pixel size in the sample is multiplied by the magnification.
     channel, time : int, optional
         Channel and time point to restore; by default all channels, and the only time point.
     axes : str, optional
-        As of :func:`lommel.microscopy.open_recording`.
+        Axes of the stack, as in :func:`lommel.microscopy.open_recording`.
     noise : Noise, optional
-        Noise of the camera, in the unit of the file; maps per pixel apply to each plane. By default
-        :func:`lommel.microscopy.estimate_noise` of each channel.
+        Noise of the camera, in the unit of the file; maps per pixel apply to each plane. By default estimated from
+        each channel by :func:`lommel.microscopy.estimate_noise`.
     saturation : float, optional
         Smallest value of saturated voxels, which are ignored. By default the largest value of 8, 10, 12, 14 or 16
-        bits, if several integer voxels have it. NaN, masked voxels and hot pixels are ignored, too.
+        bits, if several voxels of an integer stack have it. NaN, masked voxels and hot pixels are ignored, too.
     mask : array_like of bool, optional
         True for voxels to ignore, in the shape (height, width) for all planes, or of the stack. The mask of a NumPy
         masked array applies, too.
@@ -315,44 +316,46 @@ def restore(
     thickness : float, optional
         Full width at half maximum of the "light sheet", metres; the sheet stays in the focal plane.
     direction : {"auto", "up", "down"}, default "auto"
-        "up": the first plane is the nearest to the cover glass. "auto" tries both directions and takes the one of
-        greater likelihood, or "up" where the data do not decide.
+        "up": the first plane is the nearest to the cover glass. "auto" tries both directions and selects the more
+        likely one, or "up" if the data do not determine the direction.
     slabs : int, optional
-        Number of PSFs over the depth of the stack, interpolated linearly in depth; 1 for a single PSF. By default
-        each plane has its own; with aberrations that are not rotationally symmetric, as many as are needed for
-        interpolated PSFs to be within 3 % of the light, up to 9.
+        Number of PSFs over the depth of the stack, interpolated linearly in depth; 1 for a single PSF. By default one
+        for each plane. If aberrations are not rotationally symmetric, the default is the number that keeps the
+        interpolation error below 3 % of the light, at most 9.
     refine : sequence of {"depth", "sample", "spherical"}
-        Parameters estimated first, by maximum likelihood: the depth, the refractive index of the sample, or the
+        Parameters estimated before the restoration, by maximum likelihood: the depth, the refractive index of the
+        sample, or the spherical aberration (waves rms).
         spherical aberration (waves rms).
     method : RichardsonLucy or TotalVariation, optional
-        As of :func:`lommel.microscopy.deconvolve`: ``lm.imaging.RichardsonLucy(target=1.0)`` by default.
+        Algorithm, as in :func:`lommel.microscopy.deconvolve`: by default ``lm.imaging.RichardsonLucy(target=1.0)``.
     background : "flat", "uneven" or float, default "flat"
-        As of :func:`lommel.microscopy.deconvolve`. A "flat" background is estimated with the specimen, in the central
-        chunk; with `diagnosis` and up to 500000 voxels, it is instead fixed in advance by held-out photons. An
-        "uneven" background is estimated in each chunk separately, and is best used without chunks.
+        Background, as in :func:`lommel.microscopy.deconvolve`. A "flat" background is estimated together with the
+        specimen of the central chunk, or, with `diagnosis` and at most 500000 voxels, before it from held-out
+        photons. An "uneven" background is estimated in each chunk separately, and is best used without chunks.
     psf_shape : (int, int), optional
-        Planes and pixels of the PSFs, odd. By default the size of the light cone over half of the planes, up to 97.
+        Planes and pixels of the PSFs, odd. By default ``2 planes - 1`` planes, between 17 and 129, and the width of
+        the light cone in the outermost one, between 17 and 97 pixels.
     margin : (int, int), optional
-        As of :func:`lommel.microscopy.deconvolve`.
+        Planes and pixels restored beyond the stack, as in :func:`lommel.microscopy.deconvolve`.
     tile : int, optional
-        Side of lateral chunks, pixels. By default one chunk, or as large as `memory` allows. Chunks overlap by the
-        PSF, and all repeat the steps of the central chunk, with the same extrapolation; the result differs from that
-        of one chunk. In a test the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25
-        steps, or 2 % without extrapolation (``RichardsonLucy(accelerate=False)``).
+        Side of lateral chunks, pixels. By default as large as `memory` allows. Chunks overlap by the PSF window. All
+        chunks repeat the steps and extrapolations of the central chunk, so the result differs from that of a single
+        chunk. In a test the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25 steps,
+        or 2 % without extrapolation (``RichardsonLucy(accelerate=False)``).
     memory : float, default 2**31
-        Memory limit besides input and output, bytes.
+        Limit of the memory in addition to input and output, bytes.
     diagnosis : bool, default True
-        Whether some photons are held out, to estimate the background and the number of steps and to compare PSFs for
-        other sample indices in a part of the stack; and whether other PSFs are tried after a misfit. Computing time
-        increases by a factor of two to four at 20 x 40 x 40 voxels, of two to three at 41 x 96 x 96.
+        Whether to hold out some photons, to estimate the background and the number of steps and to compare PSFs for
+        other sample indices in a part of the stack; and whether to try other PSFs after a misfit. The computing time
+        increases by a factor of 2 to 4 for 20 x 40 x 40 voxels, and by a factor of 2 to 3 for 41 x 96 x 96 voxels.
     per_plane : bool, default False
-        Whether restored values are the light that the objective collects in one plane, rather than in all planes of
-        the window of the PSF; for "widefield" and "light sheet".
+        Whether a restored value is the light that the objective collects in a single plane, rather than the sum over
+        all planes of the PSF window; for "widefield" and "light sheet".
     out : path, optional
-        Folder NAME.zarr to which values are written chunk by chunk, for stacks larger than memory; it may replace
-        only an earlier restored stack. After an interruption the same call continues: only chunks that are damaged,
-        or of other data or arguments, are computed again. Until all are complete they lie in a hidden folder beside
-        `out`, ``.NAME.zarr.unfinished``, into which one call at a time may write.
+        Folder NAME.zarr for stacks larger than memory; it may replace only an earlier restored stack. Values are
+        written chunk by chunk to the hidden folder ``.NAME.zarr.unfinished`` beside `out`, which is renamed when
+        complete. Only one call at a time may write to it. After an interruption the same call resumes, and computes
+        only chunks that are missing, damaged, or of other data or arguments.
     progress : callable, optional
         Called as ``progress(fraction, message)`` with the fraction of the work that is done, 0 to 1.
     threads : int, optional
@@ -366,73 +369,72 @@ def restore(
     ------
     TypeError, ValueError
         If an argument is of another type or out of range; if the voxel sizes or the wavelength are unknown, or the
-        stack is thinner than three planes; if another call writes to `out`;
-        :class:`lommel.recorded.frames.RecordingError` for files.
+        stack is thinner than three planes; if another call writes to `out`. For unreadable files
+        :class:`lommel.recorded.frames.RecordingError`.
     OSError, ImportError
         If a file cannot be read or written, or a library for it is not installed.
 
     Notes
     -----
-    A point is restored in the plane in which it is brightest: its depth is that of its brightest focus, by
-    :meth:`lommel.Objective.focus`. Each plane of a wide-field or light-sheet PSF has all light that the objective
-    collects: light beyond the window of the PSF is blurred on a coarse grid, and light from outside of the field is
-    estimated, one level for each plane. With `slabs` a stack x is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s
-    and weights w_s for each plane. The transpose of the blur is exact. Ctrl-C keeps the completed steps of a stack
-    restored in one chunk, as ``stopped="interrupted"``; otherwise it raises KeyboardInterrupt, and with `out` the
-    same call continues.
+    A point is restored in the plane in which its image is brightest (:meth:`lommel.Objective.focus`). Each plane of a
+    wide-field or light-sheet PSF contains all light that the objective collects. Light beyond the window of the PSF
+    is blurred on a coarse grid, and light from outside of the field of view is estimated, with one level for each
+    plane. With `slabs` a stack x is blurred as ``sum_s h_s * (w_s x)``, with PSFs h_s and weights w_s for each plane.
+    The transpose of the blur is exact. Without `out` and with a single chunk, Ctrl-C keeps the completed steps, as
+    ``stopped="interrupted"``. Otherwise it raises KeyboardInterrupt, and with `out` the same call resumes.
     """
     validation.choice("modality", modality, MODALITIES)
     if validation.truth("per_plane", per_plane) and modality not in SPREADING:
-        raise ValueError(f"per_plane must be False for modality={modality!r}, which records what is in focus alone")
-    way = RichardsonLucy(target=1.0) if method is None else method
+        raise ValueError(f"per_plane must be False for modality={modality!r}, which records only light in focus")
+    algorithm = RichardsonLucy(target=1.0) if method is None else method
     options = _Options(
-        noise, saturation, direction, slabs, refine, way, background, margin, tile, memory, threads, per_plane,
+        noise, saturation, direction, slabs, refine, algorithm, background, margin, tile, memory, threads, per_plane,
         diagnosis,
     )  # fmt: skip
     validation.function("progress", progress, required=False)
-    lens, given = _objective(objective)
-    hidden: NDArray[np.bool_] | bool | None = False
+    lens, microscope = _objective(objective)
+    array_mask: NDArray[np.bool_] | bool | None = False
     if isinstance(stack, np.ma.MaskedArray):
-        stack, hidden = validation.parted("stack", stack)
-    with recordings.open_recording(stack, time=time, axes=axes) as opened, ExitStack() as held:
-        chosen = range(opened.shape[0])
+        stack, array_mask = validation.parted("stack", stack)
+    with recordings.open_recording(stack, time=time, axes=axes) as recording, ExitStack() as cleanup:
+        numbers = range(recording.shape[0])
         if channel is not None:
-            number = validation.integer("channel", channel, least=0, most=opened.shape[0] - 1)
-            chosen = range(number, number + 1)
-        notes = list(opened.notes)
-        sizes = _Sizes(opened, lens, given, pixel, step, notes)
-        waves = _wavelengths(opened, given, wavelength, chosen, notes)
+            number = validation.integer("channel", channel, least=0, most=recording.shape[0] - 1)
+            numbers = range(number, number + 1)
+        notes = list(recording.notes)
+        sizes = _Sizes(recording, lens, microscope, pixel, step, notes)
+        waves = _wavelengths(recording, microscope, wavelength, numbers, notes)
+        optics = depth, modality, excitation, pinhole, thickness, psf_shape
         models = [
-            _model(
-                opened, lens, given, sizes, wave, number, depth, modality, excitation, pinhole, thickness, psf_shape
-            )
-            for number, wave in zip(chosen, waves, strict=True)
+            _model(recording, lens, microscope, sizes, wave, number, *optics)
+            for number, wave in zip(numbers, waves, strict=True)
         ]
-        if depth is None and given is None:
+        if depth is None and microscope is None:
             notes.append(
-                f"The depth in focus in the middle plane was taken to be {format_length(models[0].depth, digits=3)}, "
-                "as if the stack began at the cover glass; depth= states another."
+                "The depth in focus in the middle plane was assumed to be "
+                f"{format_length(models[0].depth, digits=3)}, as if the stack began at the cover glass; set depth= "
+                "if it differs."
             )
         described = replace(
-            opened,
+            recording,
             pixel=sizes.pixel / lens.magnification,
             step=sizes.step,
-            names=tuple(opened.names[k] for k in chosen),
+            names=tuple(recording.names[k] for k in numbers),
             emission=tuple(waves),
-            excitation=tuple(opened.excitation[k] for k in chosen),
-            path=opened.path,
+            excitation=tuple(recording.excitation[k] for k in numbers),
+            path=recording.path,
         )
-        left = _mask_of(mask, hidden, opened.shape)
-        target = held.enter_context(_destination(out, (len(chosen), *opened.shape[1:]), described))
-        made = _by_channel(opened, chosen, models, options, left, target, notes, progress or silent)
-        values = target.finish(" ".join(notes), len(made))
+        ignored = _mask_of(mask, array_mask, recording.shape)
+        target = cleanup.enter_context(_destination(out, (len(numbers), *recording.shape[1:]), described))
+        results = _by_channel(recording, numbers, models, options, ignored, target, notes, progress or silent)
+        values = target.finish(" ".join(notes), len(results))
     findings = Findings(
-        each if len(chosen) == 1 else replace(each, text=f"{name}: {each.text}")
-        for name, channel_made in zip(described.names, made, strict=False)
-        for each in channel_made.findings
+        each if len(numbers) == 1 else replace(each, text=f"{name}: {each.text}")
+        for name, result in zip(described.names, results, strict=False)
+        for each in result.findings
     )
-    summary = ", ".join(f"discrepancy {each.discrepancy:.4g} after {each.steps} steps" for each in made)
-    return RestoredStack(values, tuple(made), described, tuple(notes), findings=findings, summary=summary)
+    summary = ", ".join(f"discrepancy {each.discrepancy:.4g} after {each.steps} steps" for each in results)
+    return RestoredStack(values, tuple(results), described, tuple(notes), findings=findings, summary=summary)
 
 
 @dataclass(frozen=True)
@@ -469,51 +471,51 @@ class _Options:
 
 
 def _by_channel(
-    opened: Recording,
-    chosen: range,
+    recording: Recording,
+    numbers: range,
     models: Sequence[DepthModel],
     options: _Options,
-    left: NDArray[np.bool_] | None,
+    ignored: NDArray[np.bool_] | None,
     target: _Target,
     notes: list[str],
     report: Report,
 ) -> list[RestoredChannel]:
-    """Restore channels up to an interruption; only the first one adds to the notes."""
-    made: list[RestoredChannel] = []
-    for place, (number, model) in enumerate(zip(chosen, models, strict=True)):
-        job = _ChannelRestoration(opened.stack(number), model, options, notes if place == 0 else [], target, place)
-        share = _within(report, place / len(chosen), (place + 1) / len(chosen))
-        name = "" if len(chosen) == 1 else f"{opened.names[number]}: "
+    """Restore the channels until an interruption. Only the first channel adds notes."""
+    results: list[RestoredChannel] = []
+    for place, (number, model) in enumerate(zip(numbers, models, strict=True)):
+        job = _ChannelRestoration(recording.stack(number), model, options, notes if place == 0 else [], target, place)
+        report_part = _within(report, place / len(numbers), (place + 1) / len(numbers))
+        name = "" if len(numbers) == 1 else f"{recording.names[number]}: "
 
-        def report_named(part: float, message: str, share: Report = share, name: str = name) -> None:
-            share(part, name + message)
+        def report_named(part: float, message: str, report_part: Report = report_part, name: str = name) -> None:
+            report_part(part, name + message)
 
-        made.append(job.run(None if left is None else left[number], report_named))
-        if made[-1].stopped == INTERRUPTED:
+        results.append(job.run(None if ignored is None else ignored[number], report_named))
+        if results[-1].stopped == INTERRUPTED:
             break
-    return made
+    return results
 
 
 def _mask_of(
-    mask: ArrayLike | None, hidden: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
+    mask: ArrayLike | None, array_mask: NDArray[np.bool_] | bool | None, shape: tuple[int, int, int, int]
 ) -> NDArray[np.bool_] | None:
-    """Return the mask of voxels to ignore in each channel, or None."""
-    out = np.asarray(False if hidden is None else hidden)
+    """Return the voxels to ignore (True), in the given `shape` of four axes; None if there are none."""
+    out = np.asarray(False if array_mask is None else array_mask)
     if mask is not None:
-        given = validation.array("mask", mask)
-        if given.dtype != bool or given.shape not in (shape[2:], shape[1:], shape):
+        added = validation.array("mask", mask)
+        if added.dtype != bool or added.shape not in (shape[2:], shape[1:], shape):
             raise ValueError(
-                f"mask must be True or False for each pixel {shape[2:]} or voxel {shape[1:]}, got {given.dtype} of "
-                f"{given.shape}"
+                f"mask must be True or False for each pixel {shape[2:]} or voxel {shape[1:]}, got {added.dtype} "
+                f"of shape {added.shape}"
             )
-        out = out | given
+        out = out | added
     return np.broadcast_to(out, shape) if np.any(out) else None
 
 
-def _list_of_names(name: str, given: object) -> list[str]:
-    if isinstance(given, str) or not isinstance(given, Sequence):
-        raise TypeError(f'{name} must be a sequence of names, such as ("depth",), got {shown(given)}')
-    return list(given)
+def _list_of_names(name: str, names: object) -> list[str]:
+    if isinstance(names, str) or not isinstance(names, Sequence):
+        raise TypeError(f'{name} must be a sequence of names, such as ("depth",), got {shown(names)}')
+    return list(names)
 
 
 class MicroscopeData(Protocol):
@@ -528,40 +530,39 @@ class MicroscopeData(Protocol):
     aberrations: Wavefront | None
 
 
-def _objective(given: Any) -> tuple[Objective, MicroscopeData | None]:
-    """Return the objective, and the microscope if one was given."""
-    if isinstance(given, Objective):
-        return given, None
-    if isinstance(getattr(given, "objective", None), Objective):
-        return given.objective, given
+def _objective(argument: Any) -> tuple[Objective, MicroscopeData | None]:
+    """Return the objective, and the microscope, None for an Objective."""
+    if isinstance(argument, Objective):
+        return argument, None
+    if isinstance(getattr(argument, "objective", None), Objective):
+        return argument.objective, argument
     raise TypeError(
-        f"objective must be an Objective, or a Microscope as lommel.load_microscope reads it, got {shown(given)}"
+        f"objective must be an Objective, or a Microscope from lommel.load_microscope, got {shown(argument)}"
     )
 
 
 class _Sizes:
-    """Pixel pitch on the camera and stage step between planes, metres, by argument, file or microscope."""
+    """Pixel pitch on the camera and stage step between planes, metres, from arguments, file or microscope."""
 
     def __init__(
         self,
-        opened: Recording,
+        recording: Recording,
         lens: Objective,
-        given: MicroscopeData | None,
+        microscope: MicroscopeData | None,
         pixel: float | None,
         step: float | None,
         notes: list[str],
     ) -> None:
-        of_file = None if opened.pixel is None else opened.pixel * lens.magnification
-        self.pixel = self._length("pixel", pixel, of_file, None if given is None else given.pixel, opened, notes)
-        self.step = self._length(
-            "step", step, opened.step, (None if given is None else abs(given.step)) or None, opened, notes
-        )
+        of_file = None if recording.pixel is None else recording.pixel * lens.magnification
+        sizes = (None, None) if microscope is None else (microscope.pixel, abs(microscope.step) or None)
+        self.pixel = self._length("pixel", pixel, of_file, sizes[0], recording, notes)
+        self.step = self._length("step", step, recording.step, sizes[1], recording, notes)
         if pixel is not None:
             validation.pixel(self.pixel, metric=True)
         if not 0.0 < self.step < 1e-4:
             raise ValueError(f"step must be of the stage, in metres, above 0 and below 1e-4, got {self.step:g}")
-        if opened.NA is not None and abs(opened.NA - lens.NA) > _TOLERANCE * lens.NA:
-            notes.append(f"The file says NA {opened.NA:g}, the objective {lens.NA:g}, which was used.")
+        if recording.NA is not None and abs(recording.NA - lens.NA) > _TOLERANCE * lens.NA:
+            notes.append(f"NA {lens.NA:g} of the objective was used; the file states NA {recording.NA:g}.")
 
     def _length(
         self,
@@ -569,83 +570,83 @@ class _Sizes:
         argument: float | None,
         of_file: float | None,
         of_microscope: float | None,
-        opened: Recording,
+        recording: Recording,
         notes: list[str],
     ) -> float:
-        """Return the argument, else the length of the file, else that of the microscope; note a disagreement."""
+        """Return the length in the argument, else in the file, else of the microscope; note differences."""
         if argument is not None:
             value = validation.real(name, argument, above=0.0)
             if of_file is not None and abs(value - of_file) > _TOLERANCE * of_file:
                 notes.append(f"The argument {name}={format_length(value)} was used, not the value of the file.")
             return value
-        what = "an array" if opened.path is None else line(opened.path)
-        if name in opened.unusable:
+        what = "an array" if recording.path is None else line(recording.path)
+        if name in recording.unusable:
             where = "in the sample" if name == "pixel" else "between planes"
             raise ValueError(
-                f"{what} says {opened.unusable[name]} {where}, which cannot be used: give {name}=, in metres"
+                f"{what} states {recording.unusable[name]} {where}, which cannot be used: give {name}=, in metres"
                 + (" on the camera" if name == "pixel" else "")
             )
         if of_file is None and of_microscope is None:
             raise ValueError(
-                f"{what} does not say the voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
+                f"{what} states no voxel size: give pixel= (on the camera) and step= (of the stage), in metres"
             )
         if of_file is None:
             where = "on the camera" if name == "pixel" else "of the stage"
             notes.append(
-                f"The stack does not say its {name}: that of the objective file was taken, "
-                f"{format_length(float(of_microscope or 0.0))} {where}; {name}= states another."
+                f"The stack does not state its {name}: that of the objective file was used, "
+                f"{format_length(float(of_microscope or 0.0))} {where}; set {name}= if it differs."
             )
             return float(of_microscope or 0.0)
         if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
             notes.append(
-                f"The stack has a {name} of {format_length(of_file)}, the objective file "
-                f"{format_length(of_microscope)}: that of the stack was taken."
+                f"The {name} of the stack, {format_length(of_file)}, was used; that of the objective file is "
+                f"{format_length(of_microscope)}."
             )
         return of_file
 
 
 def _wavelengths(
-    opened: Recording,
-    given: MicroscopeData | None,
+    recording: Recording,
+    microscope: MicroscopeData | None,
     argument: float | Sequence[float] | None,
-    chosen: range,
+    numbers: range,
     notes: list[str],
 ) -> list[float]:
-    """Return the emission wavelength of each channel: the argument, else that of the file, else of the microscope."""
+    """Return the emission wavelength of each channel, from the argument, else the file, else the microscope."""
     if argument is not None:
         each = np.atleast_1d(validation.real_array("wavelength", argument)).tolist()
-        if len(each) not in (1, len(chosen)):
-            raise ValueError(f"wavelength must be one, or one for each of {len(chosen)} channels, got {len(each)}")
-        return [validation.wavelength(float(wave)) for wave in (each * len(chosen) if len(each) == 1 else each)]
+        if len(each) not in (1, len(numbers)):
+            raise ValueError(f"wavelength must be one, or one for each of {len(numbers)} channels, got {len(each)}")
+        return [validation.wavelength(float(wave)) for wave in (each * len(numbers) if len(each) == 1 else each)]
     waves = []
-    for number in chosen:
-        wave = opened.emission[number]
+    for number in numbers:
+        wave = recording.emission[number]
         if wave is None:
-            if words := opened.unusable.get(f"emission {number}"):
+            if words := recording.unusable.get(f"emission {number}"):
                 raise ValueError(
-                    f"the stack says that the emission wavelength of {opened.names[number]!r} is {words}, which "
+                    f"the stack states that the emission wavelength of {recording.names[number]!r} is {words}, which "
                     "cannot be used: give wavelength=, in metres, such as 520e-9"
                 )
-            if given is None or len(chosen) > 1:
+            if microscope is None or len(numbers) > 1:
                 raise ValueError(
-                    f"the stack does not say the emission wavelength of {opened.names[number]!r}: give wavelength=, "
-                    "in metres, such as 520e-9"
+                    f"the stack does not state the emission wavelength of {recording.names[number]!r}: give "
+                    "wavelength=, in metres, such as 520e-9"
                 )
-            wave = given.wavelength
-            notes.append(f"The wavelength of the objective file, {format_length(wave)}, was taken.")
-        elif len(chosen) == 1 and given is not None and abs(wave - given.wavelength) > _TOLERANCE * wave:
+            wave = microscope.wavelength
+            notes.append(f"The wavelength of the objective file, {format_length(wave)}, was used.")
+        elif len(numbers) == 1 and microscope is not None and abs(wave - microscope.wavelength) > _TOLERANCE * wave:
             notes.append(
-                f"The stack has an emission wavelength of {format_length(wave)}, the objective file "
-                f"{format_length(given.wavelength)}: that of the stack was taken; wavelength= states another."
+                f"The emission wavelength of the stack, {format_length(wave)}, was used; that of the objective file "
+                f"is {format_length(microscope.wavelength)}; set wavelength= if it differs."
             )
         waves.append(validation.wavelength(float(wave)))
     return waves
 
 
 def _model(
-    opened: Recording,
+    recording: Recording,
     lens: Objective,
-    given: MicroscopeData | None,
+    microscope: MicroscopeData | None,
     sizes: _Sizes,
     wave: float,
     number: int,
@@ -657,15 +658,14 @@ def _model(
     psf_shape: tuple[int, int] | None,
 ) -> DepthModel:
     """Return the PSF model of a channel; ValueError if an argument is out of range."""
-    planes, height, width = opened.shape[1:]
+    planes, height, width = recording.shape[1:]
     if planes < 3:
         raise ValueError(
-            f"stack must have 3 planes or more, got {planes}: there is no depth to restore; for single images use "
-            "lommel.imaging.restore_with"
+            f"stack must have 3 planes or more, got {planes}; for single images use lommel.imaging.restore_with"
         )
-    laser = excitation if excitation is not None else opened.excitation[number]
+    laser = excitation if excitation is not None else recording.excitation[number]
     if modality in ("confocal", "spinning disc", "two-photon") and laser is None:
-        raise ValueError(f"excitation must be given for modality={modality!r}: its wavelength in metres")
+        raise ValueError(f"excitation must be given for modality={modality!r}: its vacuum wavelength in metres")
     if modality == "light sheet" and thickness is None:
         raise ValueError('thickness must be given for modality="light sheet": its full width at half maximum, metres')
     if thickness is not None:
@@ -683,7 +683,7 @@ def _model(
             raise ValueError(f"psf_shape must be at most {enough}, which is enough for this stack, got {size}")
     middle = depth
     if middle is None:
-        middle = planes // 2 * sizes.step if given is None else given.depth
+        middle = planes // 2 * sizes.step if microscope is None else microscope.depth
     return DepthModel(
         lens,
         wave,
@@ -696,8 +696,8 @@ def _model(
         None if laser is None else validation.wavelength(laser),
         validation.real("pinhole", pinhole, above=0.0),
         thickness,
-        emitter_of("isotropic") if given is None else given.emitter,
-        None if given is None else given.aberrations,
+        emitter_of("isotropic") if microscope is None else microscope.emitter,
+        None if microscope is None else microscope.aberrations,
     )
 
 
@@ -724,67 +724,67 @@ Chunk = tuple[int, slice, slice, slice]
 class _Target:
     """Destination of restored values: an array, or an OME-Zarr folder that is renamed to `out` when complete."""
 
-    def __init__(self, shape: tuple[int, ...], begun: Unfinished | None) -> None:
-        self.shape, self.begun = shape, begun
-        self._array: Any = np.zeros(shape, np.float32) if begun is None else None
-        if begun is not None:
-            with _damaged(begun):
-                self._array = _opened(begun.new, "r+")["0"]
+    def __init__(self, shape: tuple[int, ...], unfinished: Unfinished | None) -> None:
+        self.shape, self.unfinished = shape, unfinished
+        self._array: Any = np.zeros(shape, np.float32) if unfinished is None else None
+        if unfinished is not None:
+            with _zarr_errors(unfinished):
+                self._array = _open_group(unfinished.new, "r+")["0"]
                 if getattr(self._array, "shape", None) != shape:
-                    raise ValueError("it lacks its array")
-        self._kept: list[tuple[str, Chunk]] = []
+                    raise ValueError("its array is missing or has another shape")
+        self._complete_chunks: list[tuple[str, Chunk]] = []
 
     def has(self, request: str, at: Chunk) -> bool:
-        """Return whether a chunk was written for a request (a checksum) and is unchanged."""
-        if self.begun is None or not self._same(request, at):
+        """Return whether a chunk is unchanged since it was written for `request`, a checksum of its inputs."""
+        if self.unfinished is None or not self._is_unchanged(request, at):
             return False
-        self._kept.append((request, at))
+        self._complete_chunks.append((request, at))
         return True
 
-    def _same(self, request: str, at: Chunk) -> bool:
-        assert self.begun is not None
-        with _damaged(self.begun):
-            return self.begun.has(_name(at), request, np.asarray(self._array[at]))
+    def _is_unchanged(self, request: str, at: Chunk) -> bool:
+        assert self.unfinished is not None
+        with _zarr_errors(self.unfinished):
+            return self.unfinished.has(_chunk_name(at), request, np.asarray(self._array[at]))
 
     def put(self, request: str, at: Chunk, values: Values) -> None:
         """Write a chunk, and record its request."""
-        if self.begun is None:
+        if self.unfinished is None:
             self._array[at] = values
             return
-        self.begun.require_there()
-        with _damaged(self.begun):
+        self.unfinished.require_there()
+        with _zarr_errors(self.unfinished):
             self._array[at] = values
-        self.begun.put(_name(at), request, values)
-        self._kept.append((request, at))
+        self.unfinished.put(_chunk_name(at), request, values)
+        self._complete_chunks.append((request, at))
 
     def finish(self, description: str, channels: int) -> Any:
-        """Rename a folder to its final name, and return the values of the restored channels."""
-        if self.begun is None:
+        """Return the values of the restored channels; a folder is renamed to its final name before."""
+        if self.unfinished is None:
             values = self._array[:channels]
             return values[0] if self.shape[0] == 1 else values
-        # Checked once more: chunks of an earlier call may have been replaced while this one wrote others.
-        if not all(self._same(*each) for each in self._kept):
-            raise ValueError(f"chunks in {line(self.begun.room)} were changed by another process; call again")
-        recordings.require_own(self.begun.place)
-        with _damaged(self.begun):
-            _opened(self.begun.new, "r+").attrs["lommel"] = {"description": description}
-        self.begun.finish()
-        return _opened(self.begun.place, "r")["0"]  # shape (channels, planes, height, width), as stored
+        # Check again: another process may have replaced chunks since this call checked or wrote them.
+        if not all(self._is_unchanged(*each) for each in self._complete_chunks):
+            raise ValueError(f"chunks in {line(self.unfinished.room)} were changed by another process; call again")
+        recordings.require_own(self.unfinished.place)
+        with _zarr_errors(self.unfinished):
+            _open_group(self.unfinished.new, "r+").attrs["lommel"] = {"description": description}
+        self.unfinished.finish()
+        return _open_group(self.unfinished.place, "r")["0"]  # shape (channels, planes, height, width), as stored
 
 
 @contextmanager
-def _damaged(begun: Unfinished) -> Iterator[None]:
-    """Convert errors of zarr to a ValueError that names the folder."""
+def _zarr_errors(unfinished: Unfinished) -> Iterator[None]:
+    """Convert errors of zarr to a ValueError that names the hidden folder."""
     try:
-        with atomic.as_path_error(begun.place):
+        with atomic.as_path_error(unfinished.place):
             yield
     except Exception as error:  # zarr raises many types on damaged files
         if isinstance(error, OSError | MemoryError) or "can't start new thread" in str(error):
             raise
-        raise ValueError(f"{line(begun.room)} is damaged ({reading.reason(error)}); remove it") from None
+        raise ValueError(f"{line(unfinished.room)} is damaged ({reading.reason(error)}); remove it") from None
 
 
-def _name(at: Chunk) -> str:
+def _chunk_name(at: Chunk) -> str:
     return f"{at[0]}.{at[2].start}.{at[3].start}"
 
 
@@ -803,11 +803,11 @@ def _destination(out: str | PathLike[str] | None, shape: tuple[int, ...], record
     request = {"software": f"lommel {version()}", "shape": shape} | described
     with atomic.unfinished_folder(
         place, request, lambda folder: recordings.new_zarr(folder, shape, recording, place.stem)
-    ) as begun:
-        yield _Target(shape, begun)
+    ) as unfinished:
+        yield _Target(shape, unfinished)
 
 
-def _opened(folder: Path, mode: Literal["r", "r+"]) -> Any:
+def _open_group(folder: Path, mode: Literal["r", "r+"]) -> Any:
     """Open the Zarr group in a folder."""
     import zarr
 
@@ -824,17 +824,17 @@ def _checksum(stack: Stack) -> str:
 
 @dataclass
 class _Source:
-    """A stack, its noise, and the value from which on voxels are ignored."""
+    """A stack, its noise, and the smallest value of ignored voxels."""
 
     stack: Stack  # from `_orient` on, the plane nearest to the cover glass is first
     camera: Noise
     limit: float
-    turned: bool = False  # whether the order of the planes is reversed from that of the recording
+    turned: bool = False  # whether the planes are in the reverse order of the recording
 
 
 @dataclass
 class _Outcome:
-    """Sums of Poisson deviances over the voxels of all chunks, and the end of the iteration of the central chunk."""
+    """Sums of Poisson deviances over the voxels of all chunks, background, and results of the central chunk."""
 
     after: float = 0.0
     before: float = 0.0
@@ -867,11 +867,11 @@ class _ChannelRestoration:
         crop = select_crop(source.stack, self._model.window[1], source.limit)
         context = StackContext(source.stack, self._model, source.camera, source.limit, self._threads)
         background = background_of(options.background)
-        estimate = background == Background(None)
+        estimates_background = background == Background(None)
         parts = _progress_parts(context, crop, options.direction == "auto", len(options.refine), options.diagnosis)
         context = self._orient(source, context, crop, _within(report, 0.0, parts[0]))
         context, estimated, errors = self._refine(context, crop, _within(report, *parts[:2]))
-        level = self._compare_held_out(context, estimate, _within(report, *parts[1:]))
+        level = self._compare_held_out(context, estimates_background, _within(report, *parts[1:]))
         background = background if level is None else Background(level)
         margin = self._margin()
         report(parts[-1], "PSFs")
@@ -879,10 +879,10 @@ class _ChannelRestoration:
         depths = psfs.planes[margin[0] : margin[0] + len(self._stack)]
         self._note_psfs(psfs, depths)
         specimens = 5.0 if isinstance(options.method, TotalVariation) else 4.0  # number of arrays of specimen size
-        side = self._side(options.tile, margin, psfs, specimens)
+        side = self._chunk_side(options.tile, margin, psfs, specimens)
         if options.margin is None and len(self._stack) < self._model.window[0] // 2:
             notes.append("The stack is thinner than its PSF: light from planes beyond it is not restored.")
-        request = "" if self._target.begun is None else self._request(source, psfs, margin, side, background)
+        request = "" if self._target.unfinished is None else self._request(source, psfs, margin, side, background)
         reached = parts[-1]
 
         def report_chunks(fraction: float, message: str) -> None:
@@ -891,12 +891,12 @@ class _ChannelRestoration:
             report(reached, message)
 
         outcome = self._restore_chunks(source, psfs, margin, side, background, request, report_chunks)
-        if estimate or background.level is None:
+        if estimates_background or background.level is None:
             low, high = float(np.min(outcome.background)), float(np.max(outcome.background))
-            found = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"
+            text = f"A flat background of {low:.4g}" if low == high else f"A background of {low:.4g} to {high:.4g}"
             notes.append(
-                f"{found} counts per voxel was estimated, which the restored values exclude; background= states "
-                "another, 0 for none."
+                f"{text} counts per voxel was estimated, which the restored values exclude; set background= "
+                "for another level, 0 for none."
             )
         self._conclude(outcome, context, _within(report, min(reached, 0.5), 1.0))
         turned = source.turned
@@ -909,21 +909,21 @@ class _ChannelRestoration:
 
     def _prepare(self, mask: NDArray[np.bool_] | None) -> _Source:
         """Return the stack without saturated, masked or hot voxels, and its noise."""
-        given = self._options.noise
-        limit = self._limit(self._options.saturation)
+        noise = self._options.noise
+        limit = self._saturation_limit(self._options.saturation)
         if mask is not None:
-            masked = LeftOut(self._stack, limit, mask=mask)
+            masked = MaskedStack(self._stack, limit, mask=mask)
             self._stack, limit = masked, masked.limit
             count = int(mask.sum())
             self._notes.append(f"{count} voxels ({100.0 * count / mask.size:.2g} %) are masked, and were left out.")
-        if given is None:
+        if noise is None:
             camera, error = measured_noise(self._stack)
             self._notes.append(
                 f"The noise was estimated from the stack: {_format_gain(camera, error)} and an offset of "
                 f"{float(camera.offset):.4g} counts; a read noise of {float(camera.read):g} electrons was assumed."
             )
         else:
-            camera = given.require_shape(self._stack.shape)
+            camera = noise.require_shape(self._stack.shape)
             self._check_noise(camera)
         return _Source(*self._exclude_hot(camera, limit))
 
@@ -944,7 +944,7 @@ class _ChannelRestoration:
     def _refine(
         self, context: StackContext, crop: tuple[slice, slice], report: Report
     ) -> tuple[StackContext, dict[str, float], dict[str, float]]:
-        """Estimate the parameters in `refine` from the stack, and use them in the model; return values and errors."""
+        """Estimate the parameters in `refine`; return the context with the new model, values and standard errors."""
         if not self._options.refine:
             return context, {}, {}
         self._model, estimated, errors = refined(context, crop, self._options.refine, report)
@@ -955,7 +955,7 @@ class _ChannelRestoration:
         return context._replace(model=self._model), estimated, errors
 
     def _margin(self) -> tuple[int, int]:
-        """Return the margin beyond the stack that is restored, in planes and in pixels."""
+        """Return how far beyond the stack is restored, in planes and in pixels."""
         if self._options.margin is not None:
             planes, pixels = self._options.margin
             return int(planes), int(pixels)
@@ -964,16 +964,18 @@ class _ChannelRestoration:
 
     def _note_psfs(self, psfs: PSFs, depths: Array) -> None:
         """Note the depths of the PSFs, and the unit of a restored value."""
-        notes, model, nodes = self._notes, self._model, psfs.depths
+        notes, model, psf_depths = self._notes, self._model, psfs.depths
         above = int((depths <= 0.0).sum())
         if above > 1:
             notes.append(
-                f"{above} of {len(depths)} planes are focused above the sample, in the cover glass or at it, if the "
-                f"middle one is focused {format_length(model.depth, digits=3)} below it; depth= states another depth."
+                f"{above} of {len(depths)} planes are focused above the sample, in the cover glass or at its "
+                f"surface, if the middle plane is focused {format_length(model.depth, digits=3)} below it; set "
+                "depth= if not."
             )
-        if len(nodes) > 1:
-            each = "one for each plane and its margin" if psfs.radial is not None else "with weights between them"
-            notes.append(f"{len(nodes)} PSFs were used, {each}, of depths from {between(nodes[0], nodes[-1])}.")
+        if len(psf_depths) > 1:
+            each = "one for each plane and its margin" if psfs.radial is not None else "interpolated in depth"
+            depth_range = between(psf_depths[0], psf_depths[-1])
+            notes.append(f"{len(psf_depths)} PSFs were used, {each}, at depths from {depth_range}.")
         if model.spreads and self._options.per_plane:
             notes.append("Restored values are light per plane: a point with F counts in each plane has the value F.")
         elif model.spreads:
@@ -997,7 +999,7 @@ class _ChannelRestoration:
         return hashlib.sha256(repr(content).encode()).hexdigest()
 
     def _conclude(self, outcome: _Outcome, context: StackContext, report: Report) -> None:
-        """Add the findings of the restoration; to a misfit, the alternative PSFs that fit the stack better."""
+        """Add the findings of the restoration. A misfit lists the alternative PSFs that fit the stack better."""
         options, finding = self._options, outcome.finding
         if finding is not None:
             if finding.code == "misfit" and options.diagnosis and "hot_pixels" not in self._doubt_codes():
@@ -1008,12 +1010,12 @@ class _ChannelRestoration:
         if outcome.stopped == INTERRUPTED:
             self._findings.append(Finding("interrupted", "doubt", "it was interrupted: the completed steps are kept"))
 
-    def _compare_held_out(self, context: StackContext, estimate: bool, report: Report) -> float | None:
-        """Compare PSFs by held-out photons; return the background level with `estimate` and a stack small enough."""
+    def _compare_held_out(self, context: StackContext, estimates_background: bool, report: Report) -> float | None:
+        """Compare PSFs by held-out photons; return the background level if it is estimated from them, else None."""
         if not self._options.diagnosis:
             return None
         held = HeldOut(context, report)
-        if held.plain:
+        if held.is_uniform:
             text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
             self._findings.append(Finding("untested", "note", text))
             return None
@@ -1021,8 +1023,8 @@ class _ChannelRestoration:
         self._best_steps = own.steps
         if finding := held.finding(own):
             self._findings.append(finding)
-        # The background is estimated on the whole stack: a part also has blurred light from beside it.
-        if not estimate or math.prod(context.stack.shape) > WHOLE:
+        # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
+        if not estimates_background or math.prod(context.stack.shape) > WHOLE:
             return None
         side = max(context.stack.shape[1:])
         if side > SIDE:
@@ -1036,34 +1038,34 @@ class _ChannelRestoration:
         return tuple(each.code for each in self._findings if each.severity == "doubt")
 
     def _exclude_hot(self, camera: Noise, limit: float) -> tuple[Stack, Noise, float]:
-        """Return the stack without hot pixels and voxels, its noise, and the value from which voxels are ignored."""
+        """Return the stack without hot pixels and voxels, its noise, and the smallest value of ignored voxels."""
         sharpest, stack = sharpness(self._model.psf(0.0).values), self._stack
         pixels = hot_pixels(stack, camera, sharpest, limit)
         if count := int(pixels.sum()):
             share = count / pixels.size
             text = (
                 f"{count} pixels ({100.0 * share:.2g} %) exceed their neighbours in most planes, whatever is "
-                "in focus: they were taken as hot pixels, and left out"
+                "in focus: they were classified as hot pixels, and left out"
             )
             self._findings.append(Finding("hot_pixels", "note", text, {"pixels": count, "share": share}))
-            stack = LeftOut(stack, limit, mask=pixels)
+            stack = MaskedStack(stack, limit, mask=pixels)
             limit = stack.limit
         hot = hot_voxels(stack, camera, sharpest, limit)
         share = len(hot) / math.prod(stack.shape)
-        which = f"{len(hot)} voxels ({100.0 * share:.2g} %) exceed their neighbours by more than the PSF lets a point"
+        subject = f"{len(hot)} voxels ({100.0 * share:.2g} %) exceed their neighbours by more than the PSF allows"
         numbers = {"voxels": len(hot), "share": share}
         if share > MOST:
-            text = f"{which}, in single planes: they were not left out; are pixel, wavelength and NA right?"
+            text = f"{subject}, in single planes: they were not left out; check pixel, wavelength and NA"
             self._findings.append(Finding("hot_pixels", "doubt", text, numbers))
         if not 0.0 < share <= MOST:
             return stack, camera, limit
-        text = f"{which}, in single planes: they were taken as cosmic rays or blinking pixels, and left out"
+        text = f"{subject}, in single planes: they were classified as cosmic rays or blinking pixels, and left out"
         self._findings.append(Finding("hot_pixels", "note", text, numbers))
-        cleaned = LeftOut(stack, limit, voxels=hot)
+        cleaned = MaskedStack(stack, limit, voxels=hot)
         return cleaned, camera, cleaned.limit
 
     def _check_noise(self, camera: Noise) -> None:
-        """Add a note if the stack contradicts the stated noise."""
+        """Add a note if the stack contradicts `camera`, the noise that the user stated."""
         planes, lowest = len(self._stack), math.inf
         # Three standard deviations of the read noise and of rounding to integers (about 0.3 counts).
         dark = camera.offset - 3.0 * np.hypot(camera.read / (1.0 if camera.white is None else camera.white), 0.3)
@@ -1081,24 +1083,24 @@ class _ChannelRestoration:
         elif note := contradiction(self._stack, camera):
             self._notes.append(note)
 
-    def _limit(self, saturation: float | None) -> float:
-        """Return the value from which on voxels are saturated, infinity for none."""
+    def _saturation_limit(self, saturation: float | None) -> float:
+        """Return the smallest value of saturated voxels, infinity if there are none."""
         planes = self._stack
         if planes.dtype.kind not in "iu" and (
-            lost := sum(int((~np.isfinite(planes[plane])).sum()) for plane in range(len(planes)))
+            nonfinite := sum(int((~np.isfinite(planes[plane])).sum()) for plane in range(len(planes)))
         ):
-            self._notes.append(f"{lost} voxels are NaN or infinite: unknown, and left out.")
+            self._notes.append(f"{nonfinite} voxels are NaN or infinite, and were left out.")
         limit, assumed = full_value(cast("Sequence[Values]", planes), saturation, name="voxels")
         count = sum(int((np.asarray(planes[plane]) >= limit).sum()) for plane in range(len(planes)))
         if assumed:
-            self._notes.append(f"{assumed[0].upper()}{assumed[1:]}. Record with less light or time.")
+            self._notes.append(f"{assumed[0].upper()}{assumed[1:]}. Record with less light or a shorter exposure.")
         elif count:
-            most = "the saturation that was stated" if saturation is not None else "the largest value of their type"
+            bound = "the saturation that was stated" if saturation is not None else "the maximum of their type"
             share = 100.0 * count / math.prod(planes.shape)
-            self._notes.append(f"{count} voxels ({share:.2g} %) have {most}, {limit:g}, or more, and were left out.")
+            self._notes.append(f"{count} voxels ({share:.2g} %) have {bound}, {limit:g}, or more, and were left out.")
         return limit
 
-    def _side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs, specimens: float) -> int:
+    def _chunk_side(self, tile: int | None, margin: tuple[int, int], psfs: PSFs, specimens: float) -> int:
         """Return the side of the chunks, pixels: `tile`, or the largest whose memory is within the limit."""
         _, height, width = self._stack.shape
         if tile is not None:
@@ -1113,14 +1115,14 @@ class _ChannelRestoration:
     def _chunk_memory(self, side: int, overlap: int, margin: tuple[int, int], psfs: PSFs, specimens: float) -> float:
         """Return the approximate memory of a chunk, bytes, with `specimens` arrays as large as the specimen."""
         planes, height, width = self._stack.shape
-        given = math.prod(min(side + 2 * overlap, each) for each in (height, width))
-        whole = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
-        deep = planes + 2 * margin[0]
-        transfers = 2.0 * len(psfs.depths) * (planes + self._model.window[0]) * whole / 4.0
+        recorded_pixels = math.prod(min(side + 2 * overlap, each) for each in (height, width))
+        restored_pixels = math.prod(min(side + 2 * overlap, each) + 2 * margin[1] for each in (height, width))
+        restored_planes = planes + 2 * margin[0]
+        transfers = 2.0 * len(psfs.depths) * (planes + self._model.window[0]) * restored_pixels / 4.0
         if psfs.radial is not None:
-            transfers = float(len(psfs.radial.frequencies) * planes * deep)
-        # Four bytes a value, and a tenth for the coarse grid.
-        return 4.4 * float(specimens * deep * whole + 3.0 * planes * given + transfers)
+            transfers = float(len(psfs.radial.frequencies) * planes * restored_planes)
+        # 4 bytes per value, and 10 % more for the coarse grid.
+        return 4.4 * float(specimens * restored_planes * restored_pixels + 3.0 * planes * recorded_pixels + transfers)
 
     def _restore_chunks(
         self,
@@ -1132,7 +1134,7 @@ class _ChannelRestoration:
         request: str,
         report: Report,
     ) -> _Outcome:
-        """Restore chunk by chunk: the central one first; the others repeat its step settings (its course)."""
+        """Restore all chunks, the central one first; the others repeat its step settings, its `course`."""
         planes, height, width = source.stack.shape
         method, blurs = self._options.method, dict[tuple[int, int, int], PlaneOperator]()
         sides = [math.ceil(each / math.ceil(each / side)) for each in (height, width)]
@@ -1189,7 +1191,7 @@ class _ChannelRestoration:
     def _iteration(
         self, blur: PlaneOperator, counted: PoissonCounts, course: list[StepSettings] | None, background: Background
     ) -> Iteration:
-        """Return the iteration of a chunk, which ends early after the best number of steps by held-out photons."""
+        """Return the iteration of a chunk, which may end after the best number of steps for held-out photons."""
         model, method = self._model, self._options.method
         aspect = model.pixel / model.objective.magnification / model.step
         iteration = iteration_of(
@@ -1199,11 +1201,11 @@ class _ChannelRestoration:
         return iteration
 
     def _solve(self, iteration: Iteration, report: ProgressCallback, *, alone: bool) -> tuple[int, str, Array]:
-        """Iterate; return the number of steps, why they ended, and the discrepancies. Ctrl-C keeps a single chunk."""
+        """Iterate; return the number of steps, why they ended, and discrepancies. Ctrl-C keeps a single chunk."""
         try:
             return iteration.solve(self._options.method, report)
         except KeyboardInterrupt:
-            if not alone or self._target.begun is not None or not iteration.course:
+            if not alone or self._target.unfinished is not None or not iteration.course:
                 raise
             return len(iteration.course) - 1, INTERRUPTED, iteration.discrepancies
 
@@ -1213,16 +1215,16 @@ class _ChannelRestoration:
         is_settled = why != STEPS or self._options.method.target <= 0.0 or discrepancy <= 1.0 + counted.slack
         if finding is not None or is_settled:
             return finding
-        text = f"the residual exceeds the noise after the {steps} steps of the method; allow more"
+        text = f"the residual exceeds the noise after the {steps} steps of the method; allow more steps"
         return Finding("not_settled", "doubt", text, {"discrepancy": discrepancy, "steps": steps})
 
 
 class _ChunkProgress:
     """Progress of a chunk, reported as a fraction of the work of all chunks."""
 
-    def __init__(self, report: Report, number: int, count: int, steps: int, doubtful: bool) -> None:
+    def __init__(self, report: Report, number: int, count: int, steps: int, may_misfit: bool) -> None:
         self._report, self._number, self._count, self._steps = report, number, count, steps
-        self._doubtful = doubtful  # whether it may end as a misfit, after which other PSFs are tried
+        self._may_misfit = may_misfit  # whether the chunk may end as a misfit, after which other PSFs are tried
         self._begun = clock.monotonic()
 
     def __call__(self, step: int, discrepancy: float, left: float) -> None:
@@ -1231,7 +1233,7 @@ class _ChunkProgress:
         if self._count == 1:
             spent = clock.monotonic() - self._begun
             fraction = spent / (spent + left) if spent + left > 0.0 else 0.0
-            if self._doubtful and step <= EARLIEST:
+            if self._may_misfit and step <= EARLIEST:
                 fraction = min(fraction, _MISFIT_PROGRESS * step / EARLIEST)
         else:
             message = f"chunk {self._number + 1} of {self._count}, {message}"
@@ -1244,7 +1246,7 @@ def _within(report: Report, begin: float, end: float) -> Report:
 
 
 def _explain_misfit(misfit: Finding, others: list[str]) -> Finding:
-    """Return the misfit with the names of the PSFs that fit the stack better; a doubt if there are none."""
+    """Return the misfit with the PSFs that fit the stack better; if there are none, with the severity "doubt"."""
     if not others:
         text = (
             "the residual exceeds the noise, but no other PSF fits better: the cause may be points between voxels or "
@@ -1254,14 +1256,14 @@ def _explain_misfit(misfit: Finding, others: list[str]) -> Finding:
     text = f"PSFs with {others[0]} fit the stack better"
     if len(others) > 1:
         likeliest = ", ".join(others)
-        text = f"other PSFs fit the stack better; one of these may be wrong, the likeliest first: {likeliest}"
+        text = f"other PSFs fit the stack better; one of these values may be wrong, the likeliest first: {likeliest}"
     return replace(misfit, text=text, numbers={**misfit.numbers, "others": others})
 
 
 def _progress_parts(
     context: StackContext, crop: tuple[slice, slice], direction: bool, refine: int, held_out: bool
 ) -> tuple[float, float, float]:
-    """Return the progress, 0 to 1, after estimating the direction of z, the PSF, and the background."""
+    """Return the progress, 0 to 1, after each of the estimates: direction of z, `refine`, held-out photons."""
     height, width = context.stack.shape[1:]
     part = math.prod(at.stop - at.start for at in crop) / (height * width)
     first, second = (part * steps for steps in estimated_steps(direction, refine))
@@ -1273,7 +1275,7 @@ def _progress_parts(
 def _format_estimate(name: str, value: float, error: float) -> str:
     """Return a value and its standard error in words."""
     if not math.isfinite(error):
-        return "is not determined by it"
+        return "is not determined"
     factor, unit = {"depth": (1e6, " um"), "spherical": (1.0, " waves rms")}.get(name, (1.0, ""))
     return " +- ".join(with_error(factor * value, factor * error)) + unit
 
@@ -1322,8 +1324,8 @@ class Projections(NamedTuple):
     recorded, restored : (ndarray, ndarray)
         Maxima, in the unit of the recording without its offset.
     residual : (ndarray, ndarray)
-        Differences of recording and model in units of the noise, summed along the line and divided by the square root
-        of the number of voxels: of unit variance where PSF and noise model are right.
+        Recording minus model in units of the noise, summed along each projected line and divided by the square root
+        of its number of voxels: of unit variance if PSF and noise model are right.
     """
 
     recorded: tuple[Values, Values]
@@ -1357,7 +1359,7 @@ class ProjectionBuilder:
         light: Part,
         restored: Values,
     ) -> None:
-        """Add a chunk, `restored` at `rows` and `columns`; `corner` is the first (row, column) blurred."""
+        """Add a chunk, `restored` at `rows` and `columns`; `corner` is where its blurred part begins."""
         down, across = (at.start - first for at, first in zip((rows, columns), corner, strict=True))
         height, width = rows.stop - rows.start, columns.stop - columns.start
         sums, voxels, maxima = (np.zeros((height, width), np.float32) for _ in range(3))
@@ -1384,23 +1386,23 @@ class ProjectionBuilder:
         recorded, after, residual = self._projections
         recorded[0][rows, columns] = np.where(voxels > 0.0, maxima, np.float32(np.nan))
         after[0][rows, columns] = restored.max(axis=0)
-        residual[0][rows, columns] = _over_root(sums, voxels)
+        residual[0][rows, columns] = _divide_by_root(sums, voxels)
         # Chunks above and below contribute to the same voxels of the projection along y.
         before = self._voxels[:, columns]
         total = along_y[0] + np.nan_to_num(residual[1][:, columns]) * np.sqrt(before)
         self._voxels[:, columns] = before + along_y[1]
-        residual[1][:, columns] = _over_root(total, self._voxels[:, columns])
+        residual[1][:, columns] = _divide_by_root(total, self._voxels[:, columns])
         highest = np.where(along_y[1] > 0.0, along_y[2], np.float32(np.nan))
         for whole, part in ((recorded, highest), (after, restored.max(axis=1))):
             whole[1][:, columns] = np.fmax(whole[1][:, columns], part)
 
     def result(self, *, turned: bool) -> Projections:
-        """Return the projections, their planes reversed with `turned`."""
+        """Return the projections, with the planes reversed if `turned`."""
         if not turned:
             return self._projections
         return Projections(*((each[0], each[1][::-1]) for each in self._projections))
 
 
-def _over_root(sums: Values, voxels: Values) -> Values:
-    """Return sums divided by the square root of the number of voxels, NaN where there are none."""
+def _divide_by_root(sums: Values, voxels: Values) -> Values:
+    """Return sums divided by the square root of the number of voxels, NaN where that number is 0."""
     return np.where(voxels > 0.0, sums / np.sqrt(np.maximum(voxels, 1.0)), np.float32(np.nan))

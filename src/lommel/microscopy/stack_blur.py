@@ -28,7 +28,7 @@ class StackBlur(LinearBlur):
     psf : PSF
         Stack over z in equal steps, with one plane at z = 0, and with the step and pixels of the recording. The same
         PSF is used at all depths. Values are divided by their sum, so that light is conserved, except for light that
-        leaves the recording. Outside the recording the specimen is taken as dark.
+        leaves the recording. Outside the recording the specimen is assumed to be dark.
     shape : (int, int, int)
         Number of planes, height and width of the recording.
     dtype : float32 or float64, default float32
@@ -59,7 +59,7 @@ class StackBlur(LinearBlur):
         return self._filtered(image, self._transfer)
 
     def adjoint(self, image: Values) -> Values:
-        """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
+        """Apply the transpose of :meth:`forward` to an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
         return self._filtered(image, self._transfer.conj())
 
     def _filtered(self, image: Values, transfer: Values) -> Values:
@@ -96,7 +96,7 @@ _TableIndices = tuple[NDArray[np.intp], int, int]
 
 
 class _TileJob(NamedTuple):
-    """A tile of one plane, transformed at once: rows and columns of its input and of its output.
+    """A tile of one plane, transformed by a single FFT: rows and columns of its input and of its output.
 
     `output` and `source` are parts of planes; `output_in_tile` and `source_in_tile` are their positions in the tile.
     """
@@ -107,10 +107,12 @@ class _TileJob(NamedTuple):
     output_in_tile: Plane
 
 
-_MAX_MEMORY_RATIO = 3.0  # largest memory of the transforms of one tile of all planes, over that of the recording
+_MAX_MEMORY_RATIO = (
+    3.0  # largest number of values of the transforms of a tile in all planes, relative to the recording
+)
 _MIN_VALUES = 2**23  # number of values that these transforms may have in any case
 _COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # order of the eight columns of a transform that the core filters together
-_MIRROR_TOLERANCE = 1e-6  # largest difference between a kernel and its mirror image, over its largest value
+_MIRROR_TOLERANCE = 1e-6  # largest difference between a kernel and its mirror image, relative to its largest value
 
 
 class TiledBlur(PlaneOperator):
@@ -152,8 +154,8 @@ class TiledBlur(PlaneOperator):
         # Voxels by which the PSF extends from its point towards lower and higher indices, along z, y and x.
         self._lower = middle
         self._upper = tuple(side - 1 - at for side, at in zip(sides, middle, strict=True))
-        # The outermost planes also stand for planes beyond the margin whose PSFs reach the recording: so many of
-        # them.
+        # The outermost planes also represent planes beyond the margin whose PSFs reach the recording. These are the
+        # numbers of such planes at either end.
         self._before, self._after = (max(0, reach[0] - margin[0]) for reach in (self._upper, self._lower))
         self._depth: int = engine.fft_length(self.whole[0] + self._before + self._after)
         self._weights = np.ones((1, self.whole[0]), np.float32) if weights is None else weights.astype(np.float32)
@@ -175,10 +177,10 @@ class TiledBlur(PlaneOperator):
             )
             self._tile = down, across
         self._limits, self._indices = self._recorded_ranges()
-        # Recorded share of a point's light, (planes, ranges along y, ranges along x): see `_recorded_ranges`.
+        # Recorded fraction of a point's light, (planes, ranges along y, ranges along x): see `_recorded_ranges`.
         self._seen = np.zeros((self.whole[0], *(limits.shape[1] for limits in self._limits)), np.float32)
         self._transfers: list[object] = []
-        # One kernel at a time is in memory, as there may be many.
+        # Only one kernel is in memory at a time, as there may be many.
         for number, values in enumerate(chain([first], (_kernel(each)[0] for each in kernels))):
             self._add_transfer(number, values)
             self._add_recorded_share(number, values)
@@ -280,7 +282,7 @@ class TiledBlur(PlaneOperator):
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
-        return self._looked_up(self._seen[plane], rows, columns)
+        return self._look_up(self._seen[plane], rows, columns)
 
     def weigh(self, weight: float) -> None:
         """Set the weight by which :meth:`per_seen` divides."""
@@ -289,14 +291,14 @@ class TiledBlur(PlaneOperator):
 
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
         """Return ``1 / (seen * weight)``, or 0 where hardly any light is recorded (`UNSEEN`)."""
-        return self._looked_up(self._per[plane], rows, columns)
+        return self._look_up(self._per[plane], rows, columns)
 
-    def _looked_up(self, table: Values, rows: slice, columns: slice) -> Values:
+    def _look_up(self, table: Values, rows: slice, columns: slice) -> Values:
         """Return the values of a table (ranges along y, ranges along x) at the pixels of a part of a plane."""
         down, across = (
             _indices_of_part(part, *indices) for part, indices in zip((rows, columns), self._indices, strict=True)
         )
-        return _expanded(table, down, across)
+        return _expand(table, down, across)
 
     def _tile_jobs(
         self, shape: tuple[int, ...], source_shape: tuple[int, ...], reach: tuple[int, ...], shift: int
@@ -332,8 +334,8 @@ class TiledBlur(PlaneOperator):
         spectra, spare = self._spectra, _SpareTiles(self._tile)
 
         def transform(plane: int) -> None:
-            with spare.borrowed() as tile:
-                # The rest of the tile stays 0: planes of a job are written to the same part of a tile.
+            with spare.borrow() as tile:
+                # Other pixels of the tile stay 0, because all planes of a job are written to the same part of it.
                 tile[job.source_in_tile] = values(plane, *job.source)
                 spectra[plane] = rfft2(tile)
 
@@ -356,7 +358,7 @@ class TiledBlur(PlaneOperator):
     def _filter_along_z(self, *, transposed: bool) -> None:
         """Convolve the spectra of the planes along z, in place, or apply the transpose."""
         assert self._spectra is not None
-        # Beyond its outermost planes the specimen is taken to continue like these.
+        # The specimen is assumed to continue unchanged beyond its outermost planes.
         engine.filter_planes(
             self._spectra,
             self._transfers,
@@ -372,7 +374,7 @@ class TiledBlur(PlaneOperator):
 
 
 def _kernel(psf: PSF | Array | Kernel) -> Kernel:
-    """Return the kernel of a PSF and the voxel of its point; that of an array, used as it is, is the middle one."""
+    """Return the kernel of a PSF and the index of its point; an array is the kernel itself, with a central point."""
     if isinstance(psf, PSF):
         return kernel_of(psf)
     if isinstance(psf, tuple):
@@ -387,7 +389,7 @@ class _SpareTiles:
         self._shape, self._tiles = shape, list[Values]()
 
     @contextmanager
-    def borrowed(self) -> Iterator[Values]:
+    def borrow(self) -> Iterator[Values]:
         """Yield a tile, and keep it for the next thread afterwards."""
         try:
             tile = self._tiles.pop()
@@ -411,7 +413,7 @@ def _indices_of_part(part: slice, index: NDArray[np.intp], start: int, stop: int
     return index[part], low, max(low, high)
 
 
-def _expanded(table: Values, down: _TableIndices, across: _TableIndices) -> Values:
+def _expand(table: Values, down: _TableIndices, across: _TableIndices) -> Values:
     """Return the plane ``table[down, across]``; the run of columns with equal index is copied from one of them."""
     rows = table[down[0]]
     index, start, stop = across
@@ -424,7 +426,7 @@ def _expanded(table: Values, down: _TableIndices, across: _TableIndices) -> Valu
 
 
 def _tile_side(side: int, kernel: int, most: int) -> int:
-    """Return the side of tiles, about `most` pixels, of which as few as possible cover `side` pixels."""
+    """Return the side, about `most` pixels, of the tiles that cover `side` pixels in the smallest number."""
     from scipy.fft import next_fast_len
 
     # Tiles of less than twice the kernel would consist of overlap for the most part.
@@ -439,9 +441,11 @@ def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
     return rows, columns
 
 
-_PHASE_STEP = 0.2  # radians at the edge of the PSF by which the phases of neighbouring tabulated frequencies differ
+_PHASE_STEP = 0.2  # radians: phase difference of neighbouring tabulated frequencies at the edge of the PSF
 _FREQUENCIES_TOGETHER = 16  # tabulated frequencies in a task of a thread
-_MAX_ON_AXIS = 0.4  # cycles per pixel: above, the table is taken along the diagonal, where aliases are farther away
+_MAX_ON_AXIS = (
+    0.4  # cycles per pixel: above, the table is computed along the diagonal, where aliases are farther away
+)
 
 
 _NEIGHBOUR_VALUE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # value of a B-spline one voxel from its middle, by degree
@@ -450,10 +454,10 @@ _NEIGHBOUR_VALUE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # value of a B-spline o
 class RadialTransfer:
     """Lateral transfer functions of rotationally symmetric PSFs, tabulated over the magnitude of the frequency.
 
-    `side` is the side of the PSFs in pixels. `pixels`: PSF values are averages over square pixels, whose transfer
-    function, which is not rotationally symmetric, is divided out of the table. `spline` is the degree of the
-    B-splines along rows and columns whose transfer functions the PSFs were divided by; these are multiplied back in
-    the table.
+    `side` is the side of the PSFs in pixels. With `pixels`, PSF values are averages over square pixels. The transfer
+    function of a pixel is not rotationally symmetric, and is divided out of the table. `spline` is the degree of
+    B-splines along rows and columns: the PSFs were divided by their transfer functions, and the table is multiplied
+    by these.
     """
 
     def __init__(self, side: int, *, pixels: bool, spline: int = 0) -> None:
@@ -471,7 +475,7 @@ class RadialTransfer:
         )
 
     def _sampling_transfer(self, frequency: Values) -> Array:
-        """Return the transfer function of pixels along one axis, over that of the B-spline."""
+        """Return the transfer function of pixels along one axis, divided by that of the B-spline."""
         pixels, spline = self._sampling
         transfer = np.sinc(frequency) if pixels else np.ones(frequency.shape)
         b = _NEIGHBOUR_VALUE[spline]
@@ -489,7 +493,7 @@ class RadialTransfer:
         return np.ascontiguousarray(transfer.T, np.float32)
 
     def misfit(self, kernel: Array) -> float:
-        """Return the rms difference of a kernel's transfer function from that of its table, over its rms."""
+        """Return the rms difference between the transfer function of a kernel and its table, relative to its rms."""
         from scipy.fft import rfft2
 
         sides = 2 * kernel.shape[1], 2 * kernel.shape[2]
@@ -505,10 +509,10 @@ class RadialTransfer:
         return float(np.sqrt((np.abs(difference) ** 2).sum() / (np.abs(exact) ** 2).sum()))
 
     def interpolation(self, tile: tuple[int, int]) -> tuple[Array, Array, Array]:
-        """Return, for each frequency of the transform of a tile, how to compute its transfer function from the table.
+        """Return the interpolation in the table for each frequency of the transform of a tile.
 
-        These are the index of the tabulated frequency below, the weight of the one above, and the transfer function
-        of pixel and spline, by which the interpolated value is multiplied.
+        The arrays are the index of the tabulated frequency below, the weight of the one above, and the transfer
+        function of pixel and spline, by which the interpolated value is multiplied.
         """
         down, across = np.fft.fftfreq(tile[0])[:, np.newaxis], np.fft.rfftfreq(tile[1])
         position = np.hypot(down, across).ravel() / self.spacing
@@ -547,11 +551,11 @@ class PlaneBlur(TiledBlur):
         self._weight_above, self._weight_below = weight * sampling, (1.0 - weight) * sampling
 
     def _add_transfer(self, number: int, kernel: Array) -> None:
-        """Add the kernel of a plane to the matrices; an outermost plane also stands for the planes beyond it."""
+        """Add the kernel of a plane to the matrices; an outermost plane also represents the planes beyond it."""
         transfer = self._radial(kernel)
         first, last = (number == 0) * self._before, (number == self.whole[0] - 1) * self._after
         for at in range(number - first, number + last + 1):
-            # Plane p of the recording gets plane p - start of the kernel.
+            # Plane p of the recording receives plane p - start of the kernel.
             start = at - self._margin[0] - self._lower[0]
             low, high = max(start, 0), min(start + len(kernel), self.shape[0])
             if low < high:
@@ -585,7 +589,7 @@ class PlaneBlur(TiledBlur):
 
 
 class WideBlur(PlaneOperator):
-    """Blur by wide PSFs: their windows, `near`, at every pixel, and their tails, `far`, at every `pitch` th pixel.
+    """Blur by wide PSFs: their windows, `near`, at every pixel, and their tails, `far`, at every `pitch`-th pixel.
 
     The tails are smooth: light is binned to the nodes of a coarse grid with linear weights, and the result is
     interpolated linearly between the nodes, so that the transpose is exact. Beyond the margin each plane of the
@@ -621,7 +625,7 @@ class WideBlur(PlaneOperator):
         margin = (near.whole[0] - near.shape[0]) // 2, (near.whole[1] - near.shape[1]) // 2
         reach = kernels[0].shape[1] // 2
         if reach * pitch < margin[1]:
-            raise ValueError(f"far must reach over the margin of {margin[1]} pixels, got {reach} nodes of {pitch}")
+            raise ValueError(f"far must cover the margin of {margin[1]} pixels, got {reach} nodes of {pitch} pixels")
         nodes = [(side - 1) // pitch + 2 for side in near.shape[1:]]
         self._far = TiledBlur(
             kernels, (near.shape[0], nodes[0], nodes[1]), (margin[0], reach), weights=weights, threads=threads
@@ -638,7 +642,7 @@ class WideBlur(PlaneOperator):
         self._pixels_outside = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
         self.outside = np.ones(near.whole[0], np.float32)
         ones = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)
-        # Recorded share of the light of tails, by node.
+        # Recorded fraction of the light of tails, by node.
         self._seen = self._coarse_adjoint(np.broadcast_to(ones, (near.shape[0], *ones.shape)))
         self.outside_seen = np.einsum("pyx,yx->p", self._seen, self._pixels_outside)
         self.outside_back = np.zeros(near.whole[0], np.float32)
@@ -646,7 +650,7 @@ class WideBlur(PlaneOperator):
 
     def forward(self, specimen: Part, consume: PartConsumer[Result]) -> list[Result]:
         """Call `consume` with the recording of a specimen, as :meth:`TiledBlur.forward` does."""
-        coarse = self._binned(specimen, self.whole, self._specimen_weights)
+        coarse = self._bin(specimen, self.whole, self._specimen_weights)
         coarse += self.outside[:, np.newaxis, np.newaxis] * self._pixels_outside
         light = np.empty((self.shape[0], *(axis.nodes for axis in self._recording_weights)), np.float32)
 
@@ -657,8 +661,8 @@ class WideBlur(PlaneOperator):
         return self._near.forward(specimen, self._with_coarse(light, self._recording_weights, consume))
 
     def adjoint(self, recording: Part, consume: PartConsumer[Result]) -> list[Result]:
-        """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, that for `outside`."""
-        light = self._coarse_adjoint(self._binned(recording, self.shape, self._recording_weights))
+        """Call `consume` with the transpose of :meth:`forward`; set `outside_back`, the transpose for `outside`."""
+        light = self._coarse_adjoint(self._bin(recording, self.shape, self._recording_weights))
         self.outside_back = np.einsum("pyx,yx->p", light, self._pixels_outside)
         return self._near.adjoint(recording, self._with_coarse(light, self._specimen_weights, consume))
 
@@ -669,9 +673,9 @@ class WideBlur(PlaneOperator):
 
     def seen(self, plane: int, rows: slice, columns: slice) -> Values:
         """Return the fraction of the light of each point in a part of the specimen that falls on the recording."""
-        share = _interpolated(self._seen[plane], self._specimen_weights, rows, columns)
-        share += self._near.seen(plane, rows, columns)
-        return share
+        fraction = _interpolate(self._seen[plane], self._specimen_weights, rows, columns)
+        fraction += self._near.seen(plane, rows, columns)
+        return fraction
 
     def weigh(self, weight: float) -> None:
         """Set the weight by which :meth:`per_seen` divides."""
@@ -683,7 +687,7 @@ class WideBlur(PlaneOperator):
 
     @property
     def per_outside(self) -> Values:  # type: ignore[override]
-        """1 over the weight times the recorded light of an `outside` of 1, for each plane."""
+        """``1 / (weight * outside_seen)`` for each plane; `outside_seen` is recorded light for an `outside` of 1."""
         return reciprocal(self.outside_seen * np.float32(self._weight))
 
     def _coarse_adjoint(self, light: Values) -> Values:
@@ -696,7 +700,7 @@ class WideBlur(PlaneOperator):
         self._far.adjoint(lambda plane, *part: light[(plane, *part)], store)
         return back
 
-    def _binned(self, values: Part, shape: tuple[int, ...], axes: list[_LinearWeights]) -> Values:
+    def _bin(self, values: Part, shape: tuple[int, ...], axes: list[_LinearWeights]) -> Values:
         """Return planes (of `shape`) binned to the nodes of the coarse grid with linear weights."""
         rows, columns = slice(0, shape[1]), slice(0, shape[2])
         down, across = axes
@@ -720,7 +724,7 @@ class WideBlur(PlaneOperator):
         """Return a consumer that adds interpolated coarse light to its values before it calls `consume`."""
 
         def add(plane: int, rows: slice, columns: slice, values: Values) -> Result:
-            values += _interpolated(light[plane], axes, rows, columns)
+            values += _interpolate(light[plane], axes, rows, columns)
             return consume(plane, rows, columns, values)
 
         return add
@@ -747,7 +751,7 @@ class _LinearWeights:
             yield slice(start, stop), slice(self._first[start], min(self._first[stop - 1] + 2, self.nodes))
 
 
-def _interpolated(light: Values, axes: list[_LinearWeights], rows: slice, columns: slice) -> Values:
+def _interpolate(light: Values, axes: list[_LinearWeights], rows: slice, columns: slice) -> Values:
     """Return a part of a plane, interpolated linearly from light at nodes (rows, columns)."""
     down, across = axes
     fine_rows = np.empty((rows.stop - rows.start, light.shape[1]), np.float32)
@@ -761,24 +765,24 @@ def _interpolated(light: Values, axes: list[_LinearWeights], rows: slice, column
 
 
 def reciprocal(seen: Values) -> Values:
-    """Return 1 over shares of light, or 0 where hardly any light is recorded (`UNSEEN`)."""
+    """Return 1 / `seen` for recorded fractions of light, or 0 where hardly any light is recorded (`UNSEEN`)."""
     with np.errstate(divide="ignore"):
         return np.where(seen > UNSEEN, np.float32(1.0) / seen, np.float32(0.0))
 
 
-_PIXELS_TOGETHER = 64  # pixels interpolated by one matrix product, with the few nodes between which they lie
+_PIXELS_TOGETHER = 64  # pixels interpolated by one matrix product, from the few nodes between which they lie
 
 
 def pitch_of(side: int) -> int:
-    """Return the pixels between nodes of the coarse grid for PSFs with windows of `side` pixels."""
+    """Return the distance in pixels of nodes of the coarse grid, for PSFs with windows of `side` pixels."""
     return 5 if side > 33 else 3
 
 
 def taper(side: int, pitch: int, at: Array | None = None) -> Array:
-    """Return the share of a PSF that belongs to its window (`near`), 1 in the middle and 0 at the edge.
+    """Return the fraction of a PSF that belongs to its window (`near`), 1 in the middle and 0 at the edge.
 
-    Over the pixels of a window of `side` pixels, or at the coordinates `at` along both axes, in pixels from the
-    middle.
+    It is computed at the pixels of a window of `side` pixels, or at the coordinates `at` along both axes, in pixels
+    from the middle.
     """
     along = np.arange(side) - side // 2 if at is None else at
     half = side // 2 + 0.5

@@ -28,15 +28,15 @@ if TYPE_CHECKING:
     from magicgui.widgets import Container, Widget
     from napari.layers import Layer
 
-_Made = TypeVar("_Made")
-Work = Callable[[Callable[[float], None]], _Made]
-"""Work that is called with a function that takes the share done."""
+_Result = TypeVar("_Result")
+Work = Callable[[Callable[[float], None]], _Result]
+"""Function that does the work; its argument is a callback for the fraction done, 0 to 1."""
 
 LayerData: TypeAlias = tuple[Values, Json, str]
 """Data, options and type of a layer."""
 
-KEY = "lommel"  # of what a layer's metadata holds for this plugin
-EMISSION = "emission wavelength"  # of a layer's metadata, metres, or None
+KEY = "lommel"  # key of this plugin in the metadata of a layer
+EMISSION = "emission wavelength"  # key in the metadata of a layer: metres, or None
 _METRES = {"meter": 1.0, "millimeter": 1e-3, "micrometer": 1e-6, "nanometer": 1e-9, "picometer": 1e-12}
 
 
@@ -50,7 +50,7 @@ def layer_of(psf: PSF, name: str) -> LayerData:
 
 
 def voxel(psf: PSF) -> tuple[float, ...] | None:
-    """Return the size of a voxel in micrometres, that of a microscope in the sample; None where it has no metres."""
+    """Return the size of a voxel in micrometres, for a microscope in the sample; None if the PSF has no metres."""
     if psf.pupil.unit != "m":
         return None
     magnification: float = 1.0
@@ -65,41 +65,41 @@ def voxel(psf: PSF) -> tuple[float, ...] | None:
 
 
 def psf_of(metadata: Json) -> PSF | None:
-    """Return the PSF that a layer was made of, by its metadata, or None."""
-    found = metadata.get(KEY)
-    return found if isinstance(found, PSF) else None
+    """Return the PSF in the metadata of a layer, or None."""
+    psf_in_metadata = metadata.get(KEY)
+    return psf_in_metadata if isinstance(psf_in_metadata, PSF) else None
 
 
 def reader(path: str | Sequence[str]) -> Callable[[str | Sequence[str]], list[LayerData]] | None:
     """Return a function that reads a PSF, or a stack with its voxel size; None for other files."""
     if not isinstance(path, str):
         return None
-    found: list[LayerData] | None
+    layers: list[LayerData] | None
     try:
-        found = [layer_of(PSF.load(path), Path(path).name.partition(".")[0])]
+        layers = [layer_of(PSF.load(path), Path(path).name.partition(".")[0])]
     except (ValueError, OSError, ImportError, TypeError):
-        found = _channels(path)
-    # Read once: napari calls the function at once with the same path.
-    return None if found is None else lambda _: found
+        layers = _channels(path)
+    # The file is read here, once: napari calls the function immediately afterwards with the same path.
+    return None if layers is None else lambda _: layers
 
 
 def _channels(path: str) -> list[LayerData] | None:
-    """Return a stack that a microscope recorded, a layer for each channel; None where a file has no voxel size."""
+    """Return the channels of a recorded stack as layers; None if the file has no voxel size."""
     try:
-        with open_recording(path) as opened:
-            count, planes = opened.shape[:2]
-            if opened.pixel is None or opened.step is None or planes < 2:
+        with open_recording(path) as recording:
+            count, planes = recording.shape[:2]
+            if recording.pixel is None or recording.step is None or planes < 2:
                 return None
             name = Path(path).name.partition(".")[0]
-            scale = tuple(1e6 * side for side in (opened.step, opened.pixel, opened.pixel))
-            shared = {"scale": scale, "units": ("um",) * 3, "blending": "additive"}
+            scale = tuple(1e6 * side for side in (recording.step, recording.pixel, recording.pixel))
+            options = {"scale": scale, "units": ("um",) * 3, "blending": "additive"}
             return [
                 (
-                    np.asarray(opened.stack(k)),
-                    shared
+                    np.asarray(recording.stack(k)),
+                    options
                     | {
-                        "name": name if count == 1 else f"{name} {opened.names[k]}",
-                        "metadata": {EMISSION: opened.emission[k]},
+                        "name": name if count == 1 else f"{name} {recording.names[k]}",
+                        "metadata": {EMISSION: recording.emission[k]},
                     },
                     "image",
                 )
@@ -110,11 +110,11 @@ def _channels(path: str) -> list[LayerData] | None:
 
 
 def voxel_of(layer: Layer) -> tuple[float, float] | None:
-    """Return the pixel and the step between planes of a stack, metres; None of a layer that has no scale."""
+    """Return the pixel size and the plane spacing of a stack, metres; None for a layer without a scale."""
     scale = [float(each) for each in layer.scale[-3:]]
     if all(each == 1.0 for each in scale):
         return None
-    # Readers that state no unit mean micrometres, as napari's scale bar does.
+    # A reader that states no unit means micrometres: the scale bar of napari assumes them, too.
     units = [_METRES.get(str(each), 1e-6) for each in layer.units[-3:]]
     return scale[2] * units[2], scale[0] * units[0]
 
@@ -132,75 +132,76 @@ def psf() -> list[LayerData]:
 
 def beads() -> list[LayerData]:
     """Return a stack of beads with the noise of a camera, in counts, and its PSF."""
-    made, camera = _psf(33, 65), load_camera(_CAMERA)
+    beads_psf, camera = _psf(33, 65), load_camera(_CAMERA)
     draw = np.random.default_rng(1)
     truth = np.zeros(_SHAPE, np.float32)
-    where = tuple(draw.integers(0, side, _BEADS) for side in _SHAPE)
-    truth[where] = _PHOTONS * draw.uniform(0.3, 1.0, _BEADS)
+    positions = tuple(draw.integers(0, side, _BEADS) for side in _SHAPE)
+    truth[positions] = _PHOTONS * draw.uniform(0.3, 1.0, _BEADS)
     # Planes are the last axis of the operator.
-    blurred = np.moveaxis(StackBlur(made, _SHAPE).forward(np.moveaxis(truth, 0, -1)), -1, 0)
-    seen = np.maximum(blurred, 0.0) + _BACKGROUND
-    counts = np.rint(np.clip(camera.noise.record(seen, draw), 0, 65535)).astype(np.uint16)
-    options = {"name": "beads", "scale": voxel(made), "units": ("um",) * 3, "metadata": {KEY: camera}}
-    return [(counts, options, "image"), layer_of(made, "PSF of the beads")]
+    blurred = np.moveaxis(StackBlur(beads_psf, _SHAPE).forward(np.moveaxis(truth, 0, -1)), -1, 0)
+    electrons = np.maximum(blurred, 0.0) + _BACKGROUND
+    counts = np.rint(np.clip(camera.noise.record(electrons, draw), 0, 65535)).astype(np.uint16)
+    options = {"name": "beads", "scale": voxel(beads_psf), "units": ("um",) * 3, "metadata": {KEY: camera}}
+    return [(counts, options, "image"), layer_of(beads_psf, "PSF of the beads")]
 
 
 def _psf(planes: int, side: int) -> PSF:
     """Return the PSF of the example objective with the camera of the samples."""
     microscope = load_microscope(example_files()[_OBJECTIVE])
-    one = replace(microscope, planes=planes, step=200e-9, pixel=load_camera(_CAMERA).side)
-    return compute(one.pupil(), side, one.pixel)
+    example = replace(microscope, planes=planes, step=200e-9, pixel=load_camera(_CAMERA).side)
+    return compute(example.pupil(), side, example.pixel)
 
 
 class Cancelled(Exception):  # noqa: N818 (no error)
-    """The user has stopped the work."""
+    """Raised in the work after the user has cancelled it."""
 
 
 def start(
-    work: Work[_Made],
+    work: Work[_Result],
     *,
-    done: Callable[[_Made | None], object],
+    done: Callable[[_Result | None], object],
     failed: Callable[[Exception], object],
     progress: Callable[[float], object],
 ) -> Callable[[], None]:
-    """Start work in a thread and return a function that asks it to stop.
+    """Start work in a thread, and return a function that cancels it.
 
-    `work` is called with a function that takes the share done; that raises :class:`Cancelled` once asked to stop. The
-    others are called in the thread of the windows: `done` with the result, or None where the work was stopped.
+    `work` is called with a callback for the fraction done, which raises :class:`Cancelled` after cancellation. The
+    other functions are called in the thread of the windows: `done` with the result, or None if the work was
+    cancelled.
     """
     from napari.qt.threading import create_worker
 
-    stop = False
+    is_cancelled = False
 
-    def shares() -> Generator[float, None, _Made | None]:
+    def run() -> Generator[float, None, _Result | None]:
         yield 0.0
 
-        def tell(share: float) -> None:
-            if stop:
+        def report(fraction: float) -> None:
+            if is_cancelled:
                 raise Cancelled
-            worker.yielded.emit(share)
+            worker.yielded.emit(fraction)
 
         try:
-            return work(tell)
+            return work(report)
         except Cancelled:
             return None
 
-    # Errors are told in the widget; raised again between windows they would end napari.
-    worker = create_worker(shares, _start_thread=False, _ignore_errors=True)
+    # Errors are shown in the widget; raised in the thread of the windows they would end napari.
+    worker = create_worker(run, _start_thread=False, _ignore_errors=True)
     worker.yielded.connect(progress)
     worker.returned.connect(done)
     worker.errored.connect(failed)
     worker.start()
 
-    def ask() -> None:
-        nonlocal stop
-        stop = True
+    def cancel() -> None:
+        nonlocal is_cancelled
+        is_cancelled = True
 
-    return ask
+    return cancel
 
 
 class ObjectiveFields:
-    """Two fields: an objective of the examples, or the file of one."""
+    """Two fields: the name of an example objective, and the file of an objective."""
 
     def __init__(self) -> None:
         from magicgui.widgets import ComboBox, FileEdit
@@ -208,22 +209,22 @@ class ObjectiveFields:
         self.name = ComboBox(label="objective", choices=list(of_kind("objective")), value="zeiss-63x-1.4-oil")
         self.file = FileEdit(label="or file", filter="*.toml", nullable=True, value=None)
 
-    def chosen(self) -> Microscope:
-        """Return the microscope of the file, or of the example where there is none."""
-        own = self.file.value is not None and Path(self.file.value).is_file()
-        return load_microscope(self.file.value if own else of_kind("objective")[self.name.value])
+    def load(self) -> Microscope:
+        """Return the microscope of the file, or of the example if no file is selected."""
+        has_file = self.file.value is not None and Path(self.file.value).is_file()
+        return load_microscope(self.file.value if has_file else of_kind("objective")[self.name.value])
 
     def connect(self, fill: Callable[[], object]) -> None:
-        """Call a function whenever another one is chosen."""
+        """Call `fill` whenever another objective is selected."""
         self.name.changed.connect(fill)
         self.file.changed.connect(fill)
 
 
-class Panel(Generic[_Made]):
-    """Fields of a widget, with a button that works on them in a thread, and one that stops it."""
+class Panel(Generic[_Result]):
+    """Fields of a widget, a button that starts work on them in a thread, and a button that cancels the work."""
 
     def __init__(self, fields: list[Widget], label: str,
-                 begin: Callable[[], Work[_Made]], done: Callable[[_Made], str]) -> None:  # fmt: skip
+                 begin: Callable[[], Work[_Result]], done: Callable[[_Result], str]) -> None:  # fmt: skip
         from magicgui.widgets import Container, Label, ProgressBar, PushButton
 
         self.run, self.cancel = PushButton(text=label), PushButton(text="Cancel", enabled=False)
@@ -234,36 +235,36 @@ class Panel(Generic[_Made]):
         self._stop: Callable[[], None] = lambda: None
         self.run.clicked.connect(self.start)
         self.cancel.clicked.connect(self.stop)
-        self.widget.panel = self  # keeps it as long as the widget, and lets tests find it
+        self.widget.panel = self  # keeps the panel alive as long as the widget, and accessible from it
 
     def start(self) -> None:
         """Start the work of the fields."""
         try:
             job = self._begin()
         except Exception as error:
-            self._say(error)
+            self._show_error(error)
             return
-        self._busy(True)
+        self._set_running(True)
         self.status.value = "working"
-        self._stop = start(job, done=self._finish, failed=self._say, progress=self._show)
+        self._stop = start(job, done=self._show_result, failed=self._show_error, progress=self._show_progress)
 
     def stop(self) -> None:
-        """Ask the work to stop."""
+        """Cancel the work."""
         self._stop()
 
-    def _show(self, share: float) -> None:
-        self.bar.value = round(100 * min(max(share, 0.0), 1.0))
+    def _show_progress(self, fraction: float) -> None:
+        self.bar.value = round(100 * min(max(fraction, 0.0), 1.0))
 
-    def _finish(self, result: _Made | None) -> None:
-        self._busy(False)
+    def _show_result(self, result: _Result | None) -> None:
+        self._set_running(False)
         self.status.value = "cancelled" if result is None else self._done(result)
 
-    def _say(self, error: Exception) -> None:
-        self._busy(False)
+    def _show_error(self, error: Exception) -> None:
+        self._set_running(False)
         self.status.value = str(error) or type(error).__name__
 
-    def _busy(self, busy: bool) -> None:
-        self.run.enabled, self.cancel.enabled = not busy, busy
+    def _set_running(self, is_running: bool) -> None:
+        self.run.enabled, self.cancel.enabled = not is_running, is_running
         self.bar.value = 0
 
 
@@ -271,7 +272,7 @@ _OWN = "of the file"
 
 
 def psf_widget() -> Container[Widget]:
-    """Return the widget: an objective of the examples or of a file, a camera, depth, light, planes and window."""
+    """Return the PSF widget, with fields for objective, camera, depth, wavelength, planes, step and pixels."""
     import napari
     from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
 
@@ -286,36 +287,36 @@ def psf_widget() -> Container[Widget]:
     side = SpinBox(label="pixels", min=3, max=1025, value=65)
 
     def fill() -> None:
-        found = objective.chosen()
-        depth.value, light.value = 1e6 * found.depth, 1e9 * found.wavelength
-        planes.value, step.value = found.planes, 1e9 * abs(found.step) or 100.0
+        microscope = objective.load()
+        depth.value, light.value = 1e6 * microscope.depth, 1e9 * microscope.wavelength
+        planes.value, step.value = microscope.planes, 1e9 * abs(microscope.step) or 100.0
 
     def begin() -> Work[PSF]:
-        found = objective.chosen()
-        kept = found.camera if camera.value == _OWN else load_camera(camera.value)
-        asked = replace(
-            found,
+        microscope = objective.load()
+        selected_camera = microscope.camera if camera.value == _OWN else load_camera(camera.value)
+        requested = replace(
+            microscope,
             depth=1e-6 * depth.value,
             wavelength=1e-9 * light.value,
             planes=planes.value,
             step=1e-9 * step.value if planes.value > 1 else 0.0,
-            pixel=found.pixel if kept is None or camera.value == _OWN else kept.side,
-            camera=kept,
+            pixel=microscope.pixel if selected_camera is None or camera.value == _OWN else selected_camera.side,
+            camera=selected_camera,
         )
 
-        def work(tell: Callable[[float], None]) -> PSF:
-            made = compute(asked.pupil(), side.value, asked.pixel, integrate=asked.integrate)
-            tell(1.0)
-            return made
+        def work(report: Callable[[float], None]) -> PSF:
+            result = compute(requested.pupil(), side.value, requested.pixel, integrate=requested.integrate)
+            report(1.0)
+            return result
 
         return work
 
-    def done(made: PSF) -> str:
+    def done(result: PSF) -> str:
         data, options, _ = layer_of(
-            made, f"PSF {objective.name.value if objective.file.value is None else Path(objective.file.value).stem}"
+            result, f"PSF {objective.name.value if objective.file.value is None else Path(objective.file.value).stem}"
         )
         viewer.add_image(data, **options)
-        return "" if made.error_bound is None else f"error at most {made.error_bound:.1e} of the peak"
+        return "" if result.error_bound is None else f"error at most {result.error_bound:.1e} of the peak"
 
     objective.connect(fill)
     fill()
@@ -325,14 +326,14 @@ def psf_widget() -> Container[Widget]:
 
 
 _BY_DEPTH, _ESTIMATED, _STATED = "by depth, of the objective", "estimated from the stack", "as stated below"
-_WIDTH = 60  # letters of a line of notes
+_WIDTH = 60  # largest number of characters in a line of notes
 
 
-Restored: TypeAlias = "tuple[Layer, Values, str, tuple[str, ...]]"  # the layer, the values, a line on them, notes
+Restored: TypeAlias = "tuple[Layer, Values, str, tuple[str, ...]]"  # layer of the stack, values, summary, notes
 
 
 def deconvolution_widget() -> Container[Widget]:
-    """Return the widget: a stack with its voxels, an objective or a PSF, the camera's noise, and steps."""
+    """Return the deconvolution widget, with fields for stack, voxels, objective or PSF, camera noise, and steps."""
     import napari
     from magicgui.widgets import ComboBox, FloatSpinBox, SpinBox
 
@@ -363,21 +364,21 @@ def deconvolution_widget() -> Container[Widget]:
 
     def noise() -> None:
         if camera.value not in (_ESTIMATED, _STATED):
-            known = load_camera(camera.value).noise
-            gain.value, read.value, offset.value = known.white or 1.0, known.read, known.offset
+            camera_noise = load_camera(camera.value).noise
+            gain.value, read.value, offset.value = camera_noise.white or 1.0, camera_noise.read, camera_noise.offset
 
     def voxels() -> None:
-        found = objective.chosen()
+        microscope = objective.load()
         size = None if stack.value is None else voxel_of(layers[stack.value])
-        own = found.pixel / found.objective.magnification, abs(found.step) or 200e-9
-        pixel.value, step.value = (1e9 * length for length in size or own)
-        # That of a file is of its channel, that of an objective an example.
-        known = None if stack.value is None else layers[stack.value].metadata.get(EMISSION)
-        light.value = 1e9 * (known or found.wavelength)
+        default = microscope.pixel / microscope.objective.magnification, abs(microscope.step) or 200e-9
+        pixel.value, step.value = (1e9 * length for length in size or default)
+        # The wavelength in a file is that of the channel; the wavelength of an objective is only an example.
+        wavelength = None if stack.value is None else layers[stack.value].metadata.get(EMISSION)
+        light.value = 1e9 * (wavelength or microscope.wavelength)
 
-    def microscope() -> None:
-        found = objective.chosen()
-        depth.value = 1e6 * found.depth
+    def load_objective() -> None:
+        example = objective.load()
+        depth.value = 1e6 * example.depth
         voxels()
 
     def refresh(_: object = None) -> None:
@@ -388,50 +389,52 @@ def deconvolution_widget() -> Container[Widget]:
     def begin() -> Work[Restored]:
         if stack.value is None:
             raise ValueError("open a stack of planes, rows and columns first")
-        source, most = layers[stack.value], steps.value
+        source, max_steps = layers[stack.value], steps.value
         kernel = None if psf.value == _BY_DEPTH else psf_of(layers[psf.value].metadata)
-        known = None
+        camera_noise = None
         if camera.value != _ESTIMATED:
-            known = Noise(white=gain.value, read=read.value, offset=offset.value)
+            camera_noise = Noise(white=gain.value, read=read.value, offset=offset.value)
         elif kernel is not None:
-            raise ValueError(f"choose a camera: its noise is estimated for PSFs {_BY_DEPTH} only")
-        found = objective.chosen()
-        method = RichardsonLucy(steps=most, target=1.0)
+            raise ValueError(f"choose a camera: noise is estimated only with the PSF {_BY_DEPTH!r}")
+        microscope = objective.load()
+        method = RichardsonLucy(steps=max_steps, target=1.0)
 
-        def by_depth(tell: Callable[[float], None]) -> Restored:
+        def restore_by_depth(report: Callable[[float], None]) -> Restored:
             values = np.asarray(source.data)
-            made = restore(
-                values, found, depth=1e-6 * depth.value, wavelength=1e-9 * light.value, step=1e-9 * step.value,
-                pixel=1e-9 * pixel.value * found.objective.magnification, noise=known, method=method,
-                progress=lambda share, _: tell(share),
+            result = restore(
+                values, microscope, depth=1e-6 * depth.value, wavelength=1e-9 * light.value, step=1e-9 * step.value,
+                pixel=1e-9 * pixel.value * microscope.objective.magnification, noise=camera_noise, method=method,
+                progress=lambda fraction, _: report(fraction),
             )  # fmt: skip
-            (each,) = made.channels
-            words = f"{each.steps} steps, discrepancy {each.discrepancy:.3g}, stopped: {each.stopped}"
-            return source, made.values, words, made.notes
+            (channel,) = result.channels
+            summary = f"{channel.steps} steps, discrepancy {channel.discrepancy:.3g}, stopped: {channel.stopped}"
+            return source, result.values, summary, result.notes
 
-        def by_one(tell: Callable[[float], None]) -> Restored:
+        def deconvolve_with_psf(report: Callable[[float], None]) -> Restored:
             assert kernel is not None
-            assert known is not None
+            assert camera_noise is not None
             values = np.asarray(source.data)
-            # Shares of the steps: how many are needed shows at the end.
-            made = deconvolve(values, kernel, known, method=method, progress=lambda count, _d, _l: tell(count / most))
-            words = f"{made.steps} steps, discrepancy {made.discrepancy:.3g}, stopped: {made.stopped}"
-            return source, made.values, words, ()
+            # Progress relative to the maximum number of steps, as the final number is unknown.
+            result = deconvolve(
+                values, kernel, camera_noise, method=method, progress=lambda count, _d, _l: report(count / max_steps)
+            )
+            summary = f"{result.steps} steps, discrepancy {result.discrepancy:.3g}, stopped: {result.stopped}"
+            return source, result.values, summary, ()
 
-        return by_depth if kernel is None else by_one
+        return restore_by_depth if kernel is None else deconvolve_with_psf
 
-    def done(made: Restored) -> str:
-        source, values, words, notes = made
+    def done(result: Restored) -> str:
+        source, values, summary, notes = result
         options = {"scale": source.scale, "units": source.units, "colormap": "inferno", "metadata": {KEY: notes}}
         viewer.add_image(values, name=f"{source.name} deconvolved", **options)
-        return "\n".join([words, *(textwrap.fill(note, _WIDTH) for note in notes)])
+        return "\n".join([summary, *(textwrap.fill(note, _WIDTH) for note in notes)])
 
     camera.changed.connect(noise)
-    objective.connect(microscope)
+    objective.connect(load_objective)
     stack.changed.connect(voxels)
     layers.events.inserted.connect(refresh)
     layers.events.removed.connect(refresh)
-    microscope()
+    load_objective()
     fields = [
         stack,
         objective.name,

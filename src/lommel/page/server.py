@@ -41,7 +41,7 @@ def path() -> Path:
     module = Path(__file__).with_name(NAME)
     if not module.is_file():
         raise FileNotFoundError(
-            f"the live page's module is not there ({module}): install lommel from a wheel, which contains it, or run "
+            f"the live page's module is missing ({module}): install lommel from a wheel, which contains it, or run "
             "`make page` in a copy of the sources"
         )
     return module
@@ -58,7 +58,7 @@ def documentation() -> str:
 
 
 def html(state: Mapping[str, object], lens: str = "", left_out: str = "", *, alone: bool = False) -> str:
-    """Return the HTML of a page with initial `state`, name of the `lens`, and features of the lens `left_out` of it.
+    """Return the HTML of the page with a `state`, the name of its `lens`, and features of the lens that it lacks.
 
     With `alone`, the page contains the module; otherwise the module is loaded from the folder of the page.
     """
@@ -107,9 +107,9 @@ class _Handler(BaseHTTPRequestHandler):
     timeout = 10.0  # seconds before a client that sends nothing is disconnected
 
     def do_GET(self) -> None:
-        # Against DNS rebinding: a foreign page whose name resolves to 127.0.0.1 still sends this name as its host.
+        # Against DNS rebinding: a foreign page whose name resolves to 127.0.0.1 still sends its name as the host.
         port = self.server.server_port
-        # With several Host headers, a proxy could follow another one than this server.
+        # If there are several Host headers, a proxy could use another one than this server.
         hosts = self.headers.get_all("Host", [])
         if len(hosts) != 1 or hosts[0] not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
             return self.send_error(403)
@@ -128,7 +128,7 @@ class _Handler(BaseHTTPRequestHandler):
     do_HEAD = do_GET  # noqa: N815 (the name that http.server requires)
 
     def end_headers(self) -> None:
-        """End the headers of a response, after those that all responses have, errors included."""
+        """Send the headers that all responses have, including errors, and end the headers."""
         for name, value in _SHARED:
             self.send_header(name, value)
         super().end_headers()
@@ -155,14 +155,15 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
         - Wavefront, waves at the edge of the pupil: `defocus` and `spherical` (W020 and W040), `coma`, `astigmatism`,
           `trefoil` and their directions (`coma_angle`, ..., degrees); `zernike`, terms "n,m:waves;..." in waves rms.
         - `focus`: "waves", or "distances", where `focal_length` (mm), `f_number`, `focus_distance` and
-          `object_distance` (m) give the defocus, as :meth:`lommel.Lens.pupil` does.
+          `object_distance` (m) determine the defocus, as in :meth:`lommel.Lens.pupil`.
         - Lens and light: `f_number`, `obscuration` and `vane_width` (fractions of the aperture radius), `vanes`
           (0 to 8), `vane_angle` (degrees), `wavelength` (nm), `light` ("mono", "white").
         - Sensor: `pixel` (um), `view` ("fine", "sampled", "averaged"), `side` (pixels), `noise` ("off", "on"),
           `photons`, `read_noise` (electrons).
         - Display: `rays` ("off", "on"), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`.
 
-        Also `controls`, a list of the controls to show, and `theme`, "light" or "dark"; by default the notebook's.
+        Also `controls`, a list of the controls to show, and `theme`, "light" or "dark", by default that of the
+        notebook.
 
     Returns
     -------

@@ -27,18 +27,18 @@ class Row(NamedTuple):
     group: str
     label: str
     reach: tuple[float, float]
-    """Of the slider; a typed value may lie beyond it, anywhere in the range of the field."""
+    """Range of the slider; a typed value may be anywhere in the range of the control."""
     step: float | None = 0.01
-    """Of the slider; None where it is logarithmic."""
+    """Step of the slider; None for a logarithmic slider."""
     unit: str = ""
     said: str = ""
-    """The unit in words."""
+    """Unit in words."""
     waves: bool = False
     """Whether the number is shown in the unit of the wavefront instead: waves, radians or nanometres."""
     name: str | None = None
     """Text for screen readers, if the label alone is not enough."""
     when: tuple[tuple[str | int, ...], ...] = ()
-    """Settings (key, value, value ...) any of which shows the row; empty if it is always shown."""
+    """Settings (key, value, value ...): the row is shown if one of them applies; empty if it is always shown."""
 
 
 class Real(NamedTuple):
@@ -52,7 +52,7 @@ class Real(NamedTuple):
     """One sentence of help: the quantity, its sign and its unit."""
 
     def accepted(self, name: str, value: object) -> float:
-        """Return the number, which is in the range."""
+        """Return the value as a number; ValueError if it is out of range."""
         number = validation.real(name, value)
         if not self.low <= number <= self.high:
             raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
@@ -67,7 +67,7 @@ class Whole(Real):
     """A control of integers in a range."""
 
     def accepted(self, name: str, value: object) -> int:
-        """Return the number, which is in the range."""
+        """Return the value as an integer; ValueError if it is out of range."""
         return validation.integer(name, value, least=int(self.low), most=int(self.high))
 
     def description(self) -> dict[str, object]:
@@ -76,10 +76,10 @@ class Whole(Real):
 
 
 class Distance(Real):
-    """A control of distances, whose most stands for infinity."""
+    """A control of distances, whose largest value represents infinity."""
 
     def accepted(self, name: str, value: object) -> float:
-        """Return the number, which is in the range."""
+        """Return the value as a number, the largest value for infinity; ValueError if it is out of range."""
         return self.high if value == math.inf else super().accepted(name, value)
 
     def description(self) -> dict[str, object]:
@@ -95,7 +95,7 @@ class Word(NamedTuple):
 
     @property
     def initial(self) -> str:
-        """The default."""
+        """Default value."""
         return self.choices[0]
 
     def description(self) -> Json:
@@ -103,7 +103,7 @@ class Word(NamedTuple):
         return {"initial": self.initial, "choices": list(self.choices), "about": self.about}
 
     def accepted(self, name: str, value: object) -> str:
-        """Return the choice, checked."""
+        """Return the value; ValueError if it is not one of the choices."""
         return validation.choice(name, value, self.choices)
 
 
@@ -114,7 +114,7 @@ class Terms(NamedTuple):
 
     @property
     def initial(self) -> str:
-        """The default."""
+        """Default value."""
         return ""
 
     def description(self) -> Json:
@@ -123,12 +123,12 @@ class Terms(NamedTuple):
         return {"initial": self.initial, "about": self.about} | limits
 
     def accepted(self, name: str, value: object) -> str:
-        """Return the text, of which every term is in range and occurs once."""
+        """Return the text; TypeError or ValueError unless every term is in range and occurs once."""
         if not isinstance(value, str):
             raise TypeError(f"{name} must be a text of Zernike terms, got {validation.shown(value)}")
-        listed = [part for part in value.split(";") if part]
-        found = [term for part in listed if (term := _term(part)) is not None]
-        if len(found) < len(listed) or len(listed) > MOST_TERMS or len(dict(found)) < len(listed):
+        parts = [part for part in value.split(";") if part]
+        terms = [term for part in parts if (term := _term(part)) is not None]
+        if len(terms) < len(parts) or len(parts) > MOST_TERMS or len(dict(terms)) < len(parts):
             raise ValueError(
                 f"{name} must be up to {MOST_TERMS} different terms 'n,m:waves' separated by ';', with 1 <= n <= "
                 f"{HIGHEST_DEGREE}, |m| <= n, n - m even and waves (rms) from -{MOST_WAVES} to {MOST_WAVES}, such as "
@@ -155,7 +155,7 @@ def further_terms(text: str) -> dict[tuple[int, int], float]:
     return dict(term for part in text.split(";") if part and (term := _term(part)) is not None)
 
 
-# Aberrations with a direction, by their Zernike term; each has a slider for its size and one for its direction.
+# Aberrations with a direction, by their Zernike term; one slider sets the size and another one the direction.
 DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
 _POLYNOMIAL = {"coma": "(3ρ³ − 2ρ) cos θ", "astigmatism": "ρ² cos 2θ", "trefoil": "ρ³ cos 3θ"}
 _SEIDEL = {
@@ -203,13 +203,13 @@ _ABOUT = {
         "n,m:waves rms."
     ),
     "focal_length": "Focal length of the lens, millimetres; converts lengths on the sensor to angles.",
-    "f_number": "Sensor distance over the diameter of the aperture; with distances, focal length over the diameter.",
-    "obscuration": "Radius of the central obscuration over the radius of the aperture.",
+    "f_number": "Sensor distance divided by aperture diameter; with distances, focal length divided by it.",
+    "obscuration": "Radius of the central obscuration divided by the radius of the aperture.",
     "vanes": (
         "Number of straight vanes from the axis to the edge of the aperture, at equal angles; a logarithmic scale "
         "shows their spikes."
     ),
-    "vane_width": "Width of each vane over the radius of the aperture.",
+    "vane_width": "Width of each vane divided by the radius of the aperture.",
     "vane_angle": "Direction of the first vane, degrees from the right, clockwise.",
     "wavelength": (
         "Wavelength of the light, nanometres; in white light, the one at which the wavefront is given in waves."
@@ -284,19 +284,19 @@ _CONTROLS: dict[str, Real | Word | Terms] = {
 FIELDS: dict[str, Real | Word | Terms] = {
     name: one._replace(about=_ABOUT[name]) if name in _ABOUT else one for name, one in _CONTROLS.items()
 }
-"""In waves at the edge (W020 and Seidel's W040; the others Zernike terms that are 1 there), degrees, nanometres,
-micrometres, pixels, metres for distances and millimetres for the focal length."""
+"""Controls by name. Units: waves at the edge of the pupil (W020, W040, and Zernike terms that are 1 at the
+edge), degrees, nanometres, micrometres, pixels; metres for distances, millimetres for the focal length."""
 
 # White light on the page: lines of equal energy, nanometres.
 WHITE = np.linspace(450.0, 650.0, 7)
 
 
 def colour_weights() -> Array:
-    """Return the weights of the lines of white light in linear sRGB, shape (lines, 3); those of a colour sum to 1.
+    """Return the weights of the lines of white light in linear sRGB, shape (lines, 3); each colour has the sum 1.
 
-    By the colour-matching functions of the CIE 1931 standard observer, as fitted by Wyman, Sloan and Shirley, Simple
-    analytic approximations to the CIE XYZ color matching functions, J. Comput. Graph. Tech. 2(2), 2013. The spectrum
-    itself is white.
+    The colour-matching functions are those of the CIE 1931 standard observer, as fitted by Wyman, Sloan and Shirley,
+    Simple analytic approximations to the CIE XYZ color matching functions, J. Comput. Graph. Tech. 2(2), 2013. The
+    sums of 1 make the spectrum itself white.
     """
 
     def lobe(height: float, peak: float, below: float, above: float) -> Array:
@@ -306,7 +306,7 @@ def colour_weights() -> Array:
     x = lobe(1.056, 599.8, 37.9, 31.0) + lobe(0.362, 442.0, 16.0, 26.7) + lobe(-0.065, 501.1, 20.4, 26.2)
     y = lobe(0.821, 568.8, 46.9, 40.5) + lobe(0.286, 530.9, 16.3, 31.1)
     z = lobe(1.217, 437.0, 11.8, 36.0) + lobe(0.681, 459.0, 26.0, 13.8)
-    # IEC 61966-2-1.
+    # Conversion from XYZ to linear sRGB of IEC 61966-2-1.
     to_srgb = np.array([[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]])
     weights: Array = np.stack([x, y, z], axis=1) @ to_srgb.T
     weights /= weights.sum(axis=0)
@@ -322,11 +322,11 @@ def powers(n: int, m: int) -> list[tuple[int, int]]:
     ]
 
 
-def complete(given: Mapping[str, object]) -> Json:
+def complete(values: Mapping[str, object]) -> Json:
     """Return a complete state from given values and the defaults."""
-    for name in given:
+    for name in values:
         validation.choice("a name of the state", name, tuple(FIELDS))
-    return {name: field.accepted(name, given.get(name, field.initial)) for name, field in FIELDS.items()}
+    return {name: field.accepted(name, values.get(name, field.initial)) for name, field in FIELDS.items()}
 
 
 def link(state: Mapping[str, object]) -> str:
@@ -342,11 +342,11 @@ def link(state: Mapping[str, object]) -> str:
 def state_of(instrument: Instrument) -> tuple[Json, str]:
     """Return the state that shows an instrument, and a list of its features that the page cannot show.
 
-    A lens with an object or a focus nearer than infinity is shown by its distances, others by their defocus.
+    A paraxial lens with an object or a focus nearer than infinity is shown by its distances, others by their defocus.
     """
     pupil, lens = instrument.pupil(), instrument.lens
     if pupil.wavelength is None or pupil.f_number is None or pupil.shape:
-        raise ValueError("the live page takes one pupil with a wavelength and an f-number")
+        raise ValueError("the live page requires one pupil with a wavelength and an f-number")
     near = min(lens.focus_distance, instrument.object_distance) < _FAR and lens.focus_distance > 0.0
     distances = near and lens.model == "paraxial"
     wavefront = lens.aberrations if distances else pupil.wavefront
@@ -382,9 +382,9 @@ def state_of(instrument: Instrument) -> tuple[Json, str]:
 
 
 def _sliders(waves: dict[tuple[int, int], float], *, distances: bool) -> Json:
-    """Return the sliders of the wavefront for Zernike terms in waves at the edge, and take these out."""
+    """Return the values of the sliders, and remove their Zernike terms (waves at the edge) from `waves`."""
     waves.pop((0, 0), 0.0)
-    # W020 and W040 of the Zernike terms of these powers, 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
+    # W020 and W040 follow from the Zernike terms 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
     spherical = 6.0 * waves.pop((4, 0), 0.0)
     state: Json = {"spherical": spherical}
     if distances:
@@ -399,7 +399,7 @@ def _sliders(waves: dict[tuple[int, int], float], *, distances: bool) -> Json:
 
 
 def _require_range(state: Json, lens: str) -> None:
-    """Raise ValueError for a lens whose numbers are out of the range of the controls."""
+    """Raise ValueError if a number of a lens is out of the range of its control."""
     for name, value in state.items():
         field = FIELDS[name]
         if isinstance(field, Real) and not field.low <= value <= field.high:
@@ -411,20 +411,22 @@ def _require_range(state: Json, lens: str) -> None:
 
 
 def _without_slider(waves: dict[tuple[int, int], float]) -> tuple[str, float]:
-    """Return the text of Zernike terms that have no slider, and the rms in waves of those that it has no room for."""
+    """Return the text of Zernike terms without a slider, and the rms (waves) of terms beyond its limits."""
     rms = {(n, m): c / edge_factor(n, m) for (n, m), c in waves.items()}
-    # Largest first, so that the text has those that count.
-    kept = sorted((term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term]))
-    kept = [term for term in kept if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
-    text = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(kept))
+    # Largest first, as the number of terms is limited.
+    selected = sorted(
+        (term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term])
+    )
+    selected = [term for term in selected if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
+    text = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(selected))
     return text, math.sqrt(sum(c * c for c in rms.values()))
 
 
-_FAR = 1e12  # metres that stand for infinity
+_FAR = 1e12  # distance that represents infinity, metres
 
 
 def edge_factor(n: int, m: int) -> float:
-    """Return the value at the edge of a Zernike term of 1 rms over the full pupil."""
+    """Return the value at the edge of the pupil of a Zernike term with an rms of 1 over the full pupil."""
     return math.sqrt((1 if m == 0 else 2) * (n + 1))
 
 
@@ -447,10 +449,10 @@ def pupil_of(state: Mapping[str, object]) -> Pupil:
     wavefront = Wavefront.from_seidel(W020=0.0 if distances else whole["defocus"], W040=whole["spherical"])
     for name, (n, m) in DIRECTED.items():
         if size := whole[name]:
-            turned = Wavefront.zernike({(n, m): size}, unit="waves", normalization="edge")
-            wavefront += turned.rotated(math.radians(whole[f"{name}_angle"]))
-    if listed := further_terms(whole["zernike"]):
-        wavefront += Wavefront.zernike(listed, unit="waves")
+            term = Wavefront.zernike({(n, m): size}, unit="waves", normalization="edge")
+            wavefront += term.rotated(math.radians(whole[f"{name}_angle"]))
+    if terms := further_terms(whole["zernike"]):
+        wavefront += Wavefront.zernike(terms, unit="waves")
     shared: Json = {"obscuration": whole["obscuration"], "wavelength": whole["wavelength"] * 1e-9}
     if whole["vanes"]:
         first = math.radians(whole["vane_angle"])
@@ -458,7 +460,7 @@ def pupil_of(state: Mapping[str, object]) -> Pupil:
     if not distances:
         return Pupil(wavefront, f_number=whole["f_number"], **shared)
     focal = whole["focal_length"] * 1e-3
-    # By the diameter, since an f-number with a focal length above 1 m is taken for a slip.
+    # The diameter is passed, because Lens rejects an f-number together with a focal length above 1 m as an error.
     lens = Lens(
         focal_length=focal,
         aperture_diameter=focal / whole["f_number"],
@@ -479,26 +481,26 @@ def psf_of(state: Mapping[str, object], **options: Any) -> PSF:
     if whole["view"] == "fine":
         pixel = 2.0 * reach / side
     elif whole["vanes"]:
-        # As on the page, where the time with vanes grows with the window.
+        # The page limits the window, too, since the computing time with vanes increases with its size.
         side = min(side, max(64, 2 * math.ceil(reach / pixel)))
     return psf(pupil, side, pixel, integrate=whole["view"] == "averaged", **options)
 
 
 def _fine_reach(pupil: Pupil) -> float:
-    """Return half of the page's own window, which holds the geometric blur and some rings, metres."""
+    """Return half the side (metres) of the default window, which contains the geometric blur and some rings."""
     # The same samples and steps of sqrt(2) as in fineReach() of the page.
     rho = pupil.obscuration + (1.0 - pupil.obscuration) * np.arange(25)[:, None] / 24.0
     theta = math.tau * np.arange(48) / 48.0
     outward = np.zeros((25, 48))
     around = np.zeros_like(outward)
     for (n, m), edge in pupil.wavefront.edge_terms().items():
-        over, slope = np.zeros_like(rho), np.zeros_like(rho)  # the radial part over rho, and its derivative
+        quotient, slope = np.zeros_like(rho), np.zeros_like(rho)  # radial part divided by rho, derivative of the part
         for power, factor in powers(n, abs(m)):
             if power:
-                over, slope = over + factor * rho ** (power - 1), slope + factor * power * rho ** (power - 1)
-        turned = abs(m) * theta - (math.pi / 2 if m < 0 else 0.0)
-        outward += float(edge) * slope * np.cos(turned)
-        around -= float(edge) * over * abs(m) * np.sin(turned)
+                quotient, slope = quotient + factor * rho ** (power - 1), slope + factor * power * rho ** (power - 1)
+        angle = abs(m) * theta - (math.pi / 2 if m < 0 else 0.0)
+        outward += float(edge) * slope * np.cos(angle)
+        around -= float(edge) * quotient * abs(m) * np.sin(angle)
     v = 1.15 * float(np.hypot(outward, around).max()) + 14.0
     assert pupil.wavelength is not None
     assert pupil.f_number is not None

@@ -16,16 +16,17 @@ from lommel.fit.findings import Finding
 from lommel.recorded.noise import Noise
 
 _BITS = (8, 10, 12, 14, 16)  # bits of analogue-to-digital converters, whose largest values mean saturation
-_LEAST = 3  # smallest number of pixels with the largest value that is taken as saturation
+_LEAST = 3  # smallest number of pixels with the largest value that counts as saturation
 _COUNTS = 3.0  # standard deviation of the noise, counts, from which equal values are rare
 _OFTEN = 2.0  # ratio of pixels with the largest value to pixels just below it, above which it is saturation
 
 
 def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "pixels") -> tuple[float, str]:
-    """Return the value from which on pixels are saturated (infinity for none), and a note on an assumption, or "".
+    """Return the smallest saturated value (infinity for none), and a note if this value was assumed, else "".
 
     The value is `stated`, if given. Otherwise it is the full scale of a camera of 8, 10, 12, 14 or 16 bits if that is
-    the largest value of all `planes` and more pixels have it than noise explains; else that of the integer type.
+    the largest value of all `planes` and more pixels have it than noise explains; else the largest of the integer
+    type.
     """
     if stated is not None:
         return validation.real("saturation", stated, infinite=True), ""
@@ -45,12 +46,12 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
         return most, ""
     return top, (
         f"{count} {name} have exactly the largest value, {top:.10g}, that of {math.log2(top + 1.0):.0f} bits: they "
-        "were taken as saturated; saturation= states another"
+        "were taken as saturated; saturation= sets another limit"
     )
 
 
 def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[float, int]:
-    """Return the largest valid value and its number of pixels, if noise does not explain so many; else (nan, 0).
+    """Return the largest valid value and its number of pixels, if noise does not explain that number; else (nan, 0).
 
     Without saturation at least as many pixels are within one standard deviation below the largest value as have it.
     """
@@ -88,7 +89,7 @@ class Counts:
     full : ndarray of bool, shape (..., height, width)
         Saturated pixels that are not hidden.
     saturation : float
-        Value from which on pixels are saturated; infinity for none.
+        Smallest value of saturated pixels; infinity for none.
     assumed : str
         Note on an assumed saturation, or "".
     """
@@ -126,7 +127,7 @@ class Counts:
         mask : array_like of bool, optional
             True for pixels to ignore; its shape is that of `images`, or of their last two or more axes.
         saturation : float, optional
-            Value from which on pixels are saturated; by default see :func:`lommel.recorded.counts.full_value`.
+            Smallest value of saturated pixels; by default see :func:`lommel.recorded.counts.full_value`.
         empty : bool, default False
             Whether an array without images is allowed.
 
@@ -138,24 +139,28 @@ class Counts:
         shapes = {np.shape(part) for part in images} if isinstance(images, list | tuple) else set()
         if len(shapes) > 1:
             raise ValueError(f"{name} must have one shape {shape}, got {', '.join(map(str, sorted(shapes)))}")
-        values, hidden = validation.parted(name, images)
+        values, container_mask = validation.parted(name, images)
         if values.ndim not in sides or 0 in values.shape[-2:] or (values.size == 0 and not empty):
             raise ValueError(f"{name} must have the shape {shape}, got {values.shape}")
-        left = np.zeros(values.shape, dtype=bool) if values.dtype.kind != "f" else ~np.isfinite(values)
+        ignored = np.zeros(values.shape, dtype=bool) if values.dtype.kind != "f" else ~np.isfinite(values)
         _require_within(name, values)
-        if hidden is not None:
-            left |= hidden
+        if container_mask is not None:
+            ignored |= container_mask
         if mask is not None:
-            out = validation.array("mask", mask)
-            if out.dtype != bool or out.ndim < 2 or out.shape != values.shape[-out.ndim :]:
+            mask_values = validation.array("mask", mask)
+            if (
+                mask_values.dtype != bool
+                or mask_values.ndim < 2
+                or mask_values.shape != values.shape[-mask_values.ndim :]
+            ):
                 raise ValueError(
-                    f"mask must be True or False for each pixel of {name} {values.shape}, got {out.dtype} of "
-                    f"{out.shape}"
+                    f"mask must be True or False for each pixel of {name} {values.shape}, got {mask_values.dtype} of "
+                    f"shape {mask_values.shape}"
                 )
-            left |= out
-        limit, assumed = full_value([np.where(left, 0, values) if left.any() else values], saturation)
-        full = (values >= limit) & ~left
-        return cls(values, left, full, limit, assumed)
+            ignored |= mask_values
+        limit, assumed = full_value([np.where(ignored, 0, values) if ignored.any() else values], saturation)
+        full = (values >= limit) & ~ignored
+        return cls(values, ignored, full, limit, assumed)
 
     @property
     def known(self) -> NDArray[np.bool_]:

@@ -154,11 +154,11 @@ def of_imagej(file: TiffFile) -> Found:
     return found
 
 
-def of_zarr(said: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]) -> Found:
-    """Return the metadata of an OME-Zarr from its attributes `said`, and `scale` and `units` by axis letter."""
+def of_zarr(attributes: Mapping[str, Any], scale: Mapping[str, float], units: Mapping[str, str | None]) -> Found:
+    """Return the metadata of an OME-Zarr from its `attributes`, and `scale` and `units` by axis letter."""
     sides = {letter: length(value, units.get(letter)) for letter, value in scale.items()}
     found: Found = {"pixel": sides.get("X"), "down": sides.get("Y"), "step": sides.get("Z")}
-    listed = said.get("omero") or {}
+    listed = attributes.get("omero") or {}
     channels = listed.get("channels", []) if isinstance(listed, dict) else []
     channels = [each for each in channels if isinstance(each, dict)]
     found["names"] = [each.get("label") for each in channels]
@@ -195,11 +195,11 @@ def fits_notes(header: Mapping[str, object]) -> list[str]:
     ]
 
 
-def of_all(said: Sequence[Found]) -> Found:
+def of_all(metadata: Sequence[Found]) -> Found:
     """Return the camera metadata of several files; values that differ between files are :class:`Unusable`."""
-    found = dict(said[0])
+    found = dict(metadata[0])
     for key in ("gain", "read", "saturation", "excess"):
-        values = [each.get(key) for each in said]
+        values = [each.get(key) for each in metadata]
         if any(value != values[0] for value in values):
             words = [
                 value.words if isinstance(value, Unusable) else "none" if value is None else f"{value:g}"
@@ -537,8 +537,8 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
     if isinstance(path, Frames):
         return path
     if not isinstance(path, str | PathLike):
-        held = hasattr(path, "shape") and hasattr(path, "dtype")
-        values = cast(ArrayLikeImages, path) if held else validation.array(name, path)
+        is_array = hasattr(path, "shape") and hasattr(path, "dtype")
+        values = cast(ArrayLikeImages, path) if is_array else validation.array(name, path)
         validation.refuse_masked(name, values)
         return _of_array(values, name)
     given, part = part_of(path)
@@ -659,14 +659,14 @@ def _of_tiff(path: Path, file: TiffFile, image: int | None) -> Frames:
     orientation = page.tags.get("Orientation")
     if orientation is not None and orientation.value != 1:
         notes.append(f"The file states the orientation {orientation.value}, which was not applied.")
-    left = reading.tiff_left_out(file)
-    if left:
-        notes.append(f"The file holds {left}; the others were left out.")
+    uncounted = reading.tiff_left_out(file)
+    if uncounted:
+        notes.append(f"The file holds {uncounted}; the others were left out.")
     axes = "".join(letter for letter, _ in sizes) + "YX"
     numbers = np.arange(count).reshape(lead)
     if mapped is not None:  # the mapping remains valid after the file is closed
         file.close()
-    return Frames(planes, numbers, axes, found, by, path, tuple(notes), left, file.close)
+    return Frames(planes, numbers, axes, found, by, path, tuple(notes), uncounted, file.close)
 
 
 def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) -> tuple[Any, int]:
@@ -681,8 +681,8 @@ def _series_of(path: Path, file: TiffFile, image: int | None, notes: list[str]) 
         if not file.is_ome:
             raise ValueError(f"it holds {len(every)} images ({sides}): name one, as in {path.name}[0]")
         notes.append(
-            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was taken; "
-            f"{path.name}[{0 if place else 1}] is another."
+            f"The file holds {len(every)} images ({sides}); image {place}, counted from 0, was used; "
+            f"{path.name}[{0 if place else 1}] selects another."
         )
     return series, place
 
@@ -774,7 +774,7 @@ def _grey(values: Values) -> Values:
 def _png(data: bytes, _part: str | None) -> tuple[Values, Found]:
     values: Values = photos.read_png(data)[0]
     if values.ndim != 2:
-        raise ValueError(f"it has {values.shape[2]} channels: save what the sensor counted in grey, of 16 bits")
+        raise ValueError(f"it has {values.shape[2]} channels: save the counts of the sensor in grey, of 16 bits")
     return values, {}
 
 
@@ -839,7 +839,7 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
 
 
 def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
-    """Return the images of all files, as by :func:`read_each`; ValueError unless of one size and type."""
+    """Return the images of all files, as by :func:`read_each`; ValueError unless all have one size and type."""
     found = list(read_each(paths))
     if not found:
         raise ValueError("paths must name a file or several, got none")
@@ -848,8 +848,8 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
         if ((height, width), dtype) != kinds[0]:
             (first, across), before = kinds[0]
             raise RecordingError(
-                f"{one.names[0]}: images of {height} x {width} {dtype}, those before are of {first} x {across} "
-                f"{before}"
+                f"{one.names[0]}: images of {height} x {width} {dtype}, but the first images are of {first} x "
+                f"{across} {before}"
             )
     return Images(
         np.concatenate([one.values for one in found]),
@@ -942,7 +942,7 @@ class Movie:
         return self._frames[begin:end]
 
     def blocks(self, size: int | None = None) -> Iterator[Values]:
-        """Yield all frames in blocks of consecutive ones.
+        """Yield all frames in blocks of consecutive frames.
 
         Parameters
         ----------

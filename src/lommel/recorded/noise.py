@@ -24,25 +24,25 @@ def random_numbers(seed: int | np.random.Generator) -> np.random.Generator:
 class Noise(EqualByContent):
     """Gain, offset, photon noise and read noise of a sensor.
 
-    A pixel with a mean of mu electrons records ``Poisson(mu)`` of them plus Gaussian read noise; the image holds
+    A pixel with a mean of mu electrons records ``Poisson(mu)`` electrons plus Gaussian read noise. Its value is
     ``offset + electrons / white``. With electron multiplication the variance of the light is `excess` times as large.
 
     Parameters
     ----------
     white : float or array_like, optional
-        Electrons at the value 1.0 of an image: for photographs whose values end at 1, about the full well (5000);
-        for images in counts (ADU), the gain in electrons per count (0.46 e/ADU is ``white=0.46``). By default images
-        are in electrons, as with 1.0.
+        Number of electrons for the value 1.0: for photographs with values up to 1, about the full well (5000); for
+        images in counts (ADU), the gain in electrons per count (0.46 e/ADU is ``white=0.46``). The default is 1.0,
+        for images in electrons.
     read : float or array_like
         Read noise, rms electrons; 0 for none. For an image of integers it may include the rounding,
-        ``white / sqrt(12)``, as the root of the sum of squares.
+        ``white / sqrt(12)``, added in quadrature.
     offset : float or array_like, default 0
         Value of a pixel without electrons, in the image's own unit: black level, bias or pedestal (100 ADU). Sky and
-        dark current are noisy, and not part of it: they are a background.
+        dark current have noise of their own: they are a background, not an offset.
     excess : float, default 1.0
         Excess noise factor F^2 of multiplication before the read noise, 1 to 100: about 2 for an electron-multiplying
         CCD (EMCCD) at a high gain. `white` and `read` are then those of electrons before multiplication: the gain
-        and the read noise of the output amplifier, each over the EM gain.
+        and the read noise of the output amplifier, both divided by the EM gain.
 
     Raises
     ------
@@ -56,9 +56,10 @@ class Noise(EqualByContent):
     electrons (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014): the model of :func:`lommel.fisher`.
 
     The variance of a pixel is ``excess * mu + read**2`` (Robbins and Hadwen 2003, doi:10.1109/TED.2003.813462).
-    Electrons over `excess` have the mean ``mu / excess`` and, but for the read noise, a variance equal to it: fits
-    take them as Poisson's, and multiply the light that they find by `excess`. The register of an EMCCD holds 1.3 to
-    1.03 times as much information as this at 0.2 to 10 electrons a pixel, so that standard errors are not too small.
+    Electrons divided by `excess` have the mean ``mu / excess`` and, without read noise, the same variance: fits
+    assume a Poisson distribution for them, and multiply the estimated light by `excess`. At 0.2 to 10 electrons per
+    pixel, images of an EMCCD contain 1.3 to 1.03 times the information of this model: its standard errors are not too
+    small.
 
     Examples
     --------
@@ -86,7 +87,7 @@ class Noise(EqualByContent):
     def electrons(self, image: ArrayLike) -> Array:
         """Return the electrons of a recorded `image` (..., height, width), ``(image - offset) * white``.
 
-        They may be negative, by read noise. ValueError if a value is not finite.
+        Values may be negative because of read noise. ValueError if a value is not finite.
         """
         values = validation.real_array("image", image)
         return np.asarray((values - self._for("offset", values.shape)) * self._for("white", values.shape))
@@ -103,38 +104,39 @@ class Noise(EqualByContent):
 
     @property
     def poisson(self) -> Noise:
-        """The noise without excess of the same images, whose electrons are those of the light over `excess`."""
+        """Noise of the same images without excess, whose electrons are divided by `excess`."""
         if self.excess == 1.0:
             return self
-        # Signal and read noise over the excess F: electrons / F of a Poisson variable have the variance of F
-        # electrons.
+        # For the excess F, electrons have the variance F mu. Divided by F they have the mean mu / F, and the same
+        # variance.
         white = 1.0 if self.white is None else self.white
         return Noise(white=white / self.excess, read=self.read / self.excess, offset=self.offset)
 
     def record(self, electrons: ArrayLike, seed: int | np.random.Generator) -> Array:
-        """Return a simulated image with random photon and read noise, in its own unit, not rounded.
+        """Return a simulated image with random photon and read noise, in the unit of images, not rounded.
 
-        `electrons` is the mean of each pixel, shape ``(..., height, width)``; one `seed` makes one image. TypeError
-        or ValueError if a mean is negative or not finite, or there is no such seed. With `excess` each electron
-        becomes many, their number of an exponential distribution (gamma, for an excess other than 2) of mean 1.
+        `electrons` is the mean of each pixel, shape ``(..., height, width)``; an integer `seed` always returns the
+        same image. TypeError or ValueError if a mean is negative or not finite, or `seed` is not one. With `excess`
+        each electron is multiplied by a random number of mean 1: exponentially distributed for an excess of 2, else
+        gamma.
         """
         mean = validation.real_array("electrons", electrons, least=0.0)
         draw = random_numbers(seed)
         photons: Array = draw.poisson(mean).astype(float)
-        made = np.asarray(draw.standard_normal(mean.shape))
+        image = np.asarray(draw.standard_normal(mean.shape))
         if self.excess > 1.0:
-            # A sum of n gamma variates of shape k and scale 1/k; by Wald's identity the variance is mean (1 + 1/k).
-            # Excess 1 + 1 / k.
+            # A sum of n gamma variates of shape k and scale 1/k; by Wald's identity the variance is mean (1 + 1/k),
+            # and the excess is 1 + 1/k.
             shape = 1.0 / (self.excess - 1.0)
             photons = np.asarray(draw.gamma(shape * photons)) / shape
-        made *= self._for("read", mean.shape)
-        made += photons
-        made /= self._for("white", mean.shape)
-        made += self._for("offset", mean.shape)
-        return made
+        image *= self._for("read", mean.shape)
+        image += photons
+        image /= self._for("white", mean.shape)
+        image += self._for("offset", mean.shape)
+        return image
 
     def part(self, rows: slice, columns: slice) -> Noise:
-        """Return the noise of a window of images, for which maps are cut.
+        """Return the noise of a window of images, with the part of maps in the window.
 
         Parameters
         ----------
@@ -148,12 +150,12 @@ class Noise(EqualByContent):
         return Noise(**parts)
 
     def require_shape(self, shape: tuple[int, ...]) -> Noise:
-        """Return it; ValueError if a map has not the height and width of images.
+        """Return this noise; ValueError if a map does not have the height and width of images.
 
         Parameters
         ----------
         shape : tuple of int
-            Of images, height and width last.
+            Shape of images, height and width last.
 
         Returns
         -------
@@ -170,7 +172,7 @@ class Noise(EqualByContent):
         return self
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:
-        """Return a number, or the value of each pixel if images have this shape."""
+        """Return a parameter: a number, or a map that has a value for each pixel of images of this shape."""
         value: float | Array | None = getattr(self, name)
         if value is None:
             return 1.0
@@ -179,7 +181,7 @@ class Noise(EqualByContent):
         raise ValueError(f"{name}, of shape {value.shape}, must have a value for each pixel, got images of {shape}")
 
     def to_dict(self) -> Json:
-        """Return everything in plain types; ``Noise(**plain)`` is the inverse."""
+        """Return the parameters as data that can be written as JSON; ``Noise(**data)`` is the inverse."""
         return {name: v if v is None or isinstance(v, float) else v.tolist() for name, v in vars(self).items()}
 
     def _content(self) -> tuple[object, ...]:
@@ -187,11 +189,11 @@ class Noise(EqualByContent):
 
 
 def _number(name: str, value: ArrayLike, least: float = -np.inf) -> float | Array:
-    """Return a finite number, or an array (height, width) of them."""
-    found = validation.real_array(name, value, least=least) + 0.0  # no -0
-    if found.ndim not in (0, 2) or found.size == 0:
-        raise ValueError(f"{name} must be a number or have the shape (height, width), got shape {found.shape}")
-    if found.ndim == 0:
-        return float(found)
-    found.flags.writeable = False
-    return found
+    """Return a finite number, or an array (height, width) of finite numbers."""
+    numbers = validation.real_array(name, value, least=least) + 0.0  # no -0
+    if numbers.ndim not in (0, 2) or numbers.size == 0:
+        raise ValueError(f"{name} must be a number or have the shape (height, width), got shape {numbers.shape}")
+    if numbers.ndim == 0:
+        return float(numbers)
+    numbers.flags.writeable = False
+    return numbers

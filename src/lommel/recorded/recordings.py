@@ -21,42 +21,42 @@ from lommel.recorded.frames import UNKNOWN, Frames, RecordingError, Unusable, op
 
 _JSON = 2**24  # largest size of a parsed description, bytes
 _CHUNK = (32, 256, 256)  # chunks of written OME-Zarr: planes, rows, columns
-_SHARE = 1e-4  # relative difference of lengths that count as equal
-# Lengths that files state, and their words in errors; "down" is the height of a pixel.
-_LENGTHS = {"pixel": "pixels of", "down": "pixels of a height of", "step": "planes apart by"}
+_TOLERANCE = 1e-4  # relative difference up to which lengths count as equal
+# Lengths in files, in the words of messages; "down" is the height of a pixel.
+_LENGTHS = {"pixel": "a pixel size of", "down": "a pixel height of", "step": "a plane spacing of"}
 _SIDES = 1e-12, 1e-4  # metres, range of voxel sides in the sample
 _WAVES = 1e-7, 1e-4  # metres, range of wavelengths: 0.52 nm is a wavelength in micrometres with a wrong unit
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Recording:
-    """A stack that a microscope recorded, with what its file says of it; values stay on the disk until they are read.
+    """Stack that a microscope recorded, with the metadata of its file; values are read from the disk on demand.
 
-    Made by :func:`lommel.microscopy.open_recording`.
+    Returned by :func:`lommel.microscopy.open_recording`.
 
     Attributes
     ----------
     shape : tuple of int
         Channels, planes, height, width.
     dtype : dtype
-        Of the values as they are stored.
+        Type of the stored values.
     pixel : float or None
-        Side of a pixel in the sample, metres; None if the file does not say.
+        Side of a pixel in the sample, metres; None if the file states none.
     step : float or None
-        Distance between planes, metres of the stage, not negative; None if the file does not say.
+        Stage displacement between planes, metres, not negative; None if the file states none.
     names : tuple of str
-        Of the channels.
+        Names of the channels.
     emission, excitation : tuple of float or None
         Wavelength of each channel, metres.
     NA, magnification, immersion : float or None
-        Of the objective, if the file says so.
+        Numerical aperture and magnification of the objective, and index of the immersion, if the file states them.
     path : Path or None
     frames : Frames
-        What reads the planes.
+        Reader of the planes.
     notes : tuple of str
-        What was taken from the file, and what it lacks, in sentences.
+        Sentences on the values taken from the file, and on values that it lacks.
     unusable : dict
-        What the file says of numbers that cannot be used, such as 0, in its own words; the keys are "pixel", "step",
+        Values in the file that cannot be used, such as 0, in the words of the file; the keys are "pixel", "step",
         "NA", "magnification", "immersion", or "emission" and "excitation" with the number of the channel, such as
         "emission 0".
     """
@@ -121,11 +121,11 @@ class Recording:
         return self.frames.one_of("C", number)
 
     def only(self, name: str) -> Frames:
-        """Return its only channel as a stack; ValueError about the argument `name` if it has several."""
+        """Return the only channel as a stack; ValueError about the argument `name` if there are several."""
         if self.shape[0] > 1:
             raise ValueError(
                 f"{name} must be one channel, got a recording of {self.shape[0]}: {', '.join(self.names)}; "
-                "recording.stack(0) is the first of them"
+                "use recording.stack(0) for the first"
             )
         return self.stack()
 
@@ -146,11 +146,11 @@ def open_recording(
         0.5); or an array of NumPy, dask or Zarr, of shape (planes, height, width) or (channels, planes, height,
         width).
     time : int, optional
-        Which time point, from 0; needed where the file holds several.
+        Number of the time point, from 0; required if the file holds several.
     axes : str, optional
-        Letters of the axes, such as "ZYX" or "CZYX", where the file does not state them or is wrong.
+        Letters of the axes, such as "ZYX" or "CZYX", if the file does not state them or states wrong ones.
     image : int, optional
-        Which image of a TIFF file that holds several, from 0; by default that of the most values.
+        Number, from 0, of the image in a TIFF file with several; by default the one with the most values.
 
     Returns
     -------
@@ -186,7 +186,7 @@ def open_recording(
 
 def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
     """Return images along C and Z, at a single time."""
-    name, leading = frames.name, frames.numbers.shape  # of all axes but rows and columns
+    name, leading = frames.name, frames.numbers.shape  # sizes of all axes before rows and columns
     if axes is None and frames.path is None and not frames.by:
         if len(leading) not in (1, 2):
             raise ValueError(
@@ -196,15 +196,15 @@ def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
         axes = "CZYX"[-frames.ndim :]
     if axes is not None:
         longer = tuple(side for side in leading if side != 1)
-        kept = leading if len(leading) == len(axes) - 2 else longer
-        if len(kept) != len(axes) - 2:
-            raise RecordingError(f"{name}: axes={axes!r} does not fit its shape {frames.shape}")
-        frames = replace(frames, numbers=frames.numbers.reshape(kept), axes=axes)
+        sizes = leading if len(leading) == len(axes) - 2 else longer
+        if len(sizes) != len(axes) - 2:
+            raise RecordingError(f"{name}: axes={axes!r} does not match its shape {frames.shape}")
+        frames = replace(frames, numbers=frames.numbers.reshape(sizes), axes=axes)
     order = [letter for letter, side in zip(frames.axes, frames.numbers.shape, strict=False) if side != 1]
     if UNKNOWN in order:
         count = frames.numbers.shape[frames.axes.index(UNKNOWN)]
         raise RecordingError(
-            f"{name}: the file does not say what its axis of {count} images is; state it, such as "
+            f"{name}: the file does not state the meaning of its axis of {count} images; state it, such as "
             'axes="ZYX" for planes along z'
         )
     if "T" in frames.axes:
@@ -216,16 +216,16 @@ def _with_axes(frames: Frames, axes: str | None, time: int | None) -> Frames:
             )
         if count > 1 and time is None:
             raise RecordingError(
-                f"{name}: it holds {count} time points; say which with time=, from 0 to {count - 1}, or restore each "
-                "in turn"
+                f"{name}: it holds {count} time points; select one with time=, from 0 to {count - 1}, or restore "
+                "each in turn"
             )
         frames = frames.one_of("T", validation.integer("time", time or 0, least=0, most=count - 1))
     return frames.along("CZYX")
 
 
 def _recording(frames: Frames) -> Recording:
-    """Return a recording with the checked statements of its file."""
-    count, said, notes = frames.numbers.shape[0], frames.said, list(frames.notes)
+    """Return a recording with the metadata of its file, of which unusable values are omitted."""
+    count, metadata, notes = frames.numbers.shape[0], frames.said, list(frames.notes)
     unusable: dict[str, str] = {}
 
     def checked(
@@ -236,35 +236,35 @@ def _recording(frames: Frames) -> Recording:
         if not isinstance(value, Unusable):
             return None if value is None else float(value)
         unusable[key] = value.words
-        notes.append(f"The file says {words} {value.words}, which cannot be used.")
+        notes.append(f"The file states {words} {value.words}, which cannot be used.")
         return None
 
     sides = {
-        key: checked("pixel" if key == "down" else key, words, said.get(key), _SIDES)
+        key: checked("pixel" if key == "down" else key, words, metadata.get(key), _SIDES)
         for key, words in _LENGTHS.items()
     }
     across, down = sides["pixel"], sides["down"]
-    if across and down and abs(across - down) > _SHARE * across:
+    if across and down and abs(across - down) > _TOLERANCE * across:
         raise RecordingError(
             f"{frames.name}: its pixels are {format_length(down)} high and {format_length(across)} wide; resample it "
-            "to square ones"
+            "to square pixels"
         )
-    found = {"pixel": None if "pixel" in unusable else across, "step": sides["step"]}
+    lengths = {"pixel": None if "pixel" in unusable else across, "step": sides["step"]}
     parts = (("pixel", "pixels"), ("step", "planes apart"))
-    taken = [f"{format_length(length)} {of}" for key, of in parts if (length := found[key]) is not None]
-    if taken:
-        notes.append(f"From the {frames.by} metadata of the file: {', '.join(taken)}.")
+    used = [f"{format_length(length)} {of}" for key, of in parts if (length := lengths[key]) is not None]
+    if used:
+        notes.append(f"From the {frames.by} metadata of the file: {', '.join(used)}.")
     waves: dict[str, tuple[float | None, ...]] = {}
     for key in ("emission", "excitation"):
-        each = (list(said.get(key, [])) + [None] * count)[:count]
+        stated = (list(metadata.get(key, [])) + [None] * count)[:count]
         waves[key] = tuple(
-            checked(f"{key} {k}", f"that the {key} of channel {k} is", wave, _WAVES) for k, wave in enumerate(each)
+            checked(f"{key} {k}", f"that the {key} of channel {k} is", wave, _WAVES) for k, wave in enumerate(stated)
         )
-    lens = {key: checked(key, f"{key}", said.get(key), None) for key in ("NA", "magnification", "immersion")}
-    given = said.get("names", [])
-    names = tuple((given[k] if k < len(given) else None) or f"channel {k}" for k in range(count))
+    lens = {key: checked(key, f"{key}", metadata.get(key), None) for key in ("NA", "magnification", "immersion")}
+    stated_names = metadata.get("names", [])
+    names = tuple((stated_names[k] if k < len(stated_names) else None) or f"channel {k}" for k in range(count))
     return Recording(
-        frames, found["pixel"], found["step"], names, waves["emission"], waves["excitation"],
+        frames, lengths["pixel"], lengths["step"], names, waves["emission"], waves["excitation"],
         lens["NA"], lens["magnification"], lens["immersion"], frames.path, tuple(notes), unusable,
     )  # fmt: skip
 
@@ -272,7 +272,7 @@ def _recording(frames: Frames) -> Recording:
 def save_stack(path: Path, values: Values, recording: Recording, description: str = "") -> None:
     """Write a stack, of shape (channels, planes, height, width), with the metadata of its recording, atomically.
 
-    As OME-TIFF where the name ends in .tif or .tiff, as OME-Zarr (0.4) where it ends in .zarr.
+    The format is OME-TIFF if the name ends in .tif or .tiff, OME-Zarr (0.4) if it ends in .zarr.
     """
     if kind_of(path) == "zarr":
         atomic.write_folder(path, lambda folder: _fill_zarr(folder, values, recording, path.stem, description))
@@ -283,8 +283,8 @@ def save_stack(path: Path, values: Values, recording: Recording, description: st
 def kind_of(path: Path, recording: str | Path | None = None) -> str:
     """Return "zarr" or "tiff", by the ending of a path.
 
-    ValueError for other endings, and if the path is that of the `recording` of which the stack was made;
-    FileExistsError for a folder of something else; ImportError without the library.
+    Raise ValueError for other endings, or if the path is that of the `recording` from which the stack was restored;
+    FileExistsError for a folder that holds no restored stack; ImportError if the library is not installed.
     """
     if recording is not None and path.resolve() == Path(recording).resolve():
         raise ValueError(f"the restored stack must not replace the recording, got {line(path)} for both")
@@ -316,7 +316,7 @@ def _fill_tiff(target: Path, values: Values, recording: Recording, description: 
     for key, letters in (("pixel", "XY"), ("step", "Z")):
         if (value := getattr(recording, key)) is not None:
             for letter in letters:
-                # Twelve digits: 6.5e-08 m in micrometres is 0.065, without digits of rounding.
+                # Rounded to twelve digits, so that 6.5e-08 m is written as 0.065 micrometres.
                 fields[f"PhysicalSize{letter}"] = float(f"{1e6 * value:.12g}")
                 fields[f"PhysicalSize{letter}Unit"] = "µm"
     channel: Json = {"Name": list(recording.names)}

@@ -63,7 +63,7 @@ def test_a_stack_is_restored_from_file_to_file(files, monkeypatch):
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert "after all steps" in found.output
     assert "From the OME metadata of the file: 108 nm pixels, 250 nm planes apart." in found.output
-    assert "The wavelength of the objective file, 520 nm, was taken." in found.output
+    assert "The wavelength of the objective file, 520 nm, was used." in found.output
     with tifffile.TiffFile(there) as file:
         assert file.asarray().shape == (9, 24, 24)
         assert 'PhysicalSizeZ="0.25"' in file.ome_metadata
@@ -110,7 +110,7 @@ def test_after_ctrl_c_it_is_said_whether_chunks_are_kept(files, monkeypatch, out
     monkeypatch.setattr("lommel.cli.deconvolve_command.restore", interrupted)
     found = run(files / "stack.ome.tif", files / "lens.toml", "-o", files / output)
     assert found.exit_code == 1
-    assert ("the same command goes on" in found.output) == kept
+    assert ("the same command resumes" in found.output) == kept
 
 
 @pytest.mark.parametrize(

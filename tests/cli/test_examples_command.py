@@ -54,7 +54,7 @@ def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
     assert (tmp_path / "phone.toml").read_text() == "mine"
     result = call_lommel("examples", "xyz", folder=tmp_path)
     assert result.returncode == 2
-    told = "Error: NAMES must be those of examples, got 'xyz'; `lommel examples` lists them\n"
+    told = "Error: NAMES must be names of examples, got 'xyz'; `lommel examples` lists them\n"
     assert result.stderr == told
     assert "did you mean phone?" in call_lommel("examples", "phne", folder=tmp_path).stderr
 

@@ -116,7 +116,10 @@ def test_the_psf_of_one_place_has_the_wavefront_and_the_blur_there(call_lommel, 
     ("options", "message"),
     [
         (["--at", "15mm", "-10mm", "--field", "2x2"], "--at is for one place"),
-        (["--f-number", "4", "--wavelength", "450nm"], "--f-number, --wavelength cannot change what the section"),
+        (
+            ["--f-number", "4", "--wavelength", "450nm"],
+            "--f-number, --wavelength cannot be combined with the section",
+        ),
         (["--at", "15mm", "-10"], "is a length without a unit"),
         (["--at", "30mm", "0mm"], "lies outside of the map"),
     ],

@@ -150,7 +150,7 @@ def test_a_frame_that_was_lost_unseen_is_told_by_the_depth_that_jumps(folder, ca
     write_video(folder / "both.mkv", shown, 0.02 * np.arange(7), rate=50)
     result = call_lommel("watch", *SCENE, *DEEP, "--source", "both.mkv", "--alternating", folder=folder)
     told = [line for line in result.stdout.splitlines() if line.startswith("Depth jumps at 0.04 s, from 1.35")]
-    assert told[0].endswith("a frame was lost, and near and far are exchanged since.")
+    assert told[0].endswith("a frame was lost, and near and far have been exchanged since then.")
     assert result.stderr.count("Depth jumps") == 1
 
 

@@ -528,9 +528,9 @@ def test_a_stack_without_voxel_sizes_takes_those_of_the_objective_file_and_says_
     said = " ".join(lm.microscopy.restore(deep[:5], microscope, method=way, **given).notes)
     pixel = 1e6 * microscope.pixel
     assert (
-        f"does not state its pixel: that of the objective file was used, {pixel:g} um on the camera; set pixel="
+        f"does not state its pixel: the value of the objective file was used, {pixel:g} um on the camera; set pixel="
         in said
     )
-    assert "does not state its step: that of the objective file was used" in said
+    assert "does not state its step: the value of the objective file was used" in said
     sized = lm.microscopy.restore(deep[:5], microscope, method=way, pixel=PIXEL, step=STEP, **given)
     assert "objective file" not in " ".join(sized.notes)

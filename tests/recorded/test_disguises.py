@@ -250,9 +250,9 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
         facts.pop("assumed", None)
     equal(taken.facts, expected.facts, 1e-12)
     _, said = asked([*words, "--excess", 1], EMGAIN=300)
-    assert "states an electron-multiplying camera, excess noise 2; 1 was taken." in said
+    assert "states an electron-multiplying camera, excess noise 2; 1 was used." in said
     named, said = asked([*words, "--white" if command in ("retrieve", "fit-field") else "--gain", gain], EGAIN=3.0)
-    assert f"states a gain of 3 electrons per count; {gain:g} was taken." in said
+    assert f"states a gain of 3 electrons per count; {gain:g} was used." in said
     named.facts.pop("noise", None)
     named.facts.pop("assumed", None)
     equal(named.facts, expected.facts, 1e-12)
@@ -264,7 +264,7 @@ def test_a_gain_and_a_read_noise_of_the_header_are_taken_named_or_told_to_be_unu
     _, said = asked([*words], BAYERPAT="RGGB")
     assert "states BAYERPAT = RGGB, a mosaic of colours" in said
     _, said = asked(without, GAIN=120)
-    assert "states GAIN = 120, which was not taken" in said
+    assert "states GAIN = 120, which was not used" in said
 
 
 def test_files_whose_headers_contradict_each_other_are_refused(folder, call_lommel, caplog):

@@ -27,23 +27,23 @@ if TYPE_CHECKING:
     from lommel.estimation.beads import BeadFit
     from lommel.recorded.noise import Noise
 
-_FIELD = 1.6  # times the window, from which a stack shows a field in which beads are found
-_MOST = 20  # beads
-_MILLIWAVES = 1e3 / (2.0 * math.pi)  # of a radian
+_FIELD_FACTOR = 1.6  # images whose side exceeds this multiple of the window show a field with several beads
+_MAX_BEADS = 20  # largest number of beads that are fitted
+_MILLIWAVES = 1e3 / (2.0 * math.pi)  # milliwaves per radian
 
 
 class BeadCamera(CameraOptions, heading="Camera and noise"):
-    """The camera of bead stacks, and where in a field the beads are."""
+    """Options for the camera of bead stacks, and for finding beads in a field."""
 
     # fmt: off
     window: int = option(type=click.IntRange(9, 101), default=31,
-        help="Side in pixels of the windows around beads, where a file shows a field of them.")
+        help="Side in pixels of the windows around beads, if a file shows a field of them.")
     threshold: float = documented(find_spots, "threshold", type=float)
     # fmt: on
 
 
 class BeadModel(Group):
-    """How the planes were taken, what the beads are, and what is estimated."""
+    """Options for the planes, the beads, and the estimated quantities."""
 
     # fmt: off
     step: float = option(length="nm", required=True,
@@ -57,18 +57,18 @@ class BeadModel(Group):
         help="Number of Zernike terms from Noll 5 on.")
     apodization: int = documented(fit_beads, "apodization", type=click.IntRange(0, 4))
     fixed: bool = option("--fixed/--free", default=False,
-        help="Hold indices, depth, NA, pixel and bead at what is stated, or estimate them within the usual "
+        help="Fix indices, depth, NA, pixel and bead diameter at their values, or estimate them within the usual "
         "uncertainties.")
     drift: bool = documented(fit_beads, "drift", is_flag=True)
     wavelength: float | None = option(length="nm",
-        help="Emission wavelength of the beads; by default that of LENS.")
+        help="Emission wavelength of the beads; by default from LENS.")
     # fmt: on
 
     def arguments(self, planes: int) -> Facts:
         """Return the arguments of :func:`lommel.fit_beads`."""
-        given = {name: getattr(self, name) for name in ("diameter", "depth", "terms", "apodization", "drift")}
+        arguments = {name: getattr(self, name) for name in ("diameter", "depth", "terms", "apodization", "drift")}
         z = (np.arange(planes) - planes // 2) * self.step
-        return given | {"z": z, "priors": {} if self.fixed else None}
+        return arguments | {"z": z, "priors": {} if self.fixed else None}
 
 
 @command(JSON)
@@ -77,21 +77,21 @@ def beads(
     lens: Path = LENS,
     model: BeadModel = BeadModel(),
     output: Path | None = option("-o", "--output", type=OUTPUT,
-        help="Microscope file (.toml) with what was found, for all other commands."),
+        help="Microscope file (.toml) with the results, for all other commands."),
     figure: Path | None = plot_option("Figure of planes, model, residuals and terms"),
     camera: BeadCamera = BeadCamera(),
 ) -> Report:  # fmt: skip
     """Estimate aberrations of a microscope from bead stacks.
 
     STACKS are z stacks (TIFF, OME-TIFF, OME-Zarr, NPY, FITS) of single beads cut out, or of fields in which isolated
-    beads are found. LENS is the file of the objective: its section [sample] has the index of what the beads are in,
-    [aberrations.zernike], if there is one, where the search starts.
+    beads are found. LENS is the file of the objective: its section [sample] has the index of the medium of the beads,
+    and [aberrations.zernike], if there is one, the start of the search.
 
-    All beads share the aberrations and the constants of the microscope. chi2 is about 1 where the model fits; a wrong
-    constant may leave it there, so all are tested, and the first line, the verdict, names those that the data want
-    changed. What is written with -o is a microscope file with the fitted numbers, their standard errors, and the
-    verdict as its source. The exit code is 3 if the fit did not converge: a misfit, no bead, or planes in reversed
-    order.
+    All beads share the aberrations and the constants of the microscope. chi2 is about 1 where the model fits. It may
+    be 1 even for a wrong constant: all constants are tested, and the first line, the verdict, names those that
+    disagree with the data. The file of -o is a microscope file with the fitted numbers, their standard errors, and
+    the verdict as its source. The exit code is 3 if the fit did not converge: a misfit, no bead, or planes in
+    reversed order.
 
     Examples
     --------
@@ -99,17 +99,17 @@ def beads(
       lommel beads field-1.tif field-2.tif zeiss-63x-1.4-oil.toml --step 100nm --read 1.6 --offset 100 --plot fit.png
     """
     require_file(output, ".toml")
-    given = {"pixel": camera.pixel, "camera": camera.camera, "wavelength": model.wavelength}
-    microscope = require_microscope("beads", lens, **given)
+    overrides = {"pixel": camera.pixel, "camera": camera.camera, "wavelength": model.wavelength}
+    microscope = require_microscope("beads", lens, **overrides)
     optics = {key: getattr(microscope, key) for key in ("objective", "wavelength", "pixel", "emitter", "aberrations")}
     notes = [f"Emission at {format_length(microscope.wavelength, digits=4)}."]
     camera.require()
-    with progress("reading") as started:
+    with progress("reading") as status:
         read = list(read_each(stacks))
         noise, saturation, header = camera.resolve(of_all([each.said for each in read]), microscope.camera)
-        recorded, words = camera.recorded(lens, microscope.camera, noise)
-        notes += [f"Camera: {words}.", *header]
-        cut: list[_Bead] = []
+        recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
+        notes += [f"Camera: {camera_text}.", *header]
+        windows: list[_Bead] = []
         for stack in read:
             file = stack.names[0].removesuffix(" [0]")
             notes += [
@@ -119,38 +119,38 @@ def beads(
             values = stack.values
             if (mask := camera.mask(values)) is not None:
                 values = np.ma.masked_array(values, np.broadcast_to(mask, values.shape))
-            cut += _beads(file, values, camera, noise, saturation)
-        started("fitting")
-        found = fit_beads(
-            [one.window for one in cut[:_MOST]],
+            windows += _beads(file, values, camera, noise, saturation)
+        status("fitting")
+        result = fit_beads(
+            [window.window for window in windows[:_MAX_BEADS]],
             **optics,
-            **model.arguments(len(cut[0].window)),
+            **model.arguments(len(windows[0].window)),
             noise=noise,
             saturation=saturation,
             integrate=microscope.integrate is not False,
-            progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
+            progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share),
         )
     if output is not None:
-        source = f"{microscope.source} Fitted to beads: {found.message}.".lstrip()
-        changed = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
-        changed.fitted(found).save(output)
+        source = f"{microscope.source} Fitted to beads: {result.message}.".lstrip()
+        fitted_microscope = dataclasses.replace(microscope, name=f"{microscope.name}, fitted to beads", source=source)
+        fitted_microscope.fitted(result).save(output)
     if figure is not None:
-        save_figure(found.plot(), figure)
-    if len(cut) > _MOST:
-        notes.append(f"The first {_MOST} of {len(cut)} beads were taken.")
-    facts = found.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
+        save_figure(result.plot(), figure)
+    if len(windows) > _MAX_BEADS:
+        notes.append(f"The first {_MAX_BEADS} of {len(windows)} beads were taken.")
+    facts = result.to_dict() | {"wavelength": microscope.wavelength, "noise": recorded, "notes": notes}
     facts["places"] = [
         one | {"row": one["row"] + bead.corner[0], "column": one["column"] + bead.corner[1]}
-        for one, bead in zip(facts["beads"], cut, strict=False)
+        for one, bead in zip(facts["beads"], windows, strict=False)
     ]
-    facts["beads"] = [one.name for one in cut[:_MOST]]
-    verdict = "" if found.converged else f", of a fit that has not converged: {found.status}"
-    files = written([output, figure], lambda path: verdict if path == output else "")
-    return Report(facts, _parts(found, facts), found.converged) + files
+    facts["beads"] = [one.name for one in windows[:_MAX_BEADS]]
+    status_text = "" if result.converged else f", of a fit that has not converged: {result.status}"
+    files = written([output, figure], lambda path: status_text if path == output else "")
+    return Report(facts, _parts(result, facts), result.converged) + files
 
 
 class _Bead(NamedTuple):
-    """A window around a bead, and its first pixel in the image."""
+    """A window around a bead, and the position (row, column) of its first pixel in the image."""
 
     name: str
     window: Values
@@ -158,8 +158,8 @@ class _Bead(NamedTuple):
 
 
 def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturation: float | None) -> list[_Bead]:
-    """Return the beads of a stack, the whole as one if it shows no more."""
-    if max(planes.shape[1:]) <= _FIELD * camera.window:
+    """Return the beads of a stack; a stack that shows a single bead is returned as a whole."""
+    if max(planes.shape[1:]) <= _FIELD_FACTOR * camera.window:
         return [_Bead(f"{file} [0]", planes, (0, 0))]
     window, threshold = camera.window, camera.threshold
     spots = find_spots(planes, noise=noise, window=window, threshold=threshold, saturation=saturation)
@@ -171,21 +171,23 @@ def _beads(file: str, planes: Values, camera: BeadCamera, noise: Noise, saturati
     return [_Bead(f"{file} [{k}]", one, (row, column)) for k, (one, (row, column)) in each]
 
 
-def _parts(found: BeadFit, facts: Facts) -> Parts:
+def _parts(result: BeadFit, facts: Facts) -> Parts:
     """Return the verdict, and the tables of terms, constants, and beads."""
     terms, constants, beads = (list[tuple[str, ...]]() for _ in range(3))
-    for name, value in found.coefficients.items():
+    for name, value in result.coefficients.items():
         constant = isinstance(name, str)
         factor, unit = UNITS[CONSTANTS[name].unit] if constant else (_MILLIWAVES, "")
         title = f"{name} ({unit.strip()})" if unit else name if constant else label(name)
-        cells = title, *with_error(factor * value, factor * found.errors[name], most=9)
+        cells = title, *with_error(factor * value, factor * result.errors[name], most=9)
         (constants if constant else terms).append(cells)
     factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0}
-    for name, one, bead in zip(facts["beads"], facts["places"], found.beads, strict=True):
-        shown = [_beside(factor, np.mean(one[key]), bead.errors.get(key, 0.0)) for key, factor in factors.items()]
-        beads.append((name, *shown, f"{one['chi2']:.3f}{'' if one['used'] else ', left out'}"))
+    for name, place, bead in zip(facts["beads"], facts["places"], result.beads, strict=True):
+        numbers = [
+            _with_error(factor, np.mean(place[key]), bead.errors.get(key, 0.0)) for key, factor in factors.items()
+        ]
+        beads.append((name, *numbers, f"{place['chi2']:.3f}{'' if place['used'] else ', left out'}"))
     return paragraphs(
-        [Wrapped(found.message, "bold")],
+        [Wrapped(result.message, "bold")],
         [table_of(("term", "milliwaves rms", "std. error"), terms)],
         [table_of(("constant", "value", "std. error"), constants)] if constants else [],
         [table_of(("bead", "row", "column", "z (nm)", "depth (nm)", "electrons", "chi2"), beads)],
@@ -193,6 +195,6 @@ def _parts(found: BeadFit, facts: Facts) -> Parts:
     )
 
 
-def _beside(factor: float, value: float, error: float) -> str:
-    """Return a factor times a number and its standard error, or the number alone where it was not estimated."""
+def _with_error(factor: float, value: float, error: float) -> str:
+    """Return a number and its standard error, times a factor; only the number if it was not estimated."""
     return "+-".join(with_error(factor * value, factor * error, most=3)) if error else f"{factor * value:.4g}"

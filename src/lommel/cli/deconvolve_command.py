@@ -1,4 +1,4 @@
-"""The command ``lommel deconvolve``: the stack of a microscope restored, from file to file."""
+"""The command ``lommel deconvolve``: deconvolution of a microscope stack, from file to file."""
 
 from __future__ import annotations
 
@@ -45,28 +45,28 @@ METHODS = ("richardson-lucy", "total-variation")
 
 
 class Recorded(Group, heading="Microscope"):
-    """How the stack was recorded: what is None is stated by the stack or by the file of the objective."""
+    """Options for the recording; default values are in the stack, or in the file of the objective."""
 
     # fmt: off
     depth: float | None = option(length="um",
-        help="Depth below the cover glass in focus in the middle plane, such as 10um; by default that of the file of "
+        help="Depth below the cover glass in focus in the middle plane, such as 10um; by default from the file of "
         "the objective.")
     wavelength: tuple[float, ...] | None = option(type=LENGTHS, metavar="LENGTHS",
-        help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default that of the stack.")
+        help="Emission, such as 520nm, or one for each channel: 520nm,610nm; by default from the stack.")
     step: float | None = option(length="nm",
-        help="Step between planes, such as 200nm; by default that of the stack.")
+        help="Step between planes, such as 200nm; by default from the stack.")
     modality: str = option(type=click.Choice(MODALITIES), default="widefield", help="Kind of microscope.")
     excitation: float | None = option(length="nm",
         help="Excitation wavelength of scanning microscopes, such as 488nm.")
     pinhole: float | None = documented(restore, "pinhole", type=float, help="Diameter of the pinhole in Airy units.")
     thickness: float | None = option(length="um", help="Thickness of the light sheet, such as 2um (FWHM).")
     direction: str = option(type=click.Choice(("auto", "up", "down")), default="auto",
-        help="up: the first plane is the nearest to the cover glass; auto asks the data.")
+        help="up: the first plane is the nearest to the cover glass; auto determines the direction from the data.")
     # fmt: on
 
 
 class StackCamera(CameraMaps, heading="Camera"):
-    """The camera of a stack, of which the noise may be unknown."""
+    """Options for the camera of a stack, whose noise may be unknown."""
 
     # fmt: off
     camera: Camera | None = camera_option(
@@ -78,7 +78,7 @@ class StackCamera(CameraMaps, heading="Camera"):
     # fmt: on
 
     def noise(self) -> Noise | None:
-        """Return the noise, None where nothing is stated of it."""
+        """Return the noise, None if no option states any of it."""
         if self.camera is None and self.read is None:
             if self.white is self.offset is self.excess is None:
                 return None
@@ -89,7 +89,7 @@ class StackCamera(CameraMaps, heading="Camera"):
 
 
 class Restoring(Group, heading="Restoration"):
-    """How the stack is restored, and how much of it at a time."""
+    """Options for the restoration, its memory and its threads."""
 
     # fmt: off
     method: str = option(type=click.Choice(METHODS), default=METHODS[0],
@@ -100,39 +100,39 @@ class Restoring(Group, heading="Restoration"):
     strength: float | None = option(type=float,
         help="Weight of the total variation; by default such that the result agrees with the noise.")
     background: str = option(default=FLAT, metavar="flat|uneven|COUNTS",
-        help="Light that is not of the specimen: estimated as one level, or one that varies over the field; or a "
-        "known level above the offset, 0 for none. It is no part of the output.")
+        help="Light that is not from the specimen: estimated as one level, or as a level that varies over the field; "
+        "or a known level above the offset, 0 for none. The output excludes it.")
     slabs: int | None = documented(restore, "slabs", type=click.IntRange(1, 64),
-        help="Number of PSFs over the depth of the stack; by default as many as are needed.")
+        help="Number of PSFs over the depth of the stack; by default as many as needed.")
     refine: tuple[str, ...] = option(multiple=True, type=click.Choice(PARAMETERS),
-        help="Estimate this from the stack first; may be repeated.")
+        help="Estimate this parameter from the stack before the restoration; may be repeated.")
     diagnosis: bool = option("--diagnosis/--no-diagnosis", default=True,
-        help="Hold photons out, to find the background and to compare PSFs of other indices of the sample; try other "
-        "PSFs after a misfit. Without it a stack takes half of the time, or less.")
+        help="Hold out photons, to estimate the background and to compare PSFs of other indices of the sample; try "
+        "other PSFs after a misfit. Without it a stack takes half of the time, or less.")
     per_plane: bool = option(is_flag=True,
-        help="State the light that is collected in one plane, rather than in all planes of the PSF.")
+        help="Restored values are the light collected in one plane, rather than in all planes of the PSF.")
     channel: int | None = option(type=click.IntRange(0), help="Channel, from 0; by default all.")
     time: int | None = option(type=click.IntRange(0), help="Time point, from 0.")
-    axes: str | None = option(help='Axes of the file where it does not say, such as "ZYX".')
+    axes: str | None = option(help='Axes of the file if it does not state them, such as "ZYX".')
     tile: int | None = option(type=click.IntRange(16),
-        help="Side of chunks in pixels; by default what --memory holds.")
-    memory: float = option(type=float, default=2.0, help="Gigabytes that may be used besides the stack.")
+        help="Side of chunks in pixels; by default as large as --memory allows.")
+    memory: float = option(type=float, default=2.0, help="Limit of the memory besides the stack, gigabytes.")
     threads: int | None = documented(restore, "threads", type=click.IntRange(1),
         help="Number of threads; by default all processors.")
     # fmt: on
 
     def arguments(self) -> Facts:
         """Return the arguments of :func:`lommel.microscopy.restore`."""
-        given = vars(self) | {"memory": 1e9 * self.memory}
-        steps, strength = given.pop("steps"), given.pop("strength")
-        given["method"] = None if steps is None else RichardsonLucy(steps=steps, target=0.0)
+        arguments = vars(self) | {"memory": 1e9 * self.memory}
+        steps, strength = arguments.pop("steps"), arguments.pop("strength")
+        arguments["method"] = None if steps is None else RichardsonLucy(steps=steps, target=0.0)
         if self.method == METHODS[1]:
-            given["method"] = TotalVariation(strength=strength, steps=steps or TotalVariation.steps, target=1.0)
+            arguments["method"] = TotalVariation(strength=strength, steps=steps or TotalVariation.steps, target=1.0)
         elif strength is not None:
             raise ValueError(f"--strength needs --method {METHODS[1]}")
-        with suppress(ValueError):  # a word says how it is estimated
-            given["background"] = float(self.background)
-        return given
+        with suppress(ValueError):  # "flat" and "uneven" are not numbers
+            arguments["background"] = float(self.background)
+        return arguments
 
 
 @command(JSON)
@@ -149,13 +149,13 @@ def deconvolve(
     """Deconvolve the stack of a microscope (3-D deconvolution).
 
     STACK is an OME-TIFF, a TIFF of ImageJ or a folder of OME-Zarr, or with --axes NPY or FITS, as the camera recorded
-    it; LENS is the file of the objective. Voxel sizes, channels and wavelengths are those of STACK. The PSF depends
+    it; LENS is the file of the objective. Voxel sizes, channels and wavelengths are read from STACK. The PSF depends
     on the depth where the sample and the immersion differ. Iterations stop where the result agrees with the recording
-    within its noise; a misfit is said, and has exit code 3. Whether another PSF agrees better is tested with
-    photons that are held out.
+    within its noise; a misfit is printed, and the exit code is then 3. Held-out photons are used to test whether
+    another PSF agrees better.
 
-    The output has the voxel sizes of the stack. An output .ome.zarr alone is written chunk by chunk, for stacks
-    larger than memory; the same command goes on where it was interrupted. Ctrl-C keeps the steps that are done.
+    The output has the voxel sizes of the stack. A single output .ome.zarr is written chunk by chunk, for stacks
+    larger than memory; after an interruption the same command resumes. Ctrl-C keeps the completed steps.
 
     Examples
     --------
@@ -171,43 +171,43 @@ def deconvolve(
     microscope = require_microscope("deconvolve", lens)
     noise, mask = camera.noise(), None
     if camera.masked is not None:
-        with recordings.open_recording(stack, time=restoring.time, axes=restoring.axes) as opened:
-            mask = camera.mask(np.broadcast_to(False, opened.shape[1:]))
-    given = vars(recorded) | {"pixel": camera.pixel} | restoring.arguments()
-    whole = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
-    begun = time.perf_counter()
+        with recordings.open_recording(stack, time=restoring.time, axes=restoring.axes) as recording:
+            mask = camera.mask(np.broadcast_to(False, recording.shape[1:]))
+    arguments = vars(recorded) | {"pixel": camera.pixel} | restoring.arguments()
+    zarr_output = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
+    start = time.perf_counter()
     try:
-        with progress("reading") as step:
-            found = restore(
+        with progress("reading") as report_progress:
+            result = restore(
                 stack,
                 microscope,
                 noise=noise,
                 mask=mask,
                 saturation=camera.saturation,
-                out=whole,
-                progress=lambda share, words: step(words, share),
-                **given,
+                out=zarr_output,
+                progress=lambda fraction, description: report_progress(description, fraction),
+                **arguments,
             )
-            if whole is None:
-                step("writing")
-                found.save(*outputs)
+            if zarr_output is None:
+                report_progress("writing")
+                result.save(*outputs)
             if figure is not None:
-                step("drawing")
-                save_figure(found.plot(), figure)
+                report_progress("drawing")
+                save_figure(result.plot(), figure)
     except KeyboardInterrupt:
-        if whole is not None:
-            click.echo("Interrupted: chunks that are done are kept, and the same command goes on.", err=True)
+        if zarr_output is not None:
+            click.echo("Interrupted: completed chunks are kept, and the same command resumes.", err=True)
         raise
-    seconds = time.perf_counter() - begun
-    facts = {"stack": str(stack), "name": microscope.name} | found.to_dict() | {"seconds": seconds}
+    seconds = time.perf_counter() - start
+    facts = {"stack": str(stack), "name": microscope.name} | result.to_dict() | {"seconds": seconds}
     return report_findings(facts, Text(microscope.name, "bold"), _table(facts)) + written([*outputs, figure])
 
 
-_STOPPED = {
+_STOPPED = {  # reasons to stop, in words
     NOISE: "at the noise: the result agrees with the recording",
     STEPS: "after all steps",
-    INTERRUPTED: "interrupted: the result has the steps that were done",
-    MISFIT: "at a misfit: more than noise is left",
+    INTERRUPTED: "interrupted: the result has the completed steps",
+    MISFIT: "at a misfit: the residual exceeds the noise",
 }
 
 

@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
-_READ = 3.0  # electrons, of a camera that is not known
-_ROWS, _POINTS = 11, 121
+_READ = 3.0  # default read noise, rms electrons, without a camera
+_ROWS, _POINTS = 11, 121  # numbers of distances in the table and in the figure
 
 
 BETWEEN = option("--between", length="m", nargs=2, required=True, metavar="NEAR FAR",
@@ -41,7 +41,7 @@ BETWEEN = option("--between", length="m", nargs=2, required=True, metavar="NEAR 
 
 
 def lens_options(which: str) -> list[Any]:
-    """Return the options that :func:`each_lens` takes, for "all photos" or other images."""
+    """Return the options for `foci` and `f_numbers` of :func:`each_lens`; `which` images are in their help."""
     once = f"once for {which}, or repeated for each; overrides the lens file."
     return [
         option("--focus", length="m", multiple=True, help=f"Focus distance, such as 1.35m: {once}"),
@@ -53,9 +53,9 @@ def each_lens(
     lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[float, ...], what: str = "photos"
 ) -> list[Lens]:
     """Return the lens of each photo."""
-    for name, given in (("--focus", foci), ("--f-number", f_numbers)):
-        if len(given) not in (0, 1, count):
-            raise ValueError(f"{name} must be given once, or for each of {count} {what}, got {len(given)}")
+    for name, numbers in (("--focus", foci), ("--f-number", f_numbers)):
+        if len(numbers) not in (0, 1, count):
+            raise ValueError(f"{name} must be given once, or for each of {count} {what}, got {len(numbers)}")
     if count < 2:
         raise ValueError("PHOTOS must be two or more: in a single photo blur looks like smooth texture; got 1")
     lenses = [lens.stopped(stop) for stop in f_numbers] or [lens]
@@ -66,17 +66,17 @@ def each_lens(
 
 
 def verdict_report(verdict: DefocusVerdict) -> Report:
-    """Return what was tested of the lenses and the noise, and what could not be."""
+    """Return the report of the test of lenses and noise, with what could not be tested."""
     untested = verdict.findings.get("untested")
     facts = verdict.to_dict()
-    del facts["misfit"]  # commands have their own
+    del facts["misfit"]  # commands report their own misfit
     facts |= {"agrees": verdict.agrees, "untested": untested and untested.numbers["what"]}
     lines = [] if math.isnan(verdict.misfit) else [verdict.summary]
     return Report(facts, [*lines, *(each.text for each in verdict.findings)], verdict.converged)
 
 
 class PhotoLens(Group, heading="Camera"):
-    """The lens and the camera of photographs."""
+    """Lens and camera of photographs."""
 
     # fmt: off
     foci, f_numbers = lens_options("all photos")
@@ -94,24 +94,24 @@ class PhotoLens(Group, heading="Camera"):
         help="Encoding of the photos' values; by default integers are sRGB and floats are linear.")
     magnification: str = documented(depth_from_defocus, "magnification", type=click.Choice(["registered", "lens"]),
         help="registered: points are at the same pixels in all photos; lens: the photos differ in magnification, as "
-        "those of a thin lens at each focus distance, and are resampled to the scale of the first.")
+        "with a thin lens at each focus distance, and are resampled to the scale of the first.")
     # fmt: on
 
 
 class RecordedNoise(PhotoNoise, heading="Noise"):
-    """The noise of photographs, and pixels that do not count."""
+    """Noise of photographs, and pixels to ignore."""
 
     # fmt: off
     saturation: float | None = option(type=float,
         help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
         "saturated.")
     masked: Path | None = option("--mask", type=FILE,
-        help="Image of the pixels to leave out: not 0 there; one for all photos, or one for each.")
+        help="Image that is not 0 at pixels to ignore; one for all photos, or one for each.")
     # fmt: on
 
 
 class Estimation(Group, heading="Estimation"):
-    """Windows and candidates."""
+    """Size of the windows and number of candidate distances."""
 
     # fmt: off
     window: float = documented(depth_from_defocus, "window", type=float)
@@ -130,7 +130,7 @@ def depth(
         help=f"Depth map in metres; given a second time, its standard error: {suffixes('depth map')}."),
     sharp: Path | None = option(type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
     figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
-    seen: PhotoLens = PhotoLens(),
+    photo_lens: PhotoLens = PhotoLens(),
     noisy: RecordedNoise = RecordedNoise(),
     estimation: Estimation = Estimation(),
 ) -> Report:  # fmt: skip
@@ -150,86 +150,86 @@ def depth(
         photo_files.find_depth(path, "--output")
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
-    instrument = radial_instrument(lens, "depth from defocus", camera=seen.camera, pixel=seen.pixel)
+    instrument = radial_instrument(lens, "depth from defocus", camera=photo_lens.camera, pixel=photo_lens.pixel)
     noise = noise_of(vars(noisy), instrument.camera, photographs=True)
-    lenses = each_lens(instrument.lens, len(photos), seen.foci, seen.f_numbers)
-    with progress("reading") as started:
-        pictures = [read_photo(path, seen.encoding) for path in photos]
+    lenses = each_lens(instrument.lens, len(photos), photo_lens.foci, photo_lens.f_numbers)
+    with progress("reading") as status:
+        pictures = [read_photo(path, photo_lens.encoding) for path in photos]
         if len({(one.values.dtype, one.encoding) for one in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
-        given = [one.values for one in pictures]
+        images = [one.values for one in pictures]
         if noisy.masked is not None:
-            given = apply_mask(given, noisy.masked)
-        started("computing the PSFs of every distance")
+            images = apply_mask(images, noisy.masked)
+        status("computing the PSFs of every distance")
         start = time.perf_counter()
-        found = depth_from_defocus(
-            given,
+        estimate = depth_from_defocus(
+            images,
             lenses,
             instrument.side,
             encoding=pictures[0].encoding,
             noise=noise,
-            exposures=seen.exposures or None,
+            exposures=photo_lens.exposures or None,
             between=between,
-            magnification=seen.magnification,
-            f_number_error=seen.f_number_error,
-            focus_error=seen.focus_error,
+            magnification=photo_lens.magnification,
+            f_number_error=photo_lens.f_number_error,
+            focus_error=photo_lens.focus_error,
             saturation=noisy.saturation,
-            progress=lambda done, tiles: started(f"tile {done} of {tiles}", done / tiles),
+            progress=lambda done, tiles: status(f"tile {done} of {tiles}", done / tiles),
             **vars(estimation),
         )
         seconds = time.perf_counter() - start
-        started("comparing the blur with that of other apertures")
-        found.verdict  # noqa: B018 (computed here, and kept)
-        for path, values in zip(outputs, (found.depth, found.errors), strict=False):
+        status("comparing the blur with the blur of other apertures")
+        estimate.verdict  # noqa: B018 (computed here, and kept)
+        for path, values in zip(outputs, (estimate.depth, estimate.errors), strict=False):
             write_depth(path, values)
         if sharp is not None:
-            _write_sharp(sharp, found)
+            _write_sharp(sharp, estimate)
         if figure is not None:
-            save_figure(found.plot(), figure)
-    facts, (of_lenses, focus) = found.to_dict(), lens_facts(lenses)
+            save_figure(estimate.plot(), figure)
+    facts, (focus_facts, focus_text) = estimate.to_dict(), lens_facts(lenses)
     text = "no depth found: the photos have no texture, or all of it is out of range"
     if facts["depth"] is not None:
         low, middle, high = map(format_length, facts["depth"].values())
         text = (
-            f"depth known at {100.0 * found.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
+            f"depth known at {100.0 * estimate.known:.3g} % of the pixels: {low} to {high} (5 to 95 %), "
             f"median {middle}, standard error {format_length(facts['error'], digits=2)}"
         )
-    files, encoded = written([*outputs, sharp, figure]), read_as(pictures[0], seen.encoding)
-    (height, width), (near, far) = found.depth.shape, map(format_length, between)
-    facts |= of_lenses | {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoded}
+    files, encoding_text = written([*outputs, sharp, figure]), read_as(pictures[0], photo_lens.encoding)
+    (height, width), (near, far) = estimate.depth.shape, map(format_length, between)
+    facts |= focus_facts | {"seconds": seconds, "pixel": instrument.side, **files.facts, "read": encoding_text}
     lines = [
-        encoded,
-        f"{width} x {height} pixels of {format_length(instrument.side)}; {focus}",
-        f"{len(found.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
+        encoding_text,
+        f"{width} x {height} pixels of {format_length(instrument.side)}; {focus_text}",
+        f"{len(estimate.candidates)} distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         text,
     ]
-    return Report(facts, lines) + verdict_report(found.verdict) + files
+    return Report(facts, lines) + verdict_report(estimate.verdict) + files
 
 
-def _write_sharp(path: Path, found: DefocusDepth) -> None:
-    """Write the all-in-focus image, as floats where the format holds them, else with the bits of the photos."""
-    light = to_light("sharp", found.sharp, found.encoding, np.float32)
-    suffix, kind = path.suffix.lower(), found.sharp.dtype
+def _write_sharp(path: Path, estimate: DefocusDepth) -> None:
+    """Write the all-in-focus image in the type of the photos if the format can store it, else in 8 bits."""
+    light = to_light("sharp", estimate.sharp, estimate.encoding, np.float32)
+    suffix, kind = path.suffix.lower(), estimate.sharp.dtype
     floats = np.dtype(np.float32 if suffix in (".tif", ".tiff") else np.uint8)
     dtype = kind if kind.kind == "u" and suffix != ".jpg" else floats
     write_photo(path, light, encoding="linear" if dtype.kind == "f" else "srgb", dtype=dtype)
 
 
 class FocusChoice(Group):
-    """The focus distances of photos that have not been taken yet."""
+    """Focus distances of photos that have not been taken yet."""
 
     # fmt: off
     foci: tuple[float, ...] = option("--focus", length="m", multiple=True,
         help="Focus distance, such as 1.5m; repeat for each photo (two or more), or give once with --pair or "
         "--best.")
     pair: float | None = option(type=float,
-        help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other as many farther.")
+        help="Two photos, one focused this many dioptres (1/m) nearer than --focus, the other that many farther.")
     best: bool = option(is_flag=True,
         help="Find the two focus distances that give the best precision for a surface at --focus.")
     # fmt: on
 
     def require(self) -> None:
-        """Refuse focus distances that are not chosen one way."""
+        """Raise ValueError unless the focus distances are given in exactly one of three ways."""
         if (self.pair is not None) + self.best + (len(self.foci) > 1) != 1 or not self.foci:
             raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
 
@@ -238,7 +238,7 @@ class FocusChoice(Group):
         if self.best:
             return list(best_foci(lens, self.foci[0], pixel, **texture).lenses)
         if self.pair is not None:
-            return _around(lens, self.foci[0], self.pair)
+            return _lens_pair(lens, self.foci[0], self.pair)
         return [lens.focused(focus) for focus in self.foci]
 
 
@@ -254,7 +254,7 @@ def precision(
     camera: Camera | None = CAMERA,
     pixel: float | None = SQUARE_PIXEL,
     read: float | None = documented(Noise, "read", type=float, default=None,
-        help=f"Read noise, rms electrons; by default that of the camera, or {_READ:g}."),
+        help=f"Read noise, rms electrons; by default from the camera, or {_READ:g}."),
     contrast: float = documented(depth_precision, "contrast", type=float,
         help="Texture contrast: rms divided by mean, for structures of 2 to 128 pixels."),
     window: float = documented(depth_precision, "window", type=float),
@@ -264,8 +264,8 @@ def precision(
 
     The bound is the least standard error of the distance of a textured surface, estimated from photos with
     different focus. It assumes a random texture with the power spectrum of natural scenes, and holds for every
-    unbiased estimator that does not know the texture; strong edges allow better precision. Use it to choose aperture,
-    focus distances and exposure before taking the photos.
+    unbiased estimator without knowledge of the texture; strong edges allow better precision. Use it to choose
+    aperture, focus distances and exposure before taking the photos.
 
     Examples
     --------
@@ -276,13 +276,13 @@ def precision(
     instrument = instrument_of(lens, camera=camera, pixel=pixel)
     if read is None:
         read = _READ if instrument.camera is None or instrument.camera.read is None else instrument.camera.read
-    one = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
+    lens_in_use = instrument.lens if f_number is None else instrument.lens.stopped(f_number)
     texture: Facts = {"noise": Noise(read=read), "photons": photons, "contrast": contrast, "window": window}
     choice.require()
     start = time.perf_counter()
-    lenses = choice.lenses(one, instrument.side, texture)
+    lenses = choice.lenses(lens_in_use, instrument.side, texture)
     nearest, *_, farthest = sorted(each.focus_distance for each in lenses)
-    # By default from a little nearer than the nearest focus to a little farther than the farthest.
+    # The default range is from a little nearer than the nearest focus to a little farther than the farthest.
     near, far = between or (0.85 * nearest, 1.2 * farthest if math.isfinite(farthest) else 4.0 * nearest)
     if not 0.0 < near < far:
         raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
@@ -293,12 +293,12 @@ def precision(
     if figure is not None:
         from lommel.show import estimates
 
-        title = f"{instrument.name}\nf/{one.f_number:.3g}, {photons:g} electrons a pixel"
-        drawn = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
-        save_figure(figure_of(drawn), figure)
+        title = f"{instrument.name}\nf/{lens_in_use.f_number:.3g}, {photons:g} electrons a pixel"
+        axes = estimates.precision(distance, {"": errors}, title, [each.focus_distance for each in lenses])
+        save_figure(figure_of(axes), figure)
     facts = {
         "focus_distances": [finite(each.focus_distance) for each in lenses],
-        "f_number": one.f_number,
+        "f_number": lens_in_use.f_number,
         "distance": distance.tolist(),
         "errors": plain(errors),
         "seconds": seconds,
@@ -309,7 +309,7 @@ def precision(
         cells = (format_length(error, digits=3), f"{100.0 * error / at:.2g} %") if error < math.inf else ("inf", "")
         rows.append((format_length(at), *cells))
     lines = [
-        f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {foci_in_words}",
+        f"f = {format_length(lens_in_use.focal_length)}, f/{lens_in_use.f_number:.3g}, focus {foci_in_words}",
         f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
         f"{window:g} pixels rms",
     ]
@@ -317,8 +317,8 @@ def precision(
     return Report(facts, [*lines, table]) + written([figure])
 
 
-def _around(lens: Lens, focus: float, dioptres: float) -> list[Lens]:
-    """Return two lenses, focused this many dioptres before and behind a distance."""
+def _lens_pair(lens: Lens, focus: float, dioptres: float) -> list[Lens]:
+    """Return two lenses, one focused `dioptres` nearer and one focused `dioptres` farther than a distance."""
     vergence = [1.0 / focus + sign * dioptres for sign in (1.0, -1.0)]
     if not dioptres > 0.0 or vergence[1] < 0.0:
         raise ValueError(

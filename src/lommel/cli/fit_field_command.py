@@ -32,28 +32,28 @@ if TYPE_CHECKING:
 _MOST_CROSSINGS = 100
 _ARCSEC = math.pi / 648000.0
 _WAVE = 2.0 * math.pi  # radians
-_LISTED = 12  # stars left out, that are printed one by one
+_MAX_LISTED = 12  # largest number of stars left out that are printed one by one
 
 
 class Chart(Group):
-    """What the images show."""
+    """Options for the targets in the images."""
 
     # fmt: off
     targets: str = documented(fit, "targets", type=click.Choice(KINDS))
     size: float | None = option(length="um",
-        help="In the image: the diameter of pinholes, or the side of squares, such as 8um; that of squares is "
-        "measured by default.")
+        help="Diameter of pinholes or side of squares in the image, such as 8um; by default the side of squares is "
+        "measured.")
     # fmt: on
 
     def side(self, found: PointSources | Crossings, pitch: float) -> float | None:
-        """Return the size that is stated, or of squares the one that was measured, metres."""
+        """Return the stated size, or else the measured side of squares, metres; None if there is neither."""
         if isinstance(found, Crossings) and self.size is None and math.isfinite(found.square):
             return found.square * pitch
         return self.size
 
 
 class FieldModel(Group):
-    """What is estimated, and what is known of it."""
+    """Options for the estimated quantities and for known ones."""
 
     # fmt: off
     degree: int = documented(fit, "degree", type=click.IntRange(0, 6))
@@ -72,30 +72,30 @@ class FieldModel(Group):
     # fmt: on
 
     def require(self, chart: Chart) -> None:
-        """Refuse what contradicts the targets, or itself."""
+        """Raise ValueError if options contradict the targets or each other."""
         if chart.targets == "star" and chart.size is not None:
             raise ValueError("--size must be left out for stars, which are points; choose --targets")
         if chart.targets == "star" and self.distortion is not None:
             raise ValueError(
-                "--distortion must be left out for stars, whose places are not known; lommel.fit_field takes those "
-                "of a catalogue as ideal"
+                "--distortion must be left out for stars, whose true positions are unknown; lommel.fit_field accepts "
+                "positions of a catalogue as ideal ones"
             )
         if chart.targets == "pinhole" and chart.size is None:
             raise ValueError(
                 "--size must be the diameter of the pinholes in the image, such as 8um, for --targets pinhole"
             )
         if self.seeing is not None and self.known_blur is not None:
-            raise ValueError("--seeing and --known-blur must not both be given: each is all of the blur")
+            raise ValueError("--seeing and --known-blur must not both be given: either is the whole blur")
 
     def arguments(self, exposures: int, focal_length: float) -> Facts:
-        """Return the arguments of :func:`lommel.fit_field` but that of the distortion."""
+        """Return the arguments of :func:`lommel.fit_field`, except for those of the distortion."""
         if self.defocus is None and exposures > 1:
             raise ValueError(f"--defocus must be given for {exposures} exposures: one number each, such as -3 3")
         blur: float | bool | Seeing = True if self.known_blur is None else self.known_blur
         if self.seeing is not None:
             blur = Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length)
-        known = numbers_of(self.defocus or "0")
-        return {"degree": self.degree, "terms": self.terms, "defocus": known, "blur": blur}
+        numbers = numbers_of(self.defocus or "0")
+        return {"degree": self.degree, "terms": self.terms, "defocus": numbers, "blur": blur}
 
 
 class Files(Group):
@@ -105,51 +105,53 @@ class Files(Group):
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Table for `[field] file =` of the lens file: .csv.")
     twin: Path | None = option(type=OUTPUT,
-        help="Table of the other sign of the even terms, which one focus leaves open: .csv.")
+        help="Table with the other sign of the even terms, which one focus does not determine: .csv.")
     figure: Path | None = plot_option("Figure of the terms over the sensor, stars, models and residuals")
-    spots: Path | None = option(type=OUTPUT, help="Figure of the image with the windows used and what was refused.")
+    spots: Path | None = option(type=OUTPUT, help="Figure of the image with the windows used and those refused.")
     # fmt: on
 
     def require(self) -> None:
-        """Refuse tables that are none, before anything is computed."""
+        """Raise ValueError if a table is not a .csv file, before anything is computed."""
         require_file(self.output, ".csv")
         require_file(self.twin, ".csv", "--twin")
 
-    def write(self, made: FieldFit) -> Report:
-        """Write what was asked for of a fit, and return the report of the files."""
+    def write(self, result: FieldFit) -> Report:
+        """Write the requested files of a fit, and return the report of the files."""
         if self.output is not None:
-            made.save(self.output)
+            result.save(self.output)
         if self.twin is not None:
-            made.save(self.twin, twin=True)
+            result.save(self.twin, twin=True)
         if self.figure is not None:
-            save_figure(made.plot(), self.figure)
-        verdict = "" if made.converged else f", of a fit that has not converged: {made.status.replace('_', ' ')}"
+            save_figure(result.plot(), self.figure)
+        status_text = (
+            "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
+        )
         tables = (self.output, self.twin)
-        return written([*tables, self.figure, self.spots], lambda path: verdict if path in tables else "")
+        return written([*tables, self.figure, self.spots], lambda path: status_text if path in tables else "")
 
 
 class Search(Group, heading="Stars and crossings"):
-    """How stars or crossings are found in the images, and windows around them."""
+    """Options for finding stars or crossings, and for the windows around them."""
 
     # fmt: off
     window: int | None = option(type=click.IntRange(9, 401),
-        help="Side of the window around each, pixels; by default 33, or more as --defocus and --size need, and 9 to "
-        "21 for crossings, as squares allow.")
+        help="Side of the window around a star or crossing, pixels; by default 33, or more as --defocus and --size "
+        "need, and 9 to 21 for crossings, as squares allow.")
     threshold: float = documented(find_spots, "threshold", type=float)
     width: float | None = option(type=float,
-        help="Standard deviation of the smoothing that finds them, pixels; by default 2, or half the radius of "
+        help="Standard deviation of the smoothing before the search, pixels; by default 2, or half the radius of "
         "defocused stars (rings) and pinholes.")
     most: int | None = option(type=click.IntRange(1),
-        help="Keep only so many: the brightest stars, or crossings spread over the image, by default 100 of these.")
+        help="Largest number: the brightest stars, or crossings spread over the image (by default 100).")
     # fmt: on
 
     def find(self, exposures: Values, targets: str, radius: float, recorded: Facts) -> PointSources | Crossings:
-        """Return what is found of some targets, images of stars and holes having this geometric radius in pixels."""
-        given = recorded | {"threshold": self.threshold, "width": self.width or max(2.0, 0.5 * radius)}
+        """Return the targets found in the exposures; `radius` is the geometric radius of stars and holes, pixels."""
+        arguments = recorded | {"threshold": self.threshold, "width": self.width or max(2.0, 0.5 * radius)}
         if targets == "crossing":
-            return find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **given)
+            return find_crossings(exposures, window=self.window, most=self.most or _MOST_CROSSINGS, **arguments)
         side = max(33, 2 * math.ceil(1.4 * radius + 8.0) + 1)
-        return find_spots(exposures, window=self.window or side, most=self.most, **given)
+        return find_spots(exposures, window=self.window or side, most=self.most, **arguments)
 
 
 @command(JSON, kind=SeveralNumbers)
@@ -167,13 +169,13 @@ def fit_field(
     IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
     linear in light, the whole sensor, pixels of one colour); LENS is a lens file with aperture, wavelength, f-number
     and pixel pitch. Isolated stars or crossings are found, and fitted jointly: Zernike terms as polynomials of the
-    position, the blur, and of each the place, flux and background, of crossings also the directions of both lines.
+    position, the blur, and the place, flux and background of each; for crossings also the directions of both lines.
     Several exposures need the --defocus of each. One focus leaves the common sign of all even terms open (defocus,
     astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive defocus in the
-    mean; the other by --twin. One exposure well out of focus ("donuts") is enough to collimate.
+    mean; --twin writes the other one. One exposure well out of focus ("donuts") is enough to collimate.
 
-    The table serves as file of the section [field], with unit = "waves". The first line is the verdict; a misfit is
-    also said in the first line of the table, by "converged" of --json, and by exit code 3.
+    The table serves as file of the section [field], with unit = "waves". The first line is the verdict. A misfit is
+    also stated in the first line of the table and by "converged" of --json, and the exit code is 3.
 
     Examples
     --------
@@ -183,88 +185,88 @@ def fit_field(
     """
     files.require()
     model.require(chart)
-    instrument = camera.on(lens)
-    with progress("reading") as started:
+    instrument = camera.instrument_of_file(lens)
+    with progress("reading") as status:
         read = read_images(list(images))
         noise, saturation, header = camera.resolve(read.said, instrument.camera)
         pupil, focal_length = instrument.pupil(), instrument.lens.focal_length
         arguments = model.arguments(len(read.values), focal_length)
-        started(f"finding {chart.targets}s")
+        status(f"finding {chart.targets}s")
         pitch = float(min(np.atleast_1d(instrument.side)))
         hole = 0.0 if chart.targets == "crossing" or chart.size is None else chart.size / pitch
         radius = _geometric_radius(float(np.abs(arguments["defocus"]).max()), pitch / pupil.scale) + 0.5 * hole
         recorded = {"noise": noise, "mask": camera.mask(read.values), "saturation": saturation}
-        found = search.find(read.values, chart.targets, radius, recorded)
+        targets = search.find(read.values, chart.targets, radius, recorded)
         if files.spots is not None:
-            save_figure(figure_of(found.plot()), files.spots)
-        if len(found) < 4:
-            raise ValueError(_too_few(chart.targets, found))
+            save_figure(figure_of(targets.plot()), files.spots)
+        if len(targets) < 4:
+            raise ValueError(_too_few(chart.targets, targets))
         if model.distortion is not None:
-            arguments |= {"ideal": _grid(found), "distortion": model.distortion}
-        started("fitting")
-        made = fit(
-            found.windows,
-            found.places,
+            arguments |= {"ideal": _grid(targets), "distortion": model.distortion}
+        status("fitting")
+        result = fit(
+            targets.windows,
+            targets.places,
             pupil,
-            sensor=found.shape,
+            sensor=targets.shape,
             pixel=instrument.side,
             noise=noise,
             targets=chart.targets,
-            size=chart.side(found, pitch),
+            size=chart.side(targets, pitch),
             saturation=saturation,
             integrate=instrument.integrate,
             **arguments,
-            progress=lambda share, chi2: started(f"chi2 {chi2:.3g}", share),
+            progress=lambda share, chi2: status(f"chi2 {chi2:.3g}", share),
         )
-    facts = _facts(made, found) | {"notes": [*read.notes, *header]}
-    parts = _parts(facts, found, _blurred(made, pitch, focal_length))
-    return Report(facts, parts, made.converged) + files.write(made)
+    facts = _facts(result, targets) | {"notes": [*read.notes, *header]}
+    parts = _parts(facts, targets, _describe_blur(result, pitch, focal_length))
+    return Report(facts, parts, result.converged) + files.write(result)
 
 
-def _grid(found: PointSources | Crossings) -> Array:
-    """Return the places of pinholes or crossings on their grid, NaN where not known."""
+def _grid(targets: PointSources | Crossings) -> Array:
+    """Return the positions of pinholes or crossings on their grid, NaN where they are unknown."""
     try:
-        ideal = found.indices if isinstance(found, Crossings) else grid_indices(found.centers)
+        ideal = targets.indices if isinstance(targets, Crossings) else grid_indices(targets.centers)
     except ValueError:
-        ideal = np.full((len(found), 2), np.nan)
-    if (known := int(np.isfinite(ideal[:, 0]).sum())) < 4:
+        ideal = np.full((len(targets), 2), np.nan)
+    if (count := int(np.isfinite(ideal[:, 0]).sum())) < 4:
         raise ValueError(
-            f"--distortion needs an even grid with neighbours in the image, got {known} of {len(found)} points of one"
+            f"--distortion needs an even grid with neighbours in the image, got {count} on a grid of {len(targets)}"
         )
     return ideal
 
 
-def _too_few(targets: str, found: PointSources | Crossings) -> str:
-    """Return why the images cannot be fitted."""
-    what = {"star": "isolated stars", "pinhole": "isolated pinholes", "crossing": "crossings of a checkerboard"}
-    said = f"images must show at least 4 {what[targets]}; {found.message}"
-    counts = Counter(each.reason for each in found.refused)
+def _too_few(targets: str, points: PointSources | Crossings) -> str:
+    """Return the reason why the images cannot be fitted, with advice."""
+    names = {"star": "isolated stars", "pinhole": "isolated pinholes", "crossing": "crossings of a checkerboard"}
+    problem = f"images must show at least 4 {names[targets]}; {points.message}"
+    counts = Counter(each.reason for each in points.refused)
     if counts["saturated"]:
-        return f"{said}: expose less, below saturation"
+        return f"{problem}: expose less, below saturation"
     if counts:
         advice = {"neighbor": "a smaller --window", "edge": "a smaller --window", "masked": "check --mask"}
         first = counts.most_common(1)[0][0]
-        return f"{said}: {advice.get(first, 'look at --spots')}"
+        return f"{problem}: {advice.get(first, 'look at --spots')}"
     if targets == "crossing":
-        return f"{said}: squares must be larger than four times --width, and their contrast above --threshold"
+        return f"{problem}: squares must be larger than four times --width, and their contrast above --threshold"
     return (
-        f"{said}: lower --threshold, check --offset, or give --width, about the standard deviation of images in "
-        "pixels, of rings half their radius"
+        f"{problem}: lower --threshold, check --offset, or give --width, about the standard deviation of images in "
+        "pixels, or half the radius of rings"
     )
 
 
 def _geometric_radius(defocus: float, pixel: float) -> float:
-    """Return the radius in pixels of a defocused star; pixels in lambda*N."""
+    """Return the geometric radius of a defocused star, pixels; `pixel` is the pixel pitch in lambda*N."""
     # Rays from the edge of the pupil, whose phase is 2 C_d rho^2.
     return 4.0 * defocus / (math.pi * pixel)
 
 
-def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
-    """Return the blur, and how images get it."""
-    said, options = [], []
-    for several, errors in zip(made.blurs, made.blur_errors, strict=True):
+def _describe_blur(result: FieldFit, pitch: float, focal_length: float) -> str:
+    """Return a sentence on the blur, and on the options that apply it to PSFs."""
+    blur_texts, options = [], []
+    for blurs, errors in zip(result.blurs, result.blur_errors, strict=True):
         words, flags = [], []
-        for each, error in zip(several, errors, strict=True):
+        for each, error in zip(blurs, errors, strict=True):
             if isinstance(each, Seeing):
                 width = FWHM / each.coherence(500e-9) / focal_length / _ARCSEC
                 outer = "" if each.outer_scale is None else f", outer scale {each.outer_scale:.0f} m"
@@ -273,22 +275,22 @@ def _blurred(made: FieldFit, pitch: float, focal_length: float) -> str:
             elif isinstance(each, Jitter):
                 words.append(f"{each.sigma / pitch:.3f} +- {error / pitch:.3f} pixels (standard deviation)")
                 flags.append(f"--jitter {each.sigma / focal_length / _ARCSEC:.3g}")
-        said.append(" and ".join(words) or "none")
+        blur_texts.append(" and ".join(words) or "none")
         options.append(" ".join(flags))
-    how = f". It is not in the table: PSFs have it by lommel psf {options[0]}, in Python by the blur of the fit"
-    return f"blur: {'; '.join(said)}{how if any(made.blurs) else ''}"
+    advice = f". The table excludes it: add it by lommel psf {options[0]}, or in Python by the blur of the fit"
+    return f"blur: {'; '.join(blur_texts)}{advice if any(result.blurs) else ''}"
 
 
-def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> Parts:
-    """Return the verdict, the table of terms in the middle and at corners, and what was left out."""
+def _parts(facts: Facts, targets: PointSources | Crossings, blur: str) -> Parts:
+    """Return the verdict, the table of terms in the middle and in a corner, and the stars that were left out."""
     waves, distortion = facts["waves"].values(), facts["distortion"]
     rows = [
         [name, *(f"{at['coefficients'][j]:+.4f} +- {at['errors'][j]:.4f}" for at in waves)]
         for j, name in enumerate(facts["terms"])
     ]
     for j, name in enumerate(("rows", "columns") if distortion else ()):
-        bent = distortion["pixels"].values()
-        cells = (f"{at['displacement'][j]:+.3f} +- {at['errors'][j]:.3f}" for at in bent)
+        displacements = distortion["pixels"].values()
+        cells = (f"{at['displacement'][j]:+.3f} +- {at['errors'][j]:.3f}" for at in displacements)
         rows.append([f"distortion of {name}, pixels", *cells])
     first = []
     if coma := facts["coma"]:
@@ -297,56 +299,60 @@ def _parts(facts: Facts, found: PointSources | Crossings, blur: str) -> Parts:
             f"{coma['degrees']:.0f} degrees from columns to rows"
         )
     if focus := facts["focus"]:
-        way = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
+        direction = "towards the lens" if focus["shift"] > 0.0 else "away from the lens"
         shift = " +- ".join(with_error(1e3 * abs(focus["shift"]), 1e3 * focus["error"], most=6))
         sign = ", or as far the other way" if focus["sign_open"] else ""
-        first.append(f"focus in the middle: the sensor is {shift} mm {way}{sign}")
+        first.append(f"focus in the middle: the sensor is {shift} mm {direction}{sign}")
     refused = ({**one, "reason": f"refused, {one['reason']}"} for one in facts["refused"])
-    left = [
+    left_out = [
         f"- row {one['row']}, column {one['column']}: {one['reason']}" for one in (*facts["rejected_stars"], *refused)
     ]
-    if len(left) > _LISTED:
-        left[_LISTED:] = [f"- and {len(left) - _LISTED} more, in --json"]
+    if len(left_out) > _MAX_LISTED:
+        left_out[_MAX_LISTED:] = [f"- and {len(left_out) - _MAX_LISTED} more, in --json"]
     table = table_of(("term, waves rms", "middle", "bottom right corner"), rows)
-    last = map(Wrapped, (blur, found.message, *left, *facts["notes"]))
+    last = map(Wrapped, (blur, targets.message, *left_out, *facts["notes"]))
     return paragraphs([Wrapped(facts["message"], "bold")], map(Wrapped, first), [table], last)
 
 
-def _values(found: tuple[Array, Array], name: str, unit: float) -> Facts:
-    """Return values, called so, and their standard errors in a unit."""
-    return {word: (part / unit).tolist() for word, part in zip((name, "errors"), found, strict=True)}
+def _values(values: tuple[Array, Array], name: str, unit: float) -> Facts:
+    """Return values under the key `name`, and their standard errors under "errors", in a unit."""
+    return {key: (part / unit).tolist() for key, part in zip((name, "errors"), values, strict=True)}
 
 
-def _facts(made: FieldFit, found: PointSources | Crossings) -> Facts:
-    """Return the results as JSON can hold them."""
-    x, y = made.extent
-    positions = {"middle": made.middle, "corner": (x[1], y[1])}
+def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
+    """Return the results as data that can be written as JSON."""
+    x, y = result.extent
+    positions = {"middle": result.middle, "corner": (x[1], y[1])}
     distortion: Facts | None = None
-    if (bent := made.distortion) is not None:
+    if (field_distortion := result.distortion) is not None:
         distortion = {
-            "degree": bent.degree,
-            "spacing": float(math.hypot(*bent.pose[:, 0])),
-            "rotation": float(math.atan2(bent.pose[1, 0], bent.pose[0, 0])),
-            "scatter": bent.scatter,
-            "pixels": {name: _values(bent.at(*at), "displacement", 1.0) for name, at in positions.items()},
+            "degree": field_distortion.degree,
+            "spacing": float(math.hypot(*field_distortion.pose[:, 0])),
+            "rotation": float(math.atan2(field_distortion.pose[1, 0], field_distortion.pose[0, 0])),
+            "scatter": field_distortion.scatter,
+            "pixels": {
+                name: _values(field_distortion.at(*at), "displacement", 1.0) for name, at in positions.items()
+            },
         }
-    fit, coma, stars = made.to_dict(), made.coma, made.stars
-    kept = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
-    lost = np.flatnonzero(~stars.used)
-    lost = lost[np.argsort(-stars.chi2[lost], kind="stable")]
-    return {name: fit[name] for name in kept} | {
+    fit, coma, stars = result.to_dict(), result.coma, result.stars
+    names = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
+    rejected = np.flatnonzero(~stars.used)
+    rejected = rejected[np.argsort(-stars.chi2[rejected], kind="stable")]
+    return {name: fit[name] for name in names} | {
         "coma": coma and {"waves": coma.rms / _WAVE, "error": coma.error / _WAVE, "degrees": coma.degrees},
-        "focus": made.focus and made.focus._asdict(),
+        "focus": result.focus and result.focus._asdict(),
         "distortion": distortion,
-        "terms": [label(name) for name in made.names],
-        "waves": {name: _values(made.at(*at), "coefficients", _WAVE) for name, at in positions.items()},
-        "blur": plain(made.blurs),
+        "terms": [label(name) for name in result.names],
+        "waves": {name: _values(result.at(*at), "coefficients", _WAVE) for name, at in positions.items()},
+        "blur": plain(result.blurs),
         "stars": len(stars.used),
-        "rejected": len(lost),
+        "rejected": len(rejected),
         "rejected_stars": [
             {"row": row, "column": column, "reason": f"rejected, chi2 {chi2:.3g}"}
-            for (row, column), chi2 in zip(stars.places[lost].astype(int).tolist(), stars.chi2[lost], strict=True)
+            for (row, column), chi2 in zip(
+                stars.places[rejected].astype(int).tolist(), stars.chi2[rejected], strict=True
+            )
         ],
-        "left_out": found.left_out,
-        "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in found.refused],
+        "left_out": targets.left_out,
+        "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in targets.refused],
     }

@@ -1,4 +1,4 @@
-"""The lens or the microscope of a command: the file, the options that change it, and what these describe."""
+"""Lens or microscope of a command: the file, the options that override it, and the camera with its noise."""
 
 from __future__ import annotations
 
@@ -26,24 +26,24 @@ if TYPE_CHECKING:
 
 
 def _camera(text: str) -> Camera:
-    """Return the camera of a name or a file."""
+    """Return the camera of a name, or of a file."""
     from lommel.lensfiles.camera_files import load_camera
 
     return load_camera(text)
 
 
-def camera_option(words: str) -> Any:
+def camera_option(help_text: str) -> Any:
     """Return the option for a camera, with its help."""
-    return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=words)
+    return Option("--camera", metavar="NAME|FILE", type=Parsed("camera", _camera), help=help_text)
 
 
 EXCESS = option(type=float,
-    help="Excess noise factor of electron multiplication, 2 for an EMCCD, whose gain and read noise are then those "
-    "of electrons before multiplication; by default that of the camera or the file, or 1.")  # fmt: skip
+    help="Excess noise factor of electron multiplication, 2 for an EMCCD; gain and read noise then refer to "
+    "electrons before multiplication; by default from the camera or the file, or 1.")  # fmt: skip
 
 
 def camera_map(text: str, name: str) -> float | Array:
-    """Return the number that the option for the argument `name` states, or the map of its file."""
+    """Return the number in the option for the argument `name`, or the map in the file that the option names."""
     from lommel.recorded.frames import read_images
 
     flag = flag_of(name)
@@ -53,28 +53,28 @@ def camera_map(text: str, name: str) -> float | Array:
         path = Path(text)
     if not path.suffix:
         raise ValueError(f"{flag} must be a number or the file of a map (.tif, .npy), got {validation.shown(text)}")
-    found = read_images([path]).values
-    if len(found) != 1:
-        raise ValueError(f"{flag} must be one image, got {len(found)} in {validation.line(path)}")
-    values = np.asarray(found[0], np.float64)
+    images = read_images([path]).values
+    if len(images) != 1:
+        raise ValueError(f"{flag} must be one image, got {len(images)} in {validation.line(path)}")
+    values = np.asarray(images[0], np.float64)
     if (bad := ~np.isfinite(values)).any():
         place = ", ".join(map(str, np.argwhere(bad)[0]))
-        defect = "; a read noise of 1000 electrons tells that a pixel is a defect" if name == "read" else ""
+        defect = "; mark a defective pixel by a read noise of 1000 electrons" if name == "read" else ""
         raise ValueError(f"{flag} must be finite, got {values[bad][0]} at ({place}) of {path}{defect}")
     return values
 
 
 def mask_of(path: Path, images: Values) -> NDArray[np.bool_]:
-    """Return the pixels of images that a file says to leave out."""
+    """Return a mask of the pixels to ignore, read from an image file."""
     from lommel.recorded.frames import read_images
 
-    found = read_images([path]).values
-    if found.shape[1:] != images.shape[1:] or len(found) not in (1, len(images)):
+    masks = read_images([path]).values
+    if masks.shape[1:] != images.shape[1:] or len(masks) not in (1, len(images)):
         raise ValueError(
             f"--mask must have the shape of the images, {images.shape[1]} x {images.shape[2]}, one or {len(images)}, "
-            f"got {len(found)} of {found.shape[1]} x {found.shape[2]}"
+            f"got {len(masks)} of {masks.shape[1]} x {masks.shape[2]}"
         )
-    out = np.asarray(found != 0)  # NaN, too
+    out = np.asarray(masks != 0)  # NaN, too
     if out.all():
         raise ValueError(f"--mask must be 0 where pixels are to be used, got no 0 in {path}")
     return out[0] if len(out) == 1 else out
@@ -91,24 +91,24 @@ CAMERA = camera_option(
 SQUARE_PIXEL = option(length="um",
     help="Pixel pitch on the camera, such as 6.5um; overrides the file and the camera.")  # fmt: skip
 SHAPE = option(type=WINDOW, help="Window in pixels, such as 65 or 64x128 (height x width); overrides the file.")
-STEP = option(length="nm", help="Stage step between planes, such as 100nm; by default that of the file.")
+STEP = option(length="nm", help="Stage step between planes, such as 100nm; by default from the file.")
 DEPTH = option(length="um", heading="Microscopes",
-    help="Depth of the emitter below the cover glass, such as 2um; by default that of the file.")  # fmt: skip
+    help="Depth of the emitter below the cover glass, such as 2um; by default from the file.")  # fmt: skip
 
 
 class Seen(Group):
-    """The lens, its object and its sensor, which override the file."""
+    """Options for lens, object and sensor, which override the file."""
 
     # fmt: off
     object_distance: float | None = OBJECT_DISTANCE
     focus_distance: float | None = option("--focus", length="m",
         help="Focus distance, such as 1.5m or inf; overrides the file. An object that was in focus stays in focus.")
     f_number: float | None = option(type=float,
-        help="F-number to which the lens is stopped, sensor and aberrations staying; overrides the file.")
+        help="F-number to which the lens is stopped, with the same sensor and aberrations; overrides the file.")
     wavelength: float | None = option(length="nm",
-        help="Wavelength, such as 450nm, at which path differences are those of the file; overrides the file.")
+        help="Wavelength, such as 450nm, with the path differences of the file; overrides the file.")
     focal_length: float | None = option(length="mm",
-        help="Focal length, such as 35mm, of the same f-number, focus distance and aberrations; overrides the file.")
+        help="Focal length, such as 35mm, with the same f-number, focus distance, aberrations; overrides the file.")
     camera: Camera | None = CAMERA
     pixel: float | tuple[float, ...] | None = option(type=SIDES,
         help="Pixel pitch, such as 3.45um, or height x width: 4umx3um; overrides the file and the camera.")
@@ -119,42 +119,45 @@ class Seen(Group):
 
 
 class Planes(Group, heading="Microscopes"):
-    """The planes of a microscope, which override the file."""
+    """Options for the planes of a microscope, which override the file."""
 
     # fmt: off
     stack: int | None = option(type=click.IntRange(1, 4096), metavar="PLANES",
-        help="Number of planes along the optical axis; by default that of the file.")
+        help="Number of planes along the optical axis; by default from the file.")
     # fmt: on
     step: float | None = STEP
     depth: float | None = DEPTH
 
 
-def instrument_of(lens: Path, **given: object) -> Instrument:
+def instrument_of(lens: Path, **options: object) -> Instrument:
     """Return the instrument of a lens file, changed by the options of a command."""
     from lommel.lensfiles.lens_files import load_instrument
 
-    changes = _changes(given)
+    changes = _changes(options)
     if "pixel" in changes:
         for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
             validation.pixel(side, metric=True)
         changes["pixel"] = validation.pitch("pixel", changes["pixel"])
-    stated = {name: changes.pop(name) for name in _RESTATED if name in changes}
-    found = load_instrument(lens)
-    return dataclasses.replace(_restated(found, stated, lens) if stated else found, **changes)
+    lens_values = {name: changes.pop(name) for name in _LENS_OPTIONS if name in changes}
+    instrument = load_instrument(lens)
+    return dataclasses.replace(
+        _with_lens_options(instrument, lens_values, lens) if lens_values else instrument, **changes
+    )
 
 
-_RESTATED = "focal_length", "f_number", "wavelength", "focus_distance"
+_LENS_OPTIONS = "focal_length", "f_number", "wavelength", "focus_distance"
 
 
-def _restated(found: Instrument, stated: Facts, path: Path) -> Instrument:
+def _with_lens_options(instrument: Instrument, stated: Facts, path: Path) -> Instrument:
     """Return an instrument whose lens has the focal length, f-number, wavelength and focus that options state."""
-    if found.aberrations_of_field is not None and (fixed := stated.keys() - {"focus_distance"}):
-        flags = ", ".join(flag_of(name) for name in _RESTATED if name in fixed)
+    if instrument.aberrations_of_field is not None and (fixed := stated.keys() - {"focus_distance"}):
+        flags = ", ".join(flag_of(name) for name in _LENS_OPTIONS if name in fixed)
         raise ValueError(
-            f"{flags} cannot change what the section [field] of {path} states in waves over its aperture: edit a copy"
+            f"{flags} cannot be combined with the section [field] of {path}, which states waves over its own "
+            "aperture: edit a copy"
         )
-    lens, focus = found.lens, found.lens.focus_distance
-    in_focus = math.isclose(found.object_distance, focus, rel_tol=1e-9)
+    lens, focus = instrument.lens, instrument.lens.focus_distance
+    in_focus = math.isclose(instrument.object_distance, focus, rel_tol=1e-9)
     if "focal_length" in stated:
         length = validation.real("focal_length", stated["focal_length"], above=0.0, unit="metres")
         changed: Facts = {"focal_length": length, "aperture_diameter": length / lens.f_number}
@@ -167,27 +170,27 @@ def _restated(found: Instrument, stated: Facts, path: Path) -> Instrument:
     if "focus_distance" in stated:
         lens = lens.focused(stated["focus_distance"])
     return dataclasses.replace(
-        found, lens=lens, object_distance=lens.focus_distance if in_focus else found.object_distance
+        instrument, lens=lens, object_distance=lens.focus_distance if in_focus else instrument.object_distance
     )
 
 
-def radial_instrument(lens: Path, what: str = "this command", **given: object) -> Instrument:
-    """Return the same; its aberrations must be the same all over the field for a method or a command."""
-    instrument = instrument_of(lens, **given)
+def radial_instrument(lens: Path, what: str = "this command", **options: object) -> Instrument:
+    """Return the instrument of a lens file; ValueError if its aberrations vary over the field."""
+    instrument = instrument_of(lens, **options)
     if instrument.aberrations_of_field is not None:
         raise ValueError(f"{lens} has aberrations that vary over the field, which {what} does not support")
     return instrument
 
 
-def _changes(given: Facts) -> Facts:
-    """Return the options that were given, the window checked."""
-    changes = {name: value for name, value in given.items() if value is not None}
+def _changes(options: Facts) -> Facts:
+    """Return the options that were given; ValueError if the window is out of range."""
+    changes = {name: value for name, value in options.items() if value is not None}
     if "camera" in changes:
         changes = {"pixel": changes["camera"].pixel} | changes
     return changes | ({"shape": validation.image_shape(changes["shape"])} if "shape" in changes else {})
 
 
-_OF_LENSES = {
+_LENS_ONLY = {
     "object_distance": "--depth sets the position of the emitter",
     "focus_distance": "--depth sets the position of the emitter",
     "f_number": "its aperture is the NA of the file",
@@ -202,47 +205,47 @@ _OF_LENSES = {
 }
 
 
-def microscope_of(lens: Path, **given: object) -> Microscope | None:
+def microscope_of(lens: Path, **options: object) -> Microscope | None:
     """Return the microscope of a file, changed by the options of a command, or None for a lens file."""
     from lommel.lensfiles.microscope_files import describes_microscope, load_microscope, stage_step
 
-    changes = _changes(given)
+    changes = _changes(options)
     if not describes_microscope(lens):
         for name in ("stack", "step", "depth"):
             if name in changes:
                 raise ValueError(f"--{name} is for microscopes, files with a section [objective]; {lens} has none")
         return None
-    for name, instead in _OF_LENSES.items():
+    for name, instead in _LENS_ONLY.items():
         if name in changes:
             raise ValueError(f"{flag_of(name)} is for lenses, and {lens} describes a microscope: {instead}")
-    found = load_microscope(lens)
+    microscope = load_microscope(lens)
     if isinstance(changes.get("pixel"), tuple):
-        changes["pixel"] = changes["camera"].side  # an error of the camera
+        changes["pixel"] = changes["camera"].side  # raises ValueError: the pixels of the camera are not square
     if "pixel" in changes:
         validation.pixel(changes["pixel"], metric=True)
     if "stack" in changes:
         changes["planes"] = changes.pop("stack")
     if "step" in changes:
         stage_step(changes["step"])
-    planes = changes.get("planes", found.planes)
-    if planes > 1 and not changes.get("step", found.step):
-        most = format_length(found.objective.nyquist(wavelength=found.wavelength).axial, digits=3)
-        raise ValueError(f"--stack needs --step, where the file has no stack; Nyquist sampling needs at most {most}")
+    planes = changes.get("planes", microscope.planes)
+    if planes > 1 and not changes.get("step", microscope.step):
+        most = format_length(microscope.objective.nyquist(wavelength=microscope.wavelength).axial, digits=3)
+        raise ValueError(f"--stack needs --step, if the file has no stack; Nyquist sampling needs at most {most}")
     if "step" in changes and planes == 1:
-        raise ValueError("--step needs --stack, where the file has no stack")
-    return dataclasses.replace(found, **changes)
+        raise ValueError("--step needs --stack, if the file has no stack")
+    return dataclasses.replace(microscope, **changes)
 
 
-def require_microscope(name: str, lens: Path, **given: object) -> Microscope:
-    """Return the microscope of a file, changed by the options of the command of a name, which has to have one."""
-    found = microscope_of(lens, **given)
-    if found is None:
+def require_microscope(name: str, lens: Path, **options: object) -> Microscope:
+    """Return the microscope of a file, changed by options; ValueError, with the name of the command, for others."""
+    microscope = microscope_of(lens, **options)
+    if microscope is None:
         raise ValueError(f"lommel {name} needs a microscope, a file with a section [objective]; {lens} has none")
-    return found
+    return microscope
 
 
 def require_order(order: str, images: Path, lens: Path) -> None:
-    """Refuse a lens file in the place of the images."""
+    """Raise ValueError if a lens file is in the place of the images."""
     if images.suffix.lower() == ".toml" != lens.suffix.lower():
         line = validation.line
         raise ValueError(f"the order is {order}, got {line(images)} and then {line(lens)}")
@@ -252,7 +255,7 @@ _MISSING = {"white": "the number of electrons at white", "read": "the read noise
 
 
 def _camera_facts(camera: Camera | None) -> Facts:
-    """Return what a camera states of the noise, None of the rest."""
+    """Return the noise parameters that a camera states, None for others."""
     if camera is None:
         return {}
     excess = camera.excess if camera.excess > 1.0 else None
@@ -260,42 +263,42 @@ def _camera_facts(camera: Camera | None) -> Facts:
 
 
 def noise_of(given: Facts, camera: Camera | None, *, photographs: bool = False) -> Noise:
-    """Return the noise of the options of a command; what they leave out is the camera's.
+    """Return the noise by the options of a command, completed by the values of the camera.
 
-    Images are in counts, or `photographs` that end at white and have no offset.
+    Images are in counts. With `photographs` the value 1 is white, and the offset of the camera does not apply.
     """
-    known, found = _camera_facts(camera), {}
+    known, values = _camera_facts(camera), {}
     if photographs:
         known |= {"white": camera and camera.full_well, "offset": None}
     for name in ("white", "read", "offset", "excess"):
         value = given.get(name)
-        found[name] = known.get(name) if value is None else value
-        if found[name] is None and (name == "read" or (photographs and name == "white")):
+        values[name] = known.get(name) if value is None else value
+        if values[name] is None and (name == "read" or (photographs and name == "white")):
             why = "or a camera that states it, by --camera"
             if camera is not None:
                 why = f"which {camera.name} does not state"
             raise ValueError(f"--{name} is missing: {_MISSING[name]}, {why}")
-    return Noise(**{name: value for name, value in found.items() if value is not None})
+    return Noise(**{name: value for name, value in values.items() if value is not None})
 
 
-_STATED = {
+_HEADER_VALUES = {
     "white": ("gain", "a gain of {:g} electrons per count"),
     "read": ("read", "a read noise of {:g} electrons"),
     "saturation": ("saturation", "saturation at {:g}"),
     "excess": ("excess", "an electron-multiplying camera, excess noise {:g}"),
 }
-_BEFORE = "; gain and read noise must be those of electrons before multiplication, over the EM gain"
-_ALIKE = 0.02  # of values that count as one
+_EXCESS_NOTE = "; gain and read noise must refer to electrons before multiplication, divided by the EM gain"
+_TOLERANCE = 0.02  # relative difference up to which values count as equal
 
 
-def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list[str]:
-    """Complete gain, read noise and saturation of options by the header of images; return what is to be said.
+def take_header(given: Facts, header: Found, camera: Camera | None = None) -> list[str]:
+    """Complete gain, read noise, saturation and excess in `given` by the header of images; return notes.
 
-    An option counts more than the camera, and that more than the header, whose other values are named.
+    Options have priority over the camera, and the camera over the header. Notes state header values that differ.
     """
     known, notes = _camera_facts(camera), []
-    for name, (key, words) in _STATED.items():
-        value = said.get(key)
+    for name, (key, words) in _HEADER_VALUES.items():
+        value = header.get(key)
         if isinstance(value, Unusable):
             if key != "saturation" and given.get(name) is None and known.get(name) is None:
                 raise ValueError(f"the header of the images states {key} {value.words}: state {name}=")
@@ -305,32 +308,32 @@ def take_header(given: Facts, said: Found, camera: Camera | None = None) -> list
         used = known.get(name) if given.get(name) is None else given[name]
         if used is None:
             given[name] = value
-            more = _BEFORE if name == "excess" else ""
-            notes.append(f"Taken from the header of the images: {words.format(value)}{more}.")
-        elif isinstance(used, float | int) and abs(used - value) > _ALIKE * abs(value):
-            notes.append(f"The header of the images states {words.format(value)}; {used:g} was taken.")
-    if "unsure" in said and given["white"] is None and known.get("white") is None:
+            addition = _EXCESS_NOTE if name == "excess" else ""
+            notes.append(f"Taken from the header of the images: {words.format(value)}{addition}.")
+        elif isinstance(used, float | int) and abs(used - value) > _TOLERANCE * abs(value):
+            notes.append(f"The header of the images states {words.format(value)}; {used:g} was used.")
+    if "unsure" in header and given["white"] is None and known.get("white") is None:
         notes.append(
-            f"The header of the images states {said['unsure']}, which was not taken: it may be electrons per count, "
-            "or a setting of the camera; the option of the gain states it."
+            f"The header of the images states {header['unsure']}, which was not used: it may be electrons per count, "
+            "or a setting of the camera; set the gain by its option."
         )
     return notes
 
 
-def header_differences(said: Found, microscope: Microscope, step: float | None = None) -> list[str]:
-    """Return what images state of pixels, emission and `step` where it is not that of the command, which is taken."""
+def header_differences(header: Found, microscope: Microscope, step: float | None = None) -> list[str]:
+    """Return notes on pixel size, emission and `step` in the header of images that differ from the values in use."""
     known = {
-        "pixels of {} in the sample": (said.get("pixel"), microscope.pixel / microscope.objective.magnification),
-        "an emission of {}": (next(iter(said.get("emission") or ()), None), microscope.wavelength),
-        "planes {} apart": (said.get("step"), step),
+        "pixels of {} in the sample": (header.get("pixel"), microscope.pixel / microscope.objective.magnification),
+        "an emission of {}": (next(iter(header.get("emission") or ()), None), microscope.wavelength),
+        "planes {} apart": (header.get("step"), step),
     }
     notes = []
-    for words, (value, taken) in known.items():
-        if taken is None or not isinstance(value, float | Unusable):
+    for words, (value, in_use) in known.items():
+        if in_use is None or not isinstance(value, float | Unusable):
             continue
         text = value.words if isinstance(value, Unusable) else format_length(value, digits=4)
-        if isinstance(value, Unusable) or abs(value - abs(taken)) > _ALIKE * abs(taken):
-            notes.append(f"The images state {words.format(text)}; {format_length(taken, digits=4)} was taken.")
+        if isinstance(value, Unusable) or abs(value - abs(in_use)) > _TOLERANCE * abs(in_use):
+            notes.append(f"The images state {words.format(text)}; {format_length(in_use, digits=4)} was used.")
     return notes
 
 
@@ -343,52 +346,52 @@ _UNITS = {
 
 
 class CameraOptions(Group, heading="Camera and noise"):
-    """What a camera recorded with, and which of its pixels do not count."""
+    """Options for the camera, its noise, and the pixels to ignore."""
 
     camera: Camera | None = CAMERA
     # fmt: off
     white: float | None = option("--gain", type=float,
-        help="Electrons per count; by default that of the camera, or 1.")
+        help="Electrons per count; by default from the camera, or 1.")
     read: float | None = option(type=float,
-        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+        help="Read noise, rms electrons; 0 for none; by default from the camera.")
     offset: float | None = option(type=float,
-        help="Black level, in the unit of the images; by default that of the camera, or 0.")
+        help="Black level, in the unit of the images; by default from the camera, or 0.")
     excess: float | None = EXCESS
     saturation: float | None = option(type=float,
         help="Value in the file at which pixels saturate, such as 60000; the largest integer always counts as "
         "saturated.")
     masked: Path | None = option("--mask", type=PATH,
-        help="Image of the pixels to leave out: not 0 there; one for all images, or one for each.")
+        help="Image that is not 0 at pixels to ignore; one for all images, or one for each.")
     # fmt: on
     pixel: float | None = SQUARE_PIXEL
 
     def require(self) -> None:
-        """Refuse numbers of the noise that are out of range, before files are read."""
+        """Raise ValueError if a noise parameter is out of range, before files are read."""
         given = {name: value for name, value in self.values().items() if value is not None}
         Noise(**{"read": 0.0} | given)
 
     def values(self) -> Facts:
-        """Return gain, read noise, offset and excess, None where they are left out."""
+        """Return gain, read noise, offset and excess, None without an option."""
         return {name: getattr(self, name) for name in ("white", "read", "offset", "excess")}
 
-    def resolve(self, said: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
-        """Return noise, saturation and notes; an option counts more than the camera, and that than the header."""
+    def resolve(self, header: Found, camera: Camera | None) -> tuple[Noise, float | None, list[str]]:
+        """Return noise, saturation and notes; options come before the camera, and the camera before the header."""
         given = self.values() | {"saturation": self.saturation}
-        notes = take_header(given, said, camera)
+        notes = take_header(given, header, camera)
         return noise_of(given, camera), given["saturation"], notes
 
     def recorded(self, lens: Path, camera: Camera | None, noise: Noise) -> tuple[Facts, str]:
-        """Return gain, offset, read noise and excess of a fit, each with its source, and the same in words."""
+        """Return gain, offset, read noise and excess of a fit, each with its source, as facts and in words."""
         known, name = _camera_facts(camera), camera and camera.name
         sources = {
             "option": "by the option",
             "camera": f"of {name}, {f'in {lens.name}' if self.camera is None else 'by --camera'}",
             "header": "of the header of the images",
-            "default": "taken, for neither an option nor a camera states it",
+            "default": "the default, as neither an option nor a camera states it",
         }
-        found: Facts = {"camera": name}
-        said = []
-        for key, (word, unit, usual) in _UNITS.items():
+        facts: Facts = {"camera": name}
+        words = []
+        for key, (quantity, unit, usual) in _UNITS.items():
             value: Any = getattr(noise, key)
             by_map, value = isinstance(value, np.ndarray), usual if value is None else value
             source = "camera" if known.get(key) is not None else "header"
@@ -396,31 +399,31 @@ class CameraOptions(Group, heading="Camera and noise"):
                 source = "option"
             elif source == "header" and key != "read" and not by_map and value == usual:
                 source = "default"
-            found[word.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
+            facts[quantity.replace(" ", "_")] = {"value": "a map" if by_map else value, "source": source}
             if key != "excess" or value != 1.0:
-                said.append(f"{word} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
-        return found, ", ".join(said)
+                words.append(f"{quantity} {'by a map' if by_map else f'{value:g}{unit}'} ({sources[source]})")
+        return facts, ", ".join(words)
 
     def mask(self, images: Values) -> NDArray[np.bool_] | None:
-        """Return the pixels of images to leave out."""
+        """Return a mask of the pixels of images to ignore, or None."""
         return None if self.masked is None else mask_of(self.masked, images)
 
 
 class CameraMaps(CameraOptions, heading="Camera"):
-    """The same, of which gain, read noise and offset may be maps in files."""
+    """Options for the camera, whose gain, read noise and offset may be maps in files."""
 
     # fmt: off
     white: Any = option("--gain", metavar="NUMBER|FILE",
-        help="Electrons per count; by default that of the camera, or 1. A file (.tif, .npy) is a map with a value "
+        help="Electrons per count; by default from the camera, or 1. A file (.tif, .npy) is a map with a value "
         "for each pixel, also of --read and --offset.")
     read: Any = option("--read", metavar="NUMBER|FILE",
-        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+        help="Read noise, rms electrons; 0 for none; by default from the camera.")
     offset: Any = option("--offset", metavar="NUMBER|FILE",
-        help="Counts of a pixel without electrons, such as 100; by default that of the camera, or 0.")
+        help="Counts of a pixel without electrons, such as 100; by default from the camera, or 0.")
     # fmt: on
 
     def values(self) -> Facts:
-        """Return gain, read noise, offset and excess, None where they are left out."""
+        """Return gain, read noise, offset and excess, None without an option."""
         texts = {"white": self.white, "read": self.read, "offset": self.offset}
         maps = {name: None if text is None else camera_map(text, name) for name, text in texts.items()}
         return maps | {"excess": self.excess}
@@ -430,7 +433,7 @@ class SeveralNumbers(Command):
     """A command whose option ``--defocus`` takes all numbers that follow it."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Join the numbers to one word."""
+        """Join the numbers after ``--defocus`` to one word."""
         joined: list[str] = []
         for word, before in zip(args, ["", *args], strict=False):
             if before == "--defocus" and joined[-1] == before:
@@ -451,24 +454,24 @@ def _is_number(word: str) -> bool:
 
 
 class StarCamera(CameraOptions, heading="Camera and noise"):
-    """The camera of star images, which may be in electrons."""
+    """Options for the camera of star images, which may be in electrons."""
 
     # fmt: off
     white: float | None = option(type=float,
         help="Electrons per unit of image value; for images in counts this is the gain, electrons per count. "
-        "By default that of the camera, or 1, images in electrons.")
+        "By default from the camera, or 1 for images in electrons.")
     object_distance: float | None = OBJECT_DISTANCE
     # fmt: on
 
-    def on(self, lens: Path) -> Instrument:
-        """Return the instrument of a lens file with this camera, whose noise is in range."""
-        found = instrument_of(lens, camera=self.camera, pixel=self.pixel, object_distance=self.object_distance)
+    def instrument_of_file(self, lens: Path) -> Instrument:
+        """Return the instrument of a lens file with this camera; ValueError if its noise is out of range."""
+        instrument = instrument_of(lens, camera=self.camera, pixel=self.pixel, object_distance=self.object_distance)
         self.require()
-        return found
+        return instrument
 
 
 def numbers_of(text: str) -> float | list[float]:
-    """Return the number of an option, or its numbers."""
+    """Return the number in the text of an option, or a list if there are several."""
     words = text.replace(",", " ").split()
     if not words or not all(map(_is_number, words)):
         raise ValueError(f"defocus must be numbers, one for each image, got {text!r}")

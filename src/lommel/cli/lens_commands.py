@@ -49,16 +49,18 @@ def examples(
       lommel examples first-psf            # a notebook to start with
       lommel examples --all -o lenses
     """
-    there = example_files()
+    files = example_files()
     if text is not None and (names or everything):
         raise ValueError("--find lists examples: leave it out to copy them")
     if not names and not everything:
-        return _listed(there, (text or "").lower().split())
-    wanted = list(there) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
-    for name in wanted:
-        if name not in there:
-            raise ValueError(f"NAMES must be those of examples, got {shown(name)}; {_meant(name, there)}")
-    copies = {folder / there[name].name: there[name].read_bytes() for name in wanted}
+        return _list_examples(files, (text or "").lower().split())
+    names_to_copy = (
+        list(files) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
+    )
+    for name in names_to_copy:
+        if name not in files:
+            raise ValueError(f"NAMES must be names of examples, got {shown(name)}; {_suggest(name, files)}")
+    copies = {folder / files[name].name: files[name].read_bytes() for name in names_to_copy}
     present = [path for path in copies if path.exists()]
     for path in present:
         if path.is_dir() or path.read_bytes() != copies[path]:
@@ -71,16 +73,16 @@ def examples(
     return Report(report.facts, [*report.parts, *(f"{path} is already there, unchanged" for path in present)])
 
 
-def _listed(there: dict[str, Path], words: list[str]) -> Report:
-    """Return the list of the examples with all of these words, a table for each kind."""
+def _list_examples(files: dict[str, Path], words: list[str]) -> Report:
+    """Return the list of the examples that contain all `words`, a table for each kind."""
     rows: list[dict[str, str]] = []
     tables: dict[str, Table] = {}
-    for name, path in there.items():
+    for name, path in files.items():
         kind, what = KINDS[path.parent.name][0], _title(path)
         if not all(word in f"{kind} {name} {what}".lower() for word in words):
             continue
         rows.append({"name": name, "kind": kind, "what": what})
-        columns = Column(width=max(map(len, there)), no_wrap=True), Column()
+        columns = Column(width=max(map(len, files)), no_wrap=True), Column()
         tables.setdefault(kind, Table(*columns, box=None, pad_edge=False, show_header=False)).add_row(name, what)
     parts: Parts = []
     for kind, table in tables.items():
@@ -91,10 +93,10 @@ def _listed(there: dict[str, Path], words: list[str]) -> Report:
 _HEADINGS = {"lens": "Lenses", "objective": "Objectives", "camera": "Cameras", "notebook": "Notebooks"}
 
 
-def _meant(name: str, there: dict[str, Path]) -> str:
-    """Return the example that a name was meant to be, or how to list them."""
-    found = near(name, there)
-    return found if found.startswith("did") else "`lommel examples` lists them"
+def _suggest(name: str, files: dict[str, Path]) -> str:
+    """Return a suggestion for a misspelt name of an example, or how to list the names."""
+    suggestion = near(name, files)
+    return suggestion if suggestion.startswith("did") else "`lommel examples` lists them"
 
 
 def _title(path: Path) -> str:
@@ -159,7 +161,7 @@ _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation",
 
 
 class Described(Seen):
-    """The same, with a window for the comparison of models alone."""
+    """Options for lens, object and sensor, with a window only for the comparison of models."""
 
     # fmt: off
     shape: int | tuple[int, int] | None = option(type=WINDOW,
@@ -186,7 +188,7 @@ def info(lens: Path = LENS, seen: Described = Described(), depth: float | None =
       lommel info phone.toml --object-distance 3m
       lommel info zeiss-63x-1.4-oil.toml --depth 10um
     """
-    from lommel.report import optics  # what these need takes longer to import than the list of commands
+    from lommel.report import optics  # imported here, as the import takes longer than the list of commands
 
     microscope = microscope_of(lens, depth=depth, **vars(seen))
     if microscope is not None:
@@ -210,46 +212,46 @@ def compare(
     do not support the pupil are listed below with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error divided by the square of the peak.
-    For a paraxial lens the error listed for HuygensFresnel is that of the Fresnel approximation, which all other
-    methods make. HuygensFresnel is always compared at pixel centres, also with --integrate. ClosedForm uses the
+    For a paraxial lens the error listed for HuygensFresnel is the error of the Fresnel approximation, which all other
+    methods use. HuygensFresnel is always compared at pixel centres, also with --integrate. ClosedForm uses the
     values of its options `tangent` and `erf` (see `lommel methods`) that give the least MSE in this window. Times are
-    those of the second call, or of the first if that takes more than 1 s. The last line compares the paraxial and the
-    aplanatic model of the lens.
+    measured at the second call, or at the first if it takes more than 1 s. The last line compares the paraxial and
+    the aplanatic model of the lens.
 
     Example:
       lommel compare phone.toml --figure methods.png
     """
-    from lommel.report import optics  # what these need takes longer to import than the list of commands
+    from lommel.report import optics  # imported here, as the import takes longer than the list of commands
     from lommel.report.image_quality import compare_methods, other_model
 
     instrument = instrument_of(lens, **vars(seen))
     pupil = instrument.pupil()
-    with progress("", total=len(METHODS) + 1) as started:
+    with progress("", total=len(METHODS) + 1) as status:
         methods = [
-            # The paper's form at its best, for a fair comparison.
+            # The closed form of the paper with its best options, for a fair comparison.
             ClosedForm.best(pupil, instrument.window, instrument.side)
             if kind is ClosedForm and pupil.radial
             else kind()
             for kind in METHODS.values()
         ]
-        rows, answers = compare_methods(instrument, methods, started)
+        rows, answers = compare_methods(instrument, methods, status)
         reference = next(iter(answers))
         sampling = answers[reference].sampling
         if figure is not None:
             from lommel.show import plot
 
-            shown = {_called(name): answer for name, answer in answers.items()}
+            shown = {_command_line_name(name): answer for name, answer in answers.items()}
             left_out: dict[str, list[str]] = {}
             for row in rows:
                 if row["method"] not in answers and row["method"] != reference:
-                    why = _reason(row) or f"{HOW[row['sampling']]}, unlike the reference"
-                    left_out.setdefault(why, []).append(_called(row["method"]))
-            save_figure(plot.compare(shown, _called(reference), left_out), figure)
+                    reason = _reason(row) or f"{HOW[row['sampling']]}, unlike the reference"
+                    left_out.setdefault(reason, []).append(_command_line_name(row["method"]))
+            save_figure(plot.compare(shown, _command_line_name(reference), left_out), figure)
     other = other_model(instrument)
     table = table_of(("method", "time", "MSE", "peak error", "error bound"), (), no_wrap=True)
     notes = []
     for row in rows:
-        row["name"] = name = _called(row["method"])
+        row["name"] = name = _command_line_name(row["method"])
         note = _reason(row) or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
         if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
             note = "same model, without its expansion in powers of rho"
@@ -257,13 +259,13 @@ def compare(
             note = f"{HOW[row['sampling']]}; {note}"
         if note:
             notes.append(Wrapped(f"{name}: {note}", "dim"))
-        spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
+        time_text = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         errors = ("-" if row[key] is None else f"{row[key]:.2g}" for key in ("mse", "peak_error", "error_bound"))
-        table.add_row(name, spent, *errors)
+        table.add_row(name, time_text, *errors)
     height, width = instrument.window
     size = f"{height} x {width} pixels of {pitch_in_words(instrument.pixel)}, {HOW[sampling]}"
-    if all(row["method"] != reference for row in rows):  # which is then not marked in the table
-        size += f"; reference {_called(reference)}"
+    if all(row["method"] != reference for row in rows):  # the reference is then not marked in the table
+        size += f"; reference {_command_line_name(reference)}"
     facts = {
         "name": instrument.name,
         "reference": reference,
@@ -277,12 +279,12 @@ def compare(
 
 
 def _reason(row: dict[str, Any]) -> str:
-    """Return why a method does not apply, as it is written beside its name, or nothing."""
+    """Return the reason why a method does not apply, without the name of the method; empty if the method applies."""
     return str(row["reason"] or "").removeprefix(row["method"]).split(";")[0].strip()
 
 
-def _called(method: str) -> str:
-    """Return the name on the command line of a method, given as its name or its text in Python."""
+def _command_line_name(method: str) -> str:
+    """Return the command-line name of a method, from the name of its class or from its repr."""
     kind, _, options = method.partition("(")
     name = next((name for name, one in METHODS.items() if one.__name__ == kind), kind)
     return f"{name} ({options}" if options else name
@@ -306,7 +308,7 @@ def methods() -> Report:
 
 
 def _default(item: dataclasses.Field[object]) -> str:
-    """Return the default of an option as --set takes it."""
+    """Return the default of an option in the syntax of --set."""
     factory = item.default_factory
     default = item.default if factory is dataclasses.MISSING else factory()
     return next((name for name, kind in ERFS.items() if isinstance(default, kind)), str(default).lower())
@@ -334,11 +336,11 @@ def paper(
     """
     from lommel.paper import FIGURES, closest_text, number, reproduce
 
-    wanted = list(figures) or None
-    with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
-        made = reproduce(outdir, wanted, started)
-    parts: Parts = [f"wrote {name}" for name in made["files"]]
-    if made["table"] is not None:
+    selected = list(figures) or None
+    with progress("", total=len(selected) if selected else len(FIGURES) + 1) as status:
+        results = reproduce(outdir, selected, status)
+    parts: Parts = [f"wrote {name}" for name in results["files"]]
+    if results["table"] is not None:
         names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
         rows = [
             (
@@ -346,7 +348,7 @@ def paper(
                 *(number(row[key]) for key in ("paper", "printed", "corrected")),
                 closest_text(row["closest"]["printed"]),
             )
-            for row in made["table"]
+            for row in results["table"]
         ]
         parts.insert(0, table_of(names, rows, no_wrap=True, title="The numbers of the paper"))
-    return Report(made, parts)
+    return Report(results, parts)

@@ -45,42 +45,42 @@ _Z = {"z": (-0.7e-6, 0.7e-6), "depth": (0.0, 1e-6)}
 
 
 class MovieCamera(CameraMaps, heading="Camera"):
-    """The camera of a movie."""
+    """Options for the camera of a movie."""
 
-    masked: Path | None = option("--mask", type=PATH, help="Image of the pixels to leave out: not 0 there.")
+    masked: Path | None = option("--mask", type=PATH, help="Image that is not 0 at pixels to ignore.")
 
 
 class Molecules(Group, heading="Molecules"):
-    """What a molecule looks like, and how it is found."""
+    """Options for the images of molecules, and for finding them."""
 
     # fmt: off
     z: tuple[float, float] | None = option(length="um", nargs=2, metavar="FROM TO",
-        help="Range of z, such as -0.7um 0.7um, which it is by default; with --along depth 0um 1um.")
+        help="Range of z; by default -0.7um 0.7um, or with --along depth 0um 1um.")
     along: str = documented(Table, "along", type=click.Choice(("z", "depth")))
     flat: bool = option(is_flag=True,
-        help="Estimate x and y alone, for images that do not tell z, as without astigmatism.")
+        help="Estimate only x and y, for images that do not determine z, as without astigmatism.")
     depth: float | None = DEPTH
     shape: int | tuple[int, int] = option("--box", type=WINDOW, default="15",
         help="Pixels of the boxes that are fitted, such as 15 or 15x17, at least 5 a side.")
     threshold: float = documented(find, "threshold", type=float)
     width: float | None = documented(localize_blocks, "width", type=float,
-        help="Standard deviation in pixels by which frames are smoothed to find spots; by default that of the images "
-        "of molecules.")
+        help="Standard deviation in pixels by which frames are smoothed to find spots; by default the standard "
+        "deviation of the images of molecules.")
     # fmt: on
 
 
 class Fits(Group, heading="Fits"):
-    """How positions are fitted."""
+    """Options for the fits of positions."""
 
     # fmt: off
     reach: float = documented(Table, "reach", type=float, default=3.0)
     tol: float = documented(Table, "tol", type=float)
     starts: int = documented(fit, "starts", type=int)
     background: str = option(type=click.Choice(("auto", *BACKGROUNDS)), default="auto",
-        help="Background of each box: the same in all pixels, or with slopes; auto asks the data.")
+        help="Background of each box: the same in all pixels, or with slopes; auto decides from the data.")
     threads: int | None = documented(fit, "threads", type=int)
     block: int | None = documented(localize_blocks, "block", type=int,
-        help="Frames in memory at once; by default as many as have four million pixels.")
+        help="Frames in memory at once; by default at most four million pixels.")
     # fmt: on
 
 
@@ -102,11 +102,11 @@ def localize(
     the depth of the file (or --depth), from which positions are fitted by maximum likelihood.
 
     x and y are in the sample, from the outer corner of the first pixel along columns and rows. z is the position of
-    the stage at which a molecule at this depth would look so, positive towards the sample: molecules deeper in the
-    sample have a smaller z. With --along depth it is the depth of the molecule below the cover glass, the stage at
-    rest at the origin of the file. Fits that end at the range of z (--z) or beyond --reach, or do not converge, are
-    counted, not written. Drift is not corrected, and molecules seen in several frames are a row in each. The exit
-    code is 3 where a check finds an error: no molecule, images that the PSF and the noise do not explain, the
+    the stage at which a molecule at this depth would have the same image, positive towards the sample: molecules
+    deeper in the sample have a smaller z. With --along depth, z is the depth of the molecule below the cover glass,
+    for a stage that rests at the origin of the file. Fits that end at the range of z (--z) or beyond --reach, or do
+    not converge, are counted, not written. Drift is not corrected, and a molecule seen in several frames has a row
+    for each. The exit code is 3 if a check finds an error: no molecule, images that disagree with PSF and noise, the
     opposite sign of the astigmatism.
 
     Examples
@@ -120,56 +120,56 @@ def localize(
     require_order("MOVIE LENS, the movie first", movie, lens)
     shape, z, along = molecules.shape, molecules.z or _Z[molecules.along], molecules.along
     microscope = require_microscope("localize", lens, camera=camera.camera, pixel=camera.pixel, depth=molecules.depth)
-    begun = time.perf_counter()
+    start = time.perf_counter()
     parts: list[Localizations] = []
-    with progress("table of images") as step, open_movie(movie) as frames:
+    with progress("table of images") as report_progress, open_movie(movie) as frames:
         noise, saturation, header = camera.resolve(frames.said, microscope.camera)
         header = [*frames.notes, *header, *header_differences(frames.said, microscope)]
         mask = camera.mask(np.broadcast_to(False, (1, *frames.shape[1:])))
         pupil, pixel = dataclasses.replace(microscope, planes=1).pupil(), microscope.pixel
         table = Table(pupil, shape, pixel, z=z, along=along, reach=fits.reach, tol=fits.tol, threads=fits.threads)
-        given: Facts = {"noise": noise, "mask": mask, "saturation": saturation}
-        given["progress"] = lambda count, total: step(f"frame {count} of {total}", count / total)
+        arguments: Facts = {"noise": noise, "mask": mask, "saturation": saturation}
+        arguments["progress"] = lambda count, total: report_progress(f"frame {count} of {total}", count / total)
         for name in ("flat", "threshold", "width", "starts", "background", "threads", "block"):
-            given[name] = (vars(molecules) | vars(fits))[name]
+            arguments[name] = (vars(molecules) | vars(fits))[name]
         with writer(*outputs) as write:
-            for part in localize_blocks(frames, table, **given):
+            for part in localize_blocks(frames, table, **arguments):
                 write(part)
-                parts.append(part if figure is not None else _brief(part))
-    found = joined(parts)
+                parts.append(part if figure is not None else _keep_report_columns(part))
+    molecules_found = joined(parts)
     if figure is not None:
-        save_figure(figure_of(found.plot()), figure)
-    recorded, words = camera.recorded(lens, microscope.camera, noise)
+        save_figure(figure_of(molecules_found.plot()), figure)
+    recorded, camera_text = camera.recorded(lens, microscope.camera, noise)
     facts: Facts = {"movie": str(movie), "name": microscope.name, "source": microscope.source}
-    facts |= {"aberrations": microscope.aberrations is not None, "noise": recorded} | found.to_dict()
+    facts |= {"aberrations": microscope.aberrations is not None, "noise": recorded} | molecules_found.to_dict()
     facts |= {"z": [float(f"{end:.12g}") for end in table.z], "table_error_bound": table.error_bound}
-    facts |= {"seconds": time.perf_counter() - begun, "notes": header}
+    facts |= {"seconds": time.perf_counter() - start, "notes": header}
     places = [place for path in outputs for place in registry.find("molecules", path).places(path)]
-    return Report(facts, _parts(facts, words), found.converged) + written([*places, figure])
+    return Report(facts, _parts(facts, camera_text), molecules_found.converged) + written([*places, figure])
 
 
-def _brief(part: Localizations) -> Localizations:
-    """Return localisations with what the report needs alone, for long movies."""
+def _keep_report_columns(part: Localizations) -> Localizations:
+    """Return localisations with only the columns that the report needs, which saves memory for long movies."""
     kinds = np.dtype([("state", np.int32), *((name, np.float32) for name in MEDIANS)])
     return dataclasses.replace(part, table=part.table[["state", *MEDIANS]].astype(kinds))
 
 
 def _parts(facts: Facts, camera: str) -> Parts:
-    """Return the table of what was found, and what was not corrected."""
+    """Return the table of the results, and a line on drift."""
     n, (rows, columns) = facts["frames"], facts["shape"]
-    left = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter ones"
+    left_out = f"left out {facts['borders']} at borders and {facts['overlapping']} beside brighter spots"
     counts = facts["border_fits"] | facts["states"]
-    others = ", ".join(f"{counts[name]} {words}" for name, words in _OTHERS.items() if counts[name])
+    rejected = ", ".join(f"{counts[name]} {words}" for name, words in _REJECTED.items() if counts[name])
     low, high = (format_length(end, like=1e-6) for end in facts["z"])
-    what = {"depth": "depth", "none": "not told"}.get(facts["along"], "position of the stage")
+    meaning = {"depth": "depth", "none": "not determined"}.get(facts["along"], "position of the stage")
     size = f"{n} frame{'s' * (n != 1)} of {rows} x {columns}, {format_length(facts['pixel_in_sample'])} a pixel"
     lines = [
         ("movie", size),
         ("camera", camera),
-        ("spots", f"{facts['spots']}; {left}"),
-        ("localised", f"{facts['written']}{f'; not written: {others}' if others else ''}"),
-        ("z", f"{low} to {high}, {what}"),
-        *_of_medians(facts["medians"], math.sqrt(0.5 * math.pi / max(1, facts["written"]))),
+        ("spots", f"{facts['spots']}; {left_out}"),
+        ("localised", f"{facts['written']}{f'; not written: {rejected}' if rejected else ''}"),
+        ("z", f"{low} to {high}, {meaning}"),
+        *_median_lines(facts["medians"], math.sqrt(0.5 * math.pi / max(1, facts["written"]))),
         ("table of images", f"each value within {facts['table_error_bound']:.2g} of the dimmest plane's largest"),
         ("time", f"{facts['seconds']:.3g} s"),
     ]
@@ -181,7 +181,7 @@ def _parts(facts: Facts, camera: str) -> Parts:
     ]
 
 
-_OTHERS = {
+_REJECTED = {
     "z": "at an end of the range of z (--z)",
     "reach": "farther from the middle of their box than --reach",
     "steps": "without convergence",
@@ -189,7 +189,7 @@ _OTHERS = {
 }
 
 
-def _of_medians(medians: dict[str, float | None], error: float) -> list[tuple[str, str]]:
+def _median_lines(medians: dict[str, float | None], error: float) -> list[tuple[str, str]]:
     if any(value is None for value in medians.values()):
         return []
     sides = [name for name in "xyz" if f"{name}_error" in medians]

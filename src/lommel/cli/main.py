@@ -40,18 +40,18 @@ COMMANDS = {
     "localize": "localize_command",
     "paper": "lens_commands",
 }
-"""The modules of the commands, by name, the first ones first; each command is a function of its name there."""
+"""Module of each command, by name, in the order of the help; a command is the function of its name in its module."""
 
 
 class _Commands(click.Group):
-    """The group of all commands, which shortens long errors."""
+    """Group of all commands, which shortens long error messages."""
 
     def make_context(self, *args: object, **extra: object) -> click.Context:
-        with _brief():
+        with _short_errors():
             return super().make_context(*args, **extra)  # type: ignore[arg-type]
 
     def invoke(self, ctx: click.Context) -> object:
-        with _brief():
+        with _short_errors():
             return super().invoke(ctx)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -59,25 +59,27 @@ class _Commands(click.Group):
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Return the command of a name, or None."""
+        """Return the command with a name, or None."""
         if cmd_name not in COMMANDS:
             return None
-        # To import what the commands need takes longer than most of them run.
-        found: click.Command = getattr(import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name.replace("-", "_"))
-        return found
+        # Only the module of this command is imported: importing all takes longer than most commands run.
+        command: click.Command = getattr(
+            import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name.replace("-", "_")
+        )
+        return command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the names of all commands, each with the first sentence of its docstring."""
-        # Read rather than imported, for to import all takes half a second.
+        # The sources are parsed, as importing all modules takes half a second.
         modules = {name: ast.parse(_source(name)) for name in set(COMMANDS.values())}
-        found = {
+        functions = {
             function.name: (ast.get_docstring(function) or "").partition("\n")[0]
             for module in modules.values()
             for function in module.body
             if isinstance(function, ast.FunctionDef)
         }
         with formatter.section("Commands"):
-            formatter.write_dl([(name, found[name.replace("-", "_")]) for name in COMMANDS])
+            formatter.write_dl([(name, functions[name.replace("-", "_")]) for name in COMMANDS])
 
 
 def _source(module: str) -> str:
@@ -85,12 +87,12 @@ def _source(module: str) -> str:
 
 
 @contextmanager
-def _brief() -> Iterator[None]:
+def _short_errors() -> Iterator[None]:
     """Shorten the parts of a command line that Click repeats in its errors."""
     try:
         yield
     except click.ClickException as error:
-        if not isinstance(error, click.exceptions.NoArgsIsHelpError):  # whose message is the help
+        if not isinstance(error, click.exceptions.NoArgsIsHelpError):  # its message is the help
             vars(error).update(message=brief(error.message, 240))
         raise
 
@@ -100,7 +102,7 @@ def _brief() -> Iterator[None]:
 def main() -> None:
     """Point spread functions (PSFs) of defocused and aberrated lenses, telescopes and microscopes.
 
-    Lenses and microscopes are described by TOML files; `lommel examples` lists those that come with lommel.
+    Lenses and microscopes are described by TOML files; `lommel examples` lists the examples in the package.
     Lengths have units, such as 550nm, 3.45um or 1.5m; with a space they need quotes: "1.5 m". Each command has --help
     with examples.
 

@@ -38,28 +38,28 @@ FILE = click.Path(dir_okay=False, path_type=Path)
 """Path of a file, which need not exist."""
 
 
-class _Written(click.Path):
-    """Path of a file that is written."""
+class _OutputPath(click.Path):
+    """Path of a file to write."""
 
 
-OUTPUT = _Written(dir_okay=False, path_type=Path)
-"""Path of a file that is written, and is none of those that are read."""
+OUTPUT = _OutputPath(dir_okay=False, path_type=Path)
+"""Path of a file to write, which must differ from all files that are read."""
 
-OUTPUT_PATH = _Written(path_type=Path)
-"""Path of a file or a folder, likewise."""
+OUTPUT_PATH = _OutputPath(path_type=Path)
+"""Path of a file or a folder to write, which must differ from all files that are read."""
 
 PATH = click.Path(path_type=Path)
 """Path of a file or a folder, which need not exist."""
 
 
 class Parsed(click.ParamType[Value]):
-    """Values that a function makes of a text; its ValueErrors are the messages."""
+    """Parameter type whose values a function parses from a text; its ValueErrors are the error messages."""
 
     def __init__(self, name: str, parse: Callable[[str], Value]) -> None:
         self.name, self.parse = name, parse
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> Value:
-        """Return the value."""
+        """Return the parsed value."""
         try:
             return self.parse(value)
         except ValueError as error:
@@ -67,7 +67,7 @@ class Parsed(click.ParamType[Value]):
 
 
 def _length(unit: str, text: str) -> float:
-    """Return a length in metres; errors suggest the number that was given with a unit."""
+    """Return a length in metres; the error for a number without a unit suggests the number with `unit`."""
     number = text.strip()
     return parse_length(text, f"{number if re.fullmatch(_NUMBER, number) else _TYPICAL[unit]} {unit}")
 
@@ -84,15 +84,15 @@ def _lengths(text: str) -> tuple[float, ...]:
 
 _NUMBER = r"\d+\.?\d*|\.\d+"
 _TYPICAL = {"m": "1.5", "mm": "50", "um": "3.45", "nm": "550"}
-"""Lengths that people mean where they write no unit."""
+"""Examples of lengths in error messages, by unit."""
 
 
 def _window(text: str) -> Window:
     """Return the side of a square in pixels, or height and width."""
-    found = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX\s]\s*(\d{1,9}))?\s*", text, re.ASCII)
-    if found is None:
+    match = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX\s]\s*(\d{1,9}))?\s*", text, re.ASCII)
+    if match is None:
         raise ValueError(f"{shown(text)} is not a size; write 65 or 64x128 (height x width)")
-    return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
+    return int(match[1]) if match[2] is None else (int(match[1]), int(match[2]))
 
 
 SIDES = Parsed("length", _sides)
@@ -109,9 +109,10 @@ _UNNAMED = "--unnamed"
 
 
 class Option(click.Option):
-    """An option, and the heading under which ``--help`` lists it; without flags it is called as its argument.
+    """An option with the heading under which ``--help`` lists it; without flags it has the name of its argument.
 
-    Of a `length`, in metres, which has a unit on the command line, errors suggest this unit.
+    With `length`, a unit, values are lengths with a unit on the command line and in metres in the command; error
+    messages suggest this unit.
     """
 
     def __init__(self, *flags: str, heading: str = "Options", length: str = "", **more: Any) -> None:
@@ -126,12 +127,12 @@ class Option(click.Option):
 def documented(source: Callable[..., object], name: str, *flags: str, sentences: int = 1, **more: Any) -> Any:
     """Return the option for an argument of a function or class, with its default and the help from its docstring."""
     entry = options.sentence(source, name)
-    plain = re.sub(r":\w+:`(?:[^`<]*\.)?([^`]+)`|`{1,2}([^`]+)`{1,2}", r"\1\2", entry)
-    said = " ".join(re.split(r"(?<=[.]) (?=[A-Z])", plain)[:sentences])
-    given = {"default": inspect.signature(source).parameters[name].default} if "required" not in more else {}
-    if given.get("default") is inspect.Parameter.empty:
-        given = {"required": True}
-    return Option(*(flags or (f"--{name.replace('_', '-')}",)), **{"help": said, **given, **more})
+    text = re.sub(r":\w+:`(?:[^`<]*\.)?([^`]+)`|`{1,2}([^`]+)`{1,2}", r"\1\2", entry)
+    help_text = " ".join(re.split(r"(?<=[.]) (?=[A-Z])", text)[:sentences])
+    settings = {"default": inspect.signature(source).parameters[name].default} if "required" not in more else {}
+    if settings.get("default") is inspect.Parameter.empty:
+        settings = {"required": True}
+    return Option(*(flags or (f"--{name.replace('_', '-')}",)), **{"help": help_text, **settings, **more})
 
 
 def option(*flags: str, **more: Any) -> Any:
@@ -140,15 +141,15 @@ def option(*flags: str, **more: Any) -> Any:
 
 
 def argument(name: str, **more: Any) -> Any:
-    """Return an argument of the command line, as the default of one of a command."""
+    """Return an argument of the command line, as the default of an argument of a command function."""
     return click.Argument([name], **more)
 
 
 class Group:
     """Options that commands share, under a heading of ``--help``: ``name: type = option(...)`` for each.
 
-    They come after those of the bases, which a subclass may replace; a group may hold others. An instance has the
-    values of a call.
+    They follow the options of the base classes, which a subclass may replace. A group may contain other groups. An
+    instance has the values of a call as attributes.
     """
 
     heading: ClassVar[str] = "Options"
@@ -161,26 +162,26 @@ class Group:
 
     @classmethod
     def _members(cls) -> dict[str, Option | Group]:
-        found = {name: one for kind in reversed(cls.__mro__) for name, one in vars(kind).items()}
-        return {name: one for name, one in found.items() if isinstance(one, Option | Group)}
+        members = {name: one for kind in reversed(cls.__mro__) for name, one in vars(kind).items()}
+        return {name: one for name, one in members.items() if isinstance(one, Option | Group)}
 
     @classmethod
     def options(cls) -> list[Option]:
         """Return the options in their order."""
         found: list[Option] = []
         for name, one in cls._members().items():
-            found += one.options() if isinstance(one, Group) else [_named(name, one, cls.heading)]
+            found += one.options() if isinstance(one, Group) else [_with_name(name, one, cls.heading)]
         return found
 
     @classmethod
-    def of(cls, given: Facts) -> Self:
-        """Return the group of the values of a call, which are taken out."""
+    def of(cls, values: Facts) -> Self:
+        """Return an instance with its values, which are removed from the `values` of a call."""
         members = cls._members().items()
-        return cls(**{name: one.of(given) if isinstance(one, Group) else given.pop(name) for name, one in members})
+        return cls(**{name: one.of(values) if isinstance(one, Group) else values.pop(name) for name, one in members})
 
 
-def _named(name: str, one: Param, heading: str | None = None) -> Param:
-    """Return a copy of an option or argument for the argument of a function."""
+def _with_name(name: str, one: Param, heading: str | None = None) -> Param:
+    """Return a copy of an option or argument, with the name of the argument of a function."""
     copied = copy.copy(one)
     copied.name = name
     if one.opts == [_UNNAMED]:
@@ -194,15 +195,15 @@ class Command(click.Command):
     """A command whose ``--help`` lists its options under headings, the most common first."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse the command line; too many files are told with what is taken."""
+        """Parse the command line; the error for too many files states which files are expected."""
         try:
             return super().parse_args(ctx, args)
         except click.UsageError as error:
             if not error.message.startswith("Got unexpected extra argument"):
                 raise
             names = " ".join((one.name or "").upper() for one in self.params if isinstance(one, click.Argument))
-            way = f"give {names}, one each; images of several files are to be saved as one stack, such as a TIFF"
-            raise click.UsageError(f"too many files: {way}", ctx) from None
+            advice = f"give {names}, one each; save images of several files as one stack, such as a TIFF"
+            raise click.UsageError(f"too many files: {advice}", ctx) from None
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the options."""
@@ -215,52 +216,53 @@ class Command(click.Command):
                 formatter.write_dl(records)
 
 
-def _keep_what_is_read(params: Iterable[click.Parameter], given: Facts) -> None:
-    """Raise ValueError if a file that is written is one that is read, or another that is written."""
-    taken: list[tuple[str, Path]] = []
-    for param in sorted(params, key=lambda one: isinstance(one.type, _Written)):
+def _require_distinct_files(params: Iterable[click.Parameter], given: Facts) -> None:
+    """Raise ValueError if a file to write is also a file to read, or another file to write."""
+    earlier: list[tuple[str, Path]] = []
+    for param in sorted(params, key=lambda one: isinstance(one.type, _OutputPath)):
         value = given.get(param.name or "")
         for each in value if isinstance(value, tuple) else (value,):
             if not isinstance(each, str | Path):
                 continue
             path, name = Path(each), param.opts[-1] if param.opts[-1].startswith("-") else (param.name or "").upper()
-            for other, before in taken if isinstance(param.type, _Written) else ():
-                if _same(path, before):
-                    raise ValueError(f"{name} must be another file than {other}, got {each} for both")
-            taken.append((name, path))
+            for earlier_name, earlier_path in earlier if isinstance(param.type, _OutputPath) else ():
+                if _same(path, earlier_path):
+                    raise ValueError(f"{name} must be another file than {earlier_name}, got {each} for both")
+            earlier.append((name, path))
 
 
 def _same(one: Path, other: Path) -> bool:
     try:
         return one.samefile(other)
-    except (OSError, ValueError):  # one does not exist, or is no path
+    except (OSError, ValueError):  # a file does not exist, or a name is not a path
         return one == other
 
 
 def command(
     *params: click.Parameter, kind: type[Command] = Command
 ) -> Callable[[Callable[..., Report | None]], Command]:
-    """Return a decorator that makes a command of a function: its docstring is the help, its report is printed.
+    """Return a decorator that converts a function to a command: its docstring is the help, its report is printed.
 
-    Parameters are the defaults of its arguments, options or groups of options, and then `params`.
+    The parameters of the command are the defaults of the arguments of the function (options or groups of options),
+    and then `params`.
 
-    Errors that a user can cause are one line, with exit code 2; errors of the program have exit code 1. A fit that
-    did not converge, or a data set without some of its pictures, is printed, with exit code 3. With the environment
+    Errors that a user can cause are printed in one line, with exit code 2; errors of the program have exit code 1. A
+    fit that did not converge, or a data set without some of its pictures, has exit code 3. With the environment
     variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
     """
 
-    def made(function: Callable[..., Report | None]) -> Command:
-        every, groups = _parameters_of(function)
-        every += params
+    def decorate(function: Callable[..., Report | None]) -> Command:
+        all_params, groups = _parameters_of(function)
+        all_params += params
 
-        def guarded(as_json: bool = False, **given: Any) -> None:
+        def run(as_json: bool = False, **given: Any) -> None:
             notes: list[str] = []
             if sys.stdout is None:  # the caller has closed it
                 sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
             try:
                 if given.get("figure") is not None:  # before anything is computed
                     figure_format(given["figure"])
-                _keep_what_is_read(every, given)
+                _require_distinct_files(all_params, given)
                 for name, group in groups.items():
                     given[name] = group.of(given)
                 with _collected_notes(notes):
@@ -273,35 +275,35 @@ def command(
                     raise
                 sys.exit(_report_error(error, notes))
 
-        return kind(function.__name__, params=every, help=_help_of(function), callback=guarded)
+        return kind(function.__name__, params=all_params, help=_help_of(function), callback=run)
 
-    return made
+    return decorate
 
 
 def _parameters_of(function: Callable[..., object]) -> tuple[list[click.Parameter], dict[str, type[Group]]]:
-    """Return the parameters that the defaults of a function's arguments are, and the groups among them by name."""
-    found: list[click.Parameter] = []
+    """Return the parameters in the defaults of the arguments of a function, and the groups among them by name."""
+    params: list[click.Parameter] = []
     groups: dict[str, type[Group]] = {}
     for name, argument in inspect.signature(function).parameters.items():
         value = argument.default
         if isinstance(value, Group):
             groups[name] = type(value)
-            found += groups[name].options()
+            params += groups[name].options()
         elif isinstance(value, click.Parameter):
-            found.append(_named(name, value))
-    return found, groups
+            params.append(_with_name(name, value))
+    return params, groups
 
 
 def _help_of(function: Callable[..., object]) -> str:
     """Return the docstring of a command as its help."""
-    # Docstrings underline the heading, help has a colon; a line of \b keeps the lines of the examples.
+    # In help a heading has a colon instead of an underline; a line of \b keeps the line breaks of the examples.
     text = inspect.cleandoc(function.__doc__ or "").replace("Examples\n--------\n", "Examples:\n")
     text = text.replace("\n\nExample", "\n\n\b\nExample")
     return "\n".join(_continued(row) for row in text.split("\n"))
 
 
 def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
-    """Print a report with the notes of the library; exit with code 3 where its result is not to be trusted."""
+    """Print a report with the notes of the library; exit with code 3 if its result did not converge."""
     if report is not None:
         if notes:
             report += Report({"notes": [*report.facts.get("notes", []), *notes]}, _note_lines("note", notes))
@@ -314,55 +316,55 @@ def _print(report: Report | None, notes: list[str], *, as_json: bool) -> None:
 def _report_error(error: Exception, notes: list[str]) -> int:
     """Print an error and the notes before it, and return the exit code."""
     if isinstance(error, BrokenPipeError):
-        _discard_output()  # the reader of the pipe has left
+        _discard_output()  # the reader has closed the pipe
         return 1
-    if any(words in str(error) for words in _SHORT):
+    if any(words in str(error) for words in _SHORTAGES):
         error = MemoryError(f"memory, or the number of threads, is short: {brief(line(error), 240)}")
     for row in (*_note_lines("Note", notes), f"Error: {_message(error)}"):
         click.echo(row, err=True)
     try:
         sys.stdout.flush()
     except OSError:
-        _discard_output()  # the error was one of writing
-    return 2 if isinstance(error, _CAUSED) else 1
+        _discard_output()  # the error occurred in writing
+    return 2 if isinstance(error, _USER_ERRORS) else 1
 
 
-_NOTES = 5  # that are printed
+_NOTES = 5  # largest number of notes that are printed
 
 
-def _note_lines(word: str, said: list[str]) -> list[str]:
-    """Return the lines of the first notes, and of how many more there are."""
-    more = [f"{len(said) - _NOTES} more, which --json lists"] if len(said) > _NOTES else []
-    return [f"{word}: {note}" for note in [*said[:_NOTES], *more]]
+def _note_lines(word: str, notes: list[str]) -> list[str]:
+    """Return lines with the first notes, and a line with the number of further notes."""
+    more = [f"{len(notes) - _NOTES} more, which --json lists"] if len(notes) > _NOTES else []
+    return [f"{word}: {note}" for note in [*notes[:_NOTES], *more]]
 
 
 @contextmanager
-def _collected_notes(said: list[str]) -> Iterator[None]:
-    """Add the notes of the library, its UserWarnings, to a list, each once."""
+def _collected_notes(notes: list[str]) -> Iterator[None]:
+    """Add the UserWarnings of the library to a list of notes, each text once."""
     with warnings.catch_warnings():
         warnings.simplefilter("always", UserWarning)
-        others = warnings.showwarning
+        original = warnings.showwarning
 
         def show(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> None:
             if not issubclass(category, UserWarning):
-                others(message, category, *where, **more)
-            elif (note := with_options(str(message))) not in said:
-                said.append(note)
+                original(message, category, *where, **more)
+            elif (note := with_options(str(message))) not in notes:
+                notes.append(note)
 
         warnings.showwarning = show
         yield
 
 
 def _discard_output() -> None:
-    """Send what Python would write of its buffer when it ends to the null device: it could only fail again."""
+    """Redirect standard output to the null device: Python writes the rest of its buffer at exit, and would fail."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-_WIDTH = 76  # of lines in help, which Click indents by two
+_WIDTH = 76  # largest width of lines in help, which Click indents by two
 
 
 def _continued(row: str) -> str:
-    """Return a line of an example, continued before an option where it is wider than the help at 80 columns."""
+    """Return a line of an example; lines wider than the help at 80 columns are continued before an option."""
     if not row.startswith("  lommel ") or len(row) <= _WIDTH:
         return row
     rows, current = [], ""
@@ -383,8 +385,8 @@ def plot_option(what: str, flag: str = "--plot") -> Any:
     return Option(flag, "figure", type=OUTPUT, help=f"{what}: .png, .pdf or .svg.")
 
 
-_SHORT = ("can't start new thread", "failed to map segment")  # what Python and its loader of libraries say then
-_CAUSED = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)
+_SHORTAGES = ("can't start new thread", "failed to map segment")  # messages if memory or threads are short
+_USER_ERRORS = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)
 
 
 def _message(error: Exception) -> str:
@@ -392,7 +394,7 @@ def _message(error: Exception) -> str:
         if not error.filename:
             return error.strerror
         return f"{brief(line(error.filename), 240)}: {error.strerror}{_hint(error)}"
-    if isinstance(error, _CAUSED):
+    if isinstance(error, _USER_ERRORS):
         return with_options(str(error) or type(error).__name__)
     return (
         f"this is a bug in lommel, not in your input: {type(error).__name__}: {brief(line(error), 200)}; please "
@@ -401,17 +403,19 @@ def _message(error: Exception) -> str:
 
 
 def _hint(error: OSError) -> str:
-    """Return how to get a missing file that comes with the package."""
+    """Return a hint how to copy a missing file, if it is an example of the package."""
     name = Path(os.fsdecode(error.filename)).name.removesuffix(".toml")
-    with suppress(FileNotFoundError):  # where these are missing too
+    with suppress(FileNotFoundError):  # if the examples are missing, too
         if isinstance(error, FileNotFoundError) and name in example_files():
             return f"; `lommel examples {name}` copies {example_files()[name].name} to this folder"
     return ""
 
 
-# A method with its options in brackets, which stays; then whatever looks like the name of an argument: "`missing`",
-# "largest=", "tol=1e-9", "f_number"; but not --set tol=1, lens.f_number (of a file) or what stands in quotes.
-_NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
+# Matches a method with its options in brackets, which is kept, or a word that may be the name of an argument:
+# "`missing`", "largest=", "tol=1e-9", "f_number"; but not --set tol=1, lens.f_number (of a file) or words in quotes.
+_ARGUMENT_NAME = re.compile(
+    r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)"
+)
 _METHOD = re.compile(r"--method (\w+)\(.*?\)")
 _METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
 _METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
@@ -420,12 +424,16 @@ _METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasse
 def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
     context, flags = click.get_current_context(silent=True), _flags()
-    own = {flag: name for name, flag in flags.items()}
+    names = {flag: name for name, flag in flags.items()}
     first = message.partition(" must ")[0]
-    # What the user did not write may be of a file, which calls it as the library does.
-    if context and first in flags and context.get_parameter_source(own[flags[first]]) is ParameterSource.COMMANDLINE:
+    # A value that was not on the command line may be from a file, whose key is the name of the argument.
+    if (
+        context
+        and first in flags
+        and context.get_parameter_source(names[flags[first]]) is ParameterSource.COMMANDLINE
+    ):
         message = flags[first] + message.removeprefix(first)
-    message = _NAMED.sub(partial(_flag_of, flags), message)
+    message = _ARGUMENT_NAME.sub(partial(_flag_of, flags), message)
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
         ", in metres", ", with a unit"
     )
@@ -433,7 +441,7 @@ def with_options(message: str) -> str:
 
 
 def flag_of(name: str) -> str:
-    """Return the option of the running command for an argument, as messages name it."""
+    """Return the option of the running command for an argument, as messages state it."""
     return _flags().get(name, name)
 
 
@@ -445,7 +453,7 @@ def _flags() -> dict[str, str]:
 
 
 def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:
-    """Return the option for what looks like an argument in a message, or what stands there."""
+    """Return the option for a match of `_ARGUMENT_NAME`, or the matched text if there is no such option."""
     quoted, name, equals, value = found.groups()
     word = quoted or name
     if word in flags and (quoted or equals or "_" in word):
@@ -456,7 +464,7 @@ def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:
 
 
 def finding_lines(facts: Facts) -> list[Wrapped]:
-    """Return the findings of a result and its notes, a line each."""
+    """Return the findings and notes of a result, one line each."""
     findings = [f"{each['code'].replace('_', ' ')}: {with_options(each['text'])}" for each in facts["findings"]]
     return [Wrapped(line) for line in (*findings, *facts["notes"])]
 

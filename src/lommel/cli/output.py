@@ -21,35 +21,37 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 
-_FIRST = 30.0  # seconds after which a log gets its first line
+_LOG_INTERVAL = 30.0  # seconds until the first line of a log, and least time between lines
 
 
-_LATER = 1.25  # times the time that has passed, at which it gets the next one, if not 30 seconds later
+_LOG_FACTOR = 1.25  # least ratio of the times of successive lines of a log
 
 
 class Steps:
-    """Progress of a command in `total` steps or as a fraction done; `bar` is None where there is no terminal."""
+    """Progress of a command in `total` steps, or as a fraction; `bar` is None if there is no terminal."""
 
     def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
         self._bar, self._total = bar, total
-        self._begun, self._shown = 0, 0.0
+        self._steps_begun, self._fraction = 0, 0.0
         self._task = None if bar is None else bar.add_task(description, total=total)
         self._start = time.monotonic()
-        self._next = _FIRST
+        self._next = _LOG_INTERVAL
 
-    def __call__(self, name: str, share: float | None = None) -> None:
+    def __call__(self, name: str, fraction: float | None = None) -> None:
         """Show the name of the next step, or of the current one with the fraction done, 0 to 1."""
-        if share is not None:
-            self._shown = min(max(share, self._shown), 1.0)  # estimates of the remaining time may increase
+        if fraction is not None:
+            self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
         elif self._total:
-            self._shown = self._begun / self._total
+            self._fraction = self._steps_begun / self._total
         if self._bar is None or self._task is None:
             self._log(name)
-        elif share is not None:
-            self._bar.update(self._task, description=name, total=1.0, completed=self._shown)
+        elif fraction is not None:
+            self._bar.update(self._task, description=name, total=1.0, completed=self._fraction)
         else:
-            self._bar.update(self._task, description=name, completed=None if self._total is None else self._begun)
-        self._begun += share is None
+            self._bar.update(
+                self._task, description=name, completed=None if self._total is None else self._steps_begun
+            )
+        self._steps_begun += fraction is None
 
     def tell(self, sentence: str) -> None:
         """Print a sentence, above the bar."""
@@ -59,33 +61,33 @@ class Steps:
         console.print(sentence, soft_wrap=self._bar is None, highlight=False, markup=False, emoji=False)
 
     def _log(self, name: str) -> None:
-        """Write a line now and then."""
+        """Write a line to the log if enough time has passed since the line before."""
         spent = time.monotonic() - self._start
         if spent < self._next:
             return
-        self._next = max(spent + _FIRST, _LATER * spent)
+        self._next = max(spent + _LOG_INTERVAL, _LOG_FACTOR * spent)
         left = ""
-        if self._shown > 0.0:
-            left = f", {percent(self._shown)}, about {_lasting(spent * (1.0 / self._shown - 1.0))} left"
-        print(f"{_lasting(spent)}{left}: {name}", file=sys.stderr, flush=True)
+        if self._fraction > 0.0:
+            left = f", {percent(self._fraction)}, about {_time_in_words(spent * (1.0 / self._fraction - 1.0))} left"
+        print(f"{_time_in_words(spent)}{left}: {name}", file=sys.stderr, flush=True)
 
 
-def _lasting(seconds: float) -> str:
+def _time_in_words(seconds: float) -> str:
     """Return a time in words."""
     return f"{seconds:.0f} s" if seconds < 99.5 else f"{seconds / 60.0:.0f} min"
 
 
 @contextmanager
 def progress(description: str, total: int | None = None, *, endless: bool = False) -> Iterator[Steps]:
-    """Show a bar on standard error if that is a terminal, else a line now and then; yield what announces steps.
+    """Yield a function that reports steps: on a bar if standard error is a terminal, else in lines of a log.
 
-    What is `endless`, as video, has no share that is done, and no bar.
+    With `endless`, for video, no fraction is known, and the bar is omitted.
     """
     from rich.console import Console
 
     console = Console(stderr=True)
     if not console.is_terminal:
-        # Not even an end of line, which a bar that is disabled may leave.
+        # Nothing else may be written: even a disabled bar may leave an end of line.
         yield Steps(None, description, total)
         return
     from rich import progress as bars
@@ -105,7 +107,7 @@ def written(paths: Iterable[Path | None], note: Callable[[Path], str] = lambda _
 
 
 def figure_format(path: Path) -> str:
-    """Return the format of a figure by its suffix; an error where it cannot be drawn or written."""
+    """Return the format of a figure by its suffix; raise an error if it cannot be drawn or written."""
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in ("png", "pdf", "svg"):
         raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")

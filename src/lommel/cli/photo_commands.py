@@ -127,15 +127,7 @@ class DataSet(Group, heading="Data set"):
         return arguments | {"noise": None if white is None else Noise(white=white, read=read or 0.0)}
 
 
-_SINGLE_PHOTO_OPTIONS = (
-    "bits",
-    "pixel_from_exif",
-    "no_exif",
-    "last",
-    "frames",
-    "fps",
-    "camera",
-)  # options of a single photo
+_SINGLE_PHOTO_OPTIONS = ("bits", "pixel_from_exif", "no_exif", "last", "frames", "fps", "camera")
 
 
 def render(
@@ -231,7 +223,7 @@ class PhotoNoise(Group, heading="Noise"):
         help="Number of electrons at white, such as 5000; by default the full well of the camera. White is the "
         "largest integer, or 1.0 in floats.")
     read: float | None = documented(Noise, "read", type=float, default=None,
-        help="Read noise, rms electrons; 0 for none; by default that of the camera.")
+        help="Read noise, rms electrons; 0 for none; by default from the camera.")
     offset: float = option(type=float, default=0.0, help="Black level, as a fraction of white.")
     # fmt: on
 
@@ -250,7 +242,7 @@ class PhotoCamera(Group, heading="Camera"):
         "few %.")
     no_exif: bool = option(is_flag=True, help="Ignore the lens data of the EXIF.")
     wavelengths: tuple[float, ...] | None = option(type=LENGTHS,
-        help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo that of the lens file, "
+        help="Wavelength of each channel; by default 600nm,540nm,460nm, and for a grey photo from the lens file, "
         "or 550nm.")
     # fmt: on
 
@@ -276,7 +268,7 @@ class OutputFile(Group, heading="Output file"):
 
     # fmt: off
     bits: str | None = option(type=click.Choice(list(_TYPES)),
-        help="Bits of the output; by default those of the photo.")
+        help="Bits of the output; by default as in the photo.")
     quality: int = option(type=int, default=95, help="Quality of JPEG and WebP, 1 to 100.")
     # fmt: on
 
@@ -628,7 +620,7 @@ def restore(
 
 
 def apply_mask(photos: Sequence[Pixels], masked: Path) -> list[Pixels]:
-    """Return photos with the pixels masked that an image file marks."""
+    """Return photos whose pixels are masked by an image file."""
     mask = mask_of(masked, np.broadcast_to(False, (len(photos), *photos[0].shape[:2])))
     each = [mask] * len(photos) if mask.ndim == 2 else list(mask)
     return [
@@ -767,7 +759,7 @@ class Job:
     def report(
         self, lens: Lens, facts: Facts, lines: list[str], files: Iterable[Path], until: Lens | None = None
     ) -> Report:
-        """Return the report of the job: facts and lines of the command, and those that all commands have."""
+        """Return the report of the job: facts and lines of the command, and common ones."""
         read, (height, width, *_) = read_as(self.picture, self.options.encoding), self.picture.values.shape
         height, width = height // self.supersample, width // self.supersample
         common = {
@@ -796,7 +788,7 @@ class Job:
 
 
 def read_as(picture: Picture, given: str | None) -> str:
-    """Return how the values of a photograph were interpreted, as `given` or by default."""
+    """Return a description of the encoding of a photograph, as `given` or assumed."""
     kind = "float" if picture.values.dtype.kind == "f" else f"{8 * picture.values.dtype.itemsize}-bit"
     names = {"srgb": "sRGB", "linear": "linear"}
     if given is not None:
@@ -806,7 +798,7 @@ def read_as(picture: Picture, given: str | None) -> str:
 
 
 def output_type(picture: Picture, output: Path, bits: str | None) -> tuple[np.dtype[np.generic], str]:
-    """Return the type and the encoding of the output, by default those of the photo."""
+    """Return the type and the encoding of the output, by default as in the photo."""
     kind = picture.values.dtype
     dtype = _TYPES[bits or _bits(kind, output.suffix.lower())]
     # Values of the same kind keep their encoding; others get the encoding that readers assume for them.
@@ -815,7 +807,7 @@ def output_type(picture: Picture, output: Path, bits: str | None) -> tuple[np.dt
 
 
 def _bits(photo: np.dtype[np.generic], suffix: str) -> str:
-    """Return the default bits of the output: those of the photo, if the format can store them."""
+    """Return the default bits of the output: the bits of the photo, if the format can store them."""
     if suffix in (".jpg", ".jpeg"):
         return "8"
     if photo.kind != "f":

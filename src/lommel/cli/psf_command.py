@@ -1,4 +1,4 @@
-"""The commands ``lommel psf`` (of a lens, its field and colours, or a microscope) and ``lommel stack`` (on disk)."""
+"""The commands ``lommel psf`` (lens, field, colours, microscope) and ``lommel stack`` (PSFs in a store on disk)."""
 
 from __future__ import annotations
 
@@ -71,15 +71,15 @@ def stack(
     with np.errstate(divide="ignore"):
         distances = 1.0 / np.linspace(1.0 / near, 1.0 / far, count)
     distances[0], distances[-1] = near, far
-    window, begun, steps = instrument.window, time.perf_counter(), 0
-    with progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as step:
+    window, start, steps = instrument.window, time.perf_counter(), 0
+    with progress(f"{count} PSFs of {window[0]} x {window[1]} pixels") as report_progress:
 
         def done(chunks: int, total: int) -> None:
             nonlocal steps
             steps += 1
-            step(f"chunk {chunks} of {total}", chunks / total)
+            report_progress(f"chunk {chunks} of {total}", chunks / total)
 
-        made = psf_to(
+        store = psf_to(
             output,
             instrument.lens.pupil(distances),
             window,
@@ -89,33 +89,33 @@ def stack(
             integrate=instrument.integrate,
             progress=done,
         )
-    bound, seconds = float(made.error_bound.max()), time.perf_counter() - begun
-    facts = {"store": str(output), "shape": list(made.shape), "dtype": str(made.dtype), "seconds": seconds}
-    facts |= {"chunks": made.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
-    shown = "no error bound" if math.isnan(bound) else f"error at most {bound:.2g} of the peak"
-    computed = f"{steps} of {made.done[1]} chunks computed in {seconds:.3g} s"
-    return Report(facts, [f"{made!r}: {shown}; {computed}"])
+    bound, seconds = float(store.error_bound.max()), time.perf_counter() - start
+    facts = {"store": str(output), "shape": list(store.shape), "dtype": str(store.dtype), "seconds": seconds}
+    facts |= {"chunks": store.done[1], "computed": steps, "error_bound": None if math.isnan(bound) else bound}
+    bound_text = "no error bound" if math.isnan(bound) else f"error at most {bound:.2g} of the peak"
+    computed = f"{steps} of {store.done[1]} chunks computed in {seconds:.3g} s"
+    return Report(facts, [f"{store!r}: {bound_text}; {computed}"])
 
 
-Made = TypeVar("Made", bound=PSF | ColourPSF | PSFGrid)
+Result = TypeVar("Result", bound=PSF | ColourPSF | PSFGrid)
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Product(Generic[Made]):
+class _Product(Generic[Result]):
     """Functions that compute, report, draw and store one kind of PSF."""
 
     size: str
     find: Callable[[Path, str], Format]
-    make: Callable[[], Made]
-    report: Callable[[Made, float], Report]
+    make: Callable[[], Result]
+    report: Callable[[Result, float], Report]
     entitle: Callable[[Axes], object]
-    note: Callable[[Made, Path], str] = lambda *_: ""
+    note: Callable[[Result, Path], str] = lambda *_: ""
     drawn: str = ""
-    sections: bool = False  # of a stack, which a .png shows as its figure does
+    sections: bool = False  # whether a .png shows sections through a stack, like the figure
 
 
 class Air(Group, heading="Telescopes on the ground"):
-    """The blur of images of telescopes on the ground."""
+    """Options for the blur of images of telescopes on the ground."""
 
     # fmt: off
     seeing: float | None = option(type=click.FloatRange(0.0, 60.0, min_open=True), metavar="ARCSEC",
@@ -130,27 +130,27 @@ class Air(Group, heading="Telescopes on the ground"):
         """Return the blur on the sensor."""
         if self.seeing is None and self.outer_scale is not None:
             raise ValueError("--outer-scale needs --seeing")
-        air: tuple[Blur, ...] = ()
+        blurs: tuple[Blur, ...] = ()
         if self.seeing is not None:
-            air = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length, outer_scale=self.outer_scale),)
-        return air if self.jitter is None else (*air, Jitter(self.jitter * _ARCSEC * focal_length))
+            blurs = (Seeing.from_fwhm(self.seeing * _ARCSEC, focal_length, outer_scale=self.outer_scale),)
+        return blurs if self.jitter is None else (*blurs, Jitter(self.jitter * _ARCSEC * focal_length))
 
-    def words(self) -> list[str]:
-        """Return a line on the blur, if there is any."""
+    def describe(self) -> list[str]:
+        """Return a list with a line on the blur, empty without blur."""
         outer = "" if self.outer_scale is None else f", outer scale {format_length(self.outer_scale)}"
-        air = [] if self.seeing is None else [f"seeing of {self.seeing:g} arcsec at 500 nm{outer}"]
-        air += [] if self.jitter is None else [f"jitter of {self.jitter:g} arcsec rms"]
-        return [f"behind {' and '.join(air)}"] if air else []
+        parts = [] if self.seeing is None else [f"seeing of {self.seeing:g} arcsec at 500 nm{outer}"]
+        parts += [] if self.jitter is None else [f"jitter of {self.jitter:g} arcsec rms"]
+        return [f"behind {' and '.join(parts)}"] if parts else []
 
 
 class Computation(Group, heading="Computation"):
-    """How the values are computed."""
+    """Method, tolerance and unit of the values."""
 
     # fmt: off
     method: str = option("-m", "--method", default="auto", metavar="METHOD", type=click.Choice(("auto", *METHODS)),
         help="How to evaluate the diffraction integral; `lommel methods` lists the methods.")
     tol: float | None = documented(compute, "tol", type=float,
-        help="Tolerance, relative to the peak; by default that of the method (1e-6 for most).")
+        help="Tolerance, relative to the peak; by default set by the method (1e-6 for most).")
     settings: tuple[str, ...] = option("--set", multiple=True, metavar="NAME=VALUE",
         help="Option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")
     normalize: str = option(default="energy", type=click.Choice(psf_files.NORMALIZE),
@@ -163,10 +163,10 @@ class Computation(Group, heading="Computation"):
 
     def arguments(self) -> Facts:
         """Return the arguments of :func:`lommel.psf`."""
-        given = vars(self) | {"method": build_method(self.method, self.settings)}
-        if any(setting.startswith("tol=") for setting in given.pop("settings")) and self.tol is not None:
+        arguments = vars(self) | {"method": build_method(self.method, self.settings)}
+        if any(setting.startswith("tol=") for setting in arguments.pop("settings")) and self.tol is not None:
             raise ValueError("tol is given twice, by --tol and by --set")
-        return given
+        return arguments
 
 
 @command(JSON)
@@ -224,9 +224,9 @@ def psf(
         if field is not None or colour or mtf:
             raise ValueError("--seeing and --jitter are for one PSF: leave out --field, --colour and --mtf")
         options["blur"] = blur
-        # Of the light that seeing spreads most is within three times its width.
-        wide = 3.0 * _ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
-        side = min(2 * math.ceil(wide / min(instrument.pitch)) + 1, 1025)
+        # Most of the light that seeing spreads is within three times its width.
+        half_width = 3.0 * _ARCSEC * ((air.seeing or 0.0) + 2.4 * (air.jitter or 0.0)) * instrument.lens.focal_length
+        side = min(2 * math.ceil(half_width / min(instrument.pitch)) + 1, 1025)
         instrument = replace(instrument, shape=instrument.shape or (max(side, instrument.window[0]),) * 2)
     if place is not None and field is not None:
         raise ValueError("--at is for one place: leave out --field")
@@ -235,10 +235,10 @@ def psf(
     transfer = partial(_describe_mtf, instrument, pupil, place, channels) if mtf else None
     if field is not None:
         return _write(_of_field(instrument, field, channels, options), *files, mtf=transfer)
-    said = [*where, *air.words()]
+    lines = [*where, *air.describe()]
     if channels is not None:
-        return _write(_in_colour(instrument, pupil, channels, options, said), *files, mtf=transfer)
-    return _write(_of_lens(instrument, pupil, options, said), *files, mtf=transfer)
+        return _write(_in_colour(instrument, pupil, channels, options, lines), *files, mtf=transfer)
+    return _write(_of_lens(instrument, pupil, options, lines), *files, mtf=transfer)
 
 
 def _describe_mtf(
@@ -246,41 +246,43 @@ def _describe_mtf(
     pupil: Callable[[], Pupil],
     place: tuple[float, float] | None,
     channels: Channels | None,
-    made: object,
+    psfs: object,
 ) -> Report:
-    """Return the report of the MTF where PSFs were `made`: at each place of a grid, at one place, or on the axis."""
-    if isinstance(made, PSFGrid):
+    """Return the report of the MTF at the places of PSFs: at each place of a grid, at one place, or on the axis."""
+    if isinstance(psfs, PSFGrid):
         field_map = instrument.field()
-        places = [(x, y, field_map.pupil(x, y)) for y in made.y.tolist() for x in made.x.tolist()]
+        places = [(x, y, field_map.pupil(x, y)) for y in psfs.y.tolist() for x in psfs.x.tolist()]
     else:
         places = [(*(place or (None, None)), pupil())]
     return optics.describe_mtf(instrument, places, channels)
 
 
 def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Callable[[], Pupil], list[str]]:
-    """Return what makes the pupil of a place on the sensor, by default the axis, and a line on the place."""
+    """Return a function that computes the pupil at a place on the sensor (None: axis), and lines on the place."""
     if place is None:
         return instrument.pupil, []
-    where = (f"{format_length(abs(part))} {way[part < 0.0]}" for part, way in zip(place, _WAYS, strict=True))
+    where = (
+        f"{format_length(abs(part))} {words[part < 0.0]}" for part, words in zip(place, _DIRECTIONS, strict=True)
+    )
     return partial(instrument.field().pupil, *place), [f"{' and '.join(where)} the middle of the sensor"]
 
 
 _ARCSEC = math.pi / 648000.0
-_WAYS = ("right of", "left of"), ("below", "above")
+_DIRECTIONS = ("right of", "left of"), ("below", "above")
 
 
 _SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
 
 
 def _write(
-    product: _Product[Made],
+    product: _Product[Result],
     outputs: tuple[Path, ...],
     figure: Path | None,
     stretch: str,
-    mtf: Callable[[Made], Report] | None = None,
+    mtf: Callable[[Result], Report] | None = None,
 ) -> Report:
-    """Compute a product, write its files, and return its report, with that which `mtf` makes of the product."""
-    # All is checked before anything is computed.
+    """Compute a product, write its files, and return its report, with the report of the MTF if `mtf` is given."""
+    # All paths are checked before anything is computed.
     files = [place for path in outputs for place in product.find(path, "--output").places(path)]
     for path in (*outputs, *files):
         require_folder(path)
@@ -292,41 +294,43 @@ def _write(
         files.append(figure)
     with progress(product.size):
         start = time.perf_counter()
-        made = product.make()
-        report = product.report(made, time.perf_counter() - start)
+        psfs = product.make()
+        report = product.report(psfs, time.perf_counter() - start)
         if mtf is not None:
-            report += mtf(made)
+            report += mtf(psfs)
         for path in outputs:
             if path not in drawn:
-                made.save(path)
+                psfs.save(path)
         if drawn:
-            axes: Any = made.plot(stretch=stretch)
+            axes: Any = psfs.plot(stretch=stretch)
             first = axes.flat[0] if hasattr(axes, "flat") else axes
             product.entitle(first)
             for path in drawn:
                 save_figure(first.figure, path)
 
     def note(path: Path) -> str:
-        return product.drawn.format(_SCALES[stretch]) if path in drawn else product.note(made, path)
+        return product.drawn.format(_SCALES[stretch]) if path in drawn else product.note(psfs, path)
 
-    kept = written(files, note)
+    files_report = written(files, note)
     if not files:
-        kept += Report({}, ["", Wrapped("Nothing is written: -o psf.tif and --plot psf.png keep it.")])
-    return report + kept
+        files_report += Report({}, ["", Wrapped("Nothing was written: -o psf.tif or --plot psf.png saves the PSF.")])
+    return report + files_report
 
 
-def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts, said: list[str]) -> _Product[PSF]:
-    """Return the PSF of a lens at one place, with what is said of that and of its blur."""
+def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts, lines: list[str]) -> _Product[PSF]:
+    """Return the product of a PSF of a lens at one place, with lines on this place and on the blur."""
     return _Product(
         size=_size(instrument.window),
         find=psf_files.find,
         make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
         report=lambda made, seconds: (
             optics.summarize_lens(instrument)
-            + Report({}, [Wrapped(line) for line in said])
+            + Report({}, [Wrapped(line) for line in lines])
             + optics.describe_psf(made, seconds)
         ),
-        entitle=lambda axes: axes.set_title(_named(axes, _setting(instrument), axes.get_title()), fontsize=9),
+        entitle=lambda axes: axes.set_title(
+            _title_with_name(axes, _setting(instrument), axes.get_title()), fontsize=9
+        ),
         note=_picture_note,
         drawn=": {}",
     )
@@ -335,7 +339,7 @@ def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts,
 def _of_field(
     instrument: Instrument, field: int | tuple[int, int], channels: Channels | None, options: Facts
 ) -> _Product[PSFGrid]:
-    """Return PSFs on a grid over the sensor, in channels where these are given."""
+    """Return the product of PSFs on a grid over the sensor, in colour channels if there are any."""
     if not isinstance(field, tuple):
         raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
     rows, columns = field
@@ -345,9 +349,9 @@ def _of_field(
 
     def make() -> PSFGrid:
         field_map = instrument.field()
-        assert instrument.sensor is not None  # which a lens file with a field has
-        given = {"shape": instrument.window, "pixel": instrument.pixel, **options}
-        return field_map.grid(rows, columns, sensor=instrument.sensor, **given)
+        assert instrument.sensor is not None  # a lens file with a field has a sensor
+        window = {"shape": instrument.window, "pixel": instrument.pixel, **options}
+        return field_map.grid(rows, columns, sensor=instrument.sensor, **window)
 
     def report(made: PSFGrid, seconds: float) -> Report:
         if isinstance(made.psf, ColourPSF):
@@ -360,29 +364,29 @@ def _of_field(
         make=make,
         report=report,
         entitle=lambda axes: axes.set_title(
-            _named(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
+            _title_with_name(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
         ),
         drawn="" if channels else ": {}, each PSF normalized to its maximum",
     )
 
 
 def _in_colour(
-    instrument: Instrument, pupil: Callable[[], Pupil], channels: Channels, options: Facts, said: list[str]
+    instrument: Instrument, pupil: Callable[[], Pupil], channels: Channels, options: Facts, lines: list[str]
 ) -> _Product[ColourPSF]:
-    """Return the PSFs of a lens at one place in colour channels, with what is said of that place."""
+    """Return the product of the PSFs of a lens at one place in colour channels, with lines on this place."""
     return _Product(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=psf_files.find_colours,
         make=lambda: colour_psf(pupil(), instrument.window, instrument.pixel, channels, **options),
         report=lambda made, seconds: (
-            optics.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in said])
+            optics.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in lines])
         ),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
 
 
 def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
-    """Return the PSF of a microscope in all planes of its stack."""
+    """Return the product of the PSF of a microscope in all planes of its stack."""
     stack = microscope.planes > 1
     return _Product(
         size=(f"{microscope.planes} x " if stack else "") + _size(microscope.window),
@@ -403,14 +407,18 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
 def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
     """Return the name of a lens, its wavelength unless there are channels, and its distances."""
     lens = instrument.lens
-    focused, seen = optics.distinct(lens.focus_distance, instrument.object_distance)
+    focus, object_distance = optics.distinct(lens.focus_distance, instrument.object_distance)
     light = "" if channels else f"{format_length(lens.wavelength)}, "
-    where = f"object at {seen}" if focused == seen else f"focus at {focused}, object at {seen}"
-    return f"{instrument.name}\n{light}{where}"
+    distances = (
+        f"object at {object_distance}"
+        if focus == object_distance
+        else f"focus at {focus}, object at {object_distance}"
+    )
+    return f"{instrument.name}\n{light}{distances}"
 
 
-def _named(axes: Axes, name: str, title: str) -> str:
-    """Return a title of a figure below the name of its lens, within its width."""
+def _title_with_name(axes: Axes, name: str, title: str) -> str:
+    """Return a title of a figure below the name of its lens, which is fitted to the width of the figure."""
     from lommel.show.drawing import fitted, name_in_words
 
     return f"{fitted(name_in_words(name), axes)}\n{title}".rstrip("\n")
@@ -419,7 +427,7 @@ def _named(axes: Axes, name: str, title: str) -> str:
 def _entitle_figure(axes: Axes, name: str) -> None:
     """Set the name of a lens above the title of a figure of many axes."""
     figure = figure_of(axes)
-    figure.suptitle(_named(axes, name, figure.get_suptitle()), fontsize=9)
+    figure.suptitle(_title_with_name(axes, name, figure.get_suptitle()), fontsize=9)
 
 
 def _size(window: tuple[int, int]) -> str:
@@ -464,7 +472,7 @@ def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
 
 
 def _erf(text: str) -> object:
-    """Return the error function of a closed form from its name, with a count of terms behind a colon."""
+    """Return the error function of a closed form from its name, which a colon and a number of terms may follow."""
     name, colon, count = text.partition(":")
     if name not in ERFS:
         raise ValueError(f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {shown(text)}")
@@ -474,7 +482,7 @@ def _erf(text: str) -> object:
 
 
 def _value(text: str) -> Any:
-    """Return the number, pair, truth value or word that a text stands for."""
+    """Return the number, pair, truth value or word in a text."""
     if "," in text:
         return tuple(_value(part) for part in text.split(","))
     words = {"none": None, "true": True, "false": False}

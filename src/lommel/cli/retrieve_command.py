@@ -51,8 +51,8 @@ def retrieve(
     also: str = option(default="center",
         help='Nuisance parameters to estimate jointly: "center, f_number, wavelength, obscuration", or none.'),
     blur: bool = option(is_flag=True,
-        help="Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image: of stars from the "
-        "ground."),
+        help="Estimate blur by seeing and a Gaussian (jitter, charge diffusion) in each image, for telescopes on "
+        "the ground."),
     output: Path | None = option("-o", "--output", type=OUTPUT,
         help="Wavefront as Zernike coefficients in Noll's order: .json, .toml or .csv."),
     figure: Path | None = plot_option("Figure of images, model, residuals and terms"),
@@ -62,16 +62,16 @@ def retrieve(
 ) -> Report:  # fmt: skip
     """Estimate a wavefront from star images (phase retrieval).
 
-    IMAGES, of a star or another point source, are TIFF (one image per page), OME-Zarr, NPY, FITS (of several images
-    file.fits[SCI] is one) or 16-bit PNG files of one size, linear in light (no JPEG, no sRGB). LENS is a lens file
-    with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting point. Several images need the
-    --defocus of each (phase diversity). One image leaves the common sign of the even terms (total defocus,
+    IMAGES, of a star or another point source, are TIFF (one image per page), OME-Zarr, NPY, FITS (file.fits[SCI]
+    selects one of several images) or 16-bit PNG files of one size, linear in light (no JPEG, no sRGB). LENS is a lens
+    file with aperture, wavelength, f-number and pixel pitch; its wavefront is the starting point. Several images need
+    the --defocus of each (phase diversity). One image leaves the common sign of the even terms (total defocus,
     astigmatism, spherical) undetermined: the solution nearer to the starting point is returned, or the one whose
     first even term is positive if both are equally near.
 
     Coefficients are of Zernike terms in Noll's order, normalised to unit rms, and printed with standard errors. The
-    reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. A misfit is said in the last
-    line, by "converged" and "reliable" of --json, and by exit code 3.
+    reduced chi-squared (chi2) is about 1 where pupil, pixel pitch and noise are right. A misfit is stated in the last
+    line and by "converged" and "reliable" of --json, and the exit code is 3.
 
     Examples
     --------
@@ -80,15 +80,15 @@ def retrieve(
     """
     if output is not None:
         zernike_tables.find(output, "--output")
-    instrument = camera.on(lens)
-    with progress("reading") as started:
+    instrument = camera.instrument_of_file(lens)
+    with progress("reading") as status:
         read = read_images(_files(images))
         stars = read.values
         noise, saturation, header = camera.resolve(read.said, instrument.camera)
         if defocus is None and len(stars) > 1:
             raise ValueError(f"--defocus must be given for {len(stars)} images: one number for each, such as -4 0 4")
-        started("fitting")
-        found = fit(
+        status("fitting")
+        result = fit(
             stars,
             instrument.pupil(),
             pixel=instrument.side,
@@ -102,57 +102,61 @@ def retrieve(
             integrate=instrument.integrate,
             starts=search.starts,
             seed=search.seed,
-            progress=lambda share, chi2: started(
+            progress=lambda share, chi2: status(
                 f"start {int(search.starts * share) + 1} of at most {search.starts}, chi2 {chi2:.3g}", share
             ),
         )
     notes = [*read.notes, *header]
     names = list(read.names)
     if output is not None:
-        found.save(output)
+        result.save(output)
     if figure is not None:
-        save_figure(found.plot(unit=unit, names=names), figure)
-    made = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
-    parts = [*_parts(found, unit, names), *map(Wrapped, notes)]
-    return Report({"images": names} | found.to_dict() | {"notes": notes}, parts, found.converged) + made
+        save_figure(result.plot(unit=unit, names=names), figure)
+    files_report = written(
+        [output, figure], lambda path: ": square roots of images and model" if path == figure else ""
+    )
+    parts = [*_parts(result, unit, names), *map(Wrapped, notes)]
+    return Report({"images": names} | result.to_dict() | {"notes": notes}, parts, result.converged) + files_report
 
 
-def _parts(found: Retrieval, unit: str, files: list[str]) -> Parts:
+def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:
     """Return the tables of a retrieved wavefront in a unit, with standard errors, and the verdict."""
     short = {"radians": "rad"}.get(unit, unit)
-    values, errors = found.in_unit(unit)
+    values, errors = result.in_unit(unit)
     rows = [(label(name), *with_error(value, errors[name])) for name, value in values.items()]
-    others = {name: value for name, value in found.coefficients.items() if name not in values}
-    rows += [(f"{n} {found.units[n]}".rstrip(), *with_error(value, found.errors[n])) for n, value in others.items()]
-    row, column = found.center.T
-    each = {"row": row, "column": column, "flux": found.flux, "background": found.background}
-    blurred = any(found.blurs)
-    own = {name: value for name, value in each.items() if blurred or name in found.errors}
+    constants = {name: value for name, value in result.coefficients.items() if name not in values}
+    rows += [
+        (f"{n} {result.units[n]}".rstrip(), *with_error(value, result.errors[n])) for n, value in constants.items()
+    ]
+    row, column = result.center.T
+    quantities = {"row": row, "column": column, "flux": result.flux, "background": result.background}
+    blurred = any(result.blurs)
+    columns = {name: value for name, value in quantities.items() if blurred or name in result.errors}
 
     def cell(name: str, k: int) -> str:
-        value = float(own[name][k])
-        return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(found.errors[name][k])))
+        value = float(columns[name][k])
+        return f"{value:.6g}" if blurred else "+-".join(with_error(value, float(result.errors[name][k])))
 
-    images = [[file, *(cell(name, k) for name in own)] for k, file in enumerate(files)]
-    last = [f"blur: {'; '.join(map(in_words, found.blurs))}"] if blurred else []
+    images = [[file, *(cell(name, k) for name in columns)] for k, file in enumerate(files)]
+    last = [f"blur: {'; '.join(map(in_words, result.blurs))}"] if blurred else []
     return paragraphs(
         [table_of(("term", short, "std. error"), rows)],
-        [table_of(["image", *own], images)],
-        map(Wrapped, [*last, found.message]),
+        [table_of(["image", *columns], images)],
+        map(Wrapped, [*last, result.message]),
     )
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:
     """Return the files; patterns that the shell has not expanded are expanded in the order of names."""
-    found: list[Path] = []
+    files: list[Path] = []
     for path in paths:
         if path.exists() or part_of(path)[1] is not None or not set("*?[") & set(path.name):
-            found.append(path)
-        elif several := sorted(path.parent.glob(path.name)):
-            found += several
+            files.append(path)
+        elif matches := sorted(path.parent.glob(path.name)):
+            files += matches
         else:
             raise FileNotFoundError(errno.ENOENT, "No file matches", str(path))
-    return found
+    return files
 
 
 def _names(text: str) -> list[str]:
@@ -161,17 +165,17 @@ def _names(text: str) -> list[str]:
 
 
 def _terms(text: str) -> list[str]:
-    """Return the names of terms as :func:`lommel.retrieve` takes them, also of those that its tables print."""
-    usual = {zernike.name(*zernike.term(j, "noll")): f"noll {j}" for j in range(_NAMED, 4, -1)}
-    found = []
+    """Return names of terms for :func:`lommel.retrieve`, also from names as printed in tables."""
+    noll_names = {zernike.name(*zernike.term(j, "noll")): f"noll {j}" for j in range(_LAST_NAMED, 4, -1)}
+    names = []
     for name in _names(text):
         order, _, rest = name.partition(" ")
         index, _, printed = rest.partition(" ")
-        # "noll 8 coma x", as the table has it; then "coma x" alone.
+        # The table prints "noll 8 coma x"; the user may also write "coma x" alone.
         if order in zernike.ORDERS and printed:
             name = f"{order} {index}"
-        found.append(usual.get(name, name) if name not in ("defocus", "spherical") else name)
-    return found
+        names.append(noll_names.get(name, name) if name not in ("defocus", "spherical") else name)
+    return names
 
 
-_NAMED = 66  # Noll's last term that has a name of its own
+_LAST_NAMED = 66  # Noll index of the last term with a name of its own

@@ -1,4 +1,4 @@
-"""The command ``lommel sharpen``: videos and photos of known depth in focus."""
+"""The command ``lommel sharpen``: deblurring of videos and photos of known depth."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
-_BESIDE = 1e-3  # of a distance, by which filters are made for more than it
-_FAR = 1e9  # metres, as good as infinite
+_RANGE_MARGIN = 1e-3  # fraction of the distances by which the range of the filters exceeds them
+_FAR = 1e9  # metres: largest nearest distance of filters, practically infinity
 
 
 class Clip(NamedTuple):
-    """Frames to be sharpened, and what writes the light of each (1 is white) at its time."""
+    """Frames to sharpen, and the function that writes the light of a frame (1 is white) at its time."""
 
     shape: tuple[int, ...]
     coding: Coding
@@ -48,7 +48,7 @@ class Clip(NamedTuple):
 
 
 class ClipCamera(Group, heading="Camera"):
-    """The lens and the camera of frames."""
+    """Lens and camera of frames."""
 
     # fmt: off
     focus: float | None = option(length="m", help="Focus distance, such as 1.5m or inf; overrides the lens file.")
@@ -65,19 +65,19 @@ def sharpen(
     lens: Path = LENS,
     output: Path = option("-o", "--output", required=True, type=OUTPUT,
         help=f"Sharp video: {suffixes('video')}; of a photo: {suffixes('photo')}."),
-    at: float | None = option(length="m", help="Distance of all that is seen, such as 1.5m."),
+    at: float | None = option(length="m", help="Distance of the whole scene, such as 1.5m."),
     map_: Path | None = option("--depth", type=FILE, metavar="FILE",
-        help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; where it is not known "
-        "it is that of the nearest pixel."),
+        help="Depth map instead, of the size of the frames or of their blocks of 4 x 4 pixels; unknown depth is "
+        "that of the nearest known pixel."),
     values: DepthMap = DepthMap(),
-    seen: ClipCamera = ClipCamera(),
-    noisy: VideoNoise = VideoNoise(),
+    clip_camera: ClipCamera = ClipCamera(),
+    video_noise: VideoNoise = VideoNoise(),
 ) -> Report:  # fmt: skip
     """Sharpen video or a photo of known depth.
 
-    Wiener's filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
-    or a photo, in grey or colour. LENS is a lens file. Blur wider than about 40 pixels is undone in part;
-    `lommel restore` takes longer and undoes more. Ctrl-C ends the command and leaves a whole file.
+    Wiener filters in one pass, at video rate. CLIP is a video file, numbered images (a folder or frames/%04d.tif)
+    or a photo, in grey or colour. LENS is a lens file. Blur wider than about 40 pixels is removed only in part;
+    `lommel restore` takes longer and removes more. Ctrl-C ends the command and leaves a complete file.
 
     Examples
     --------
@@ -87,17 +87,19 @@ def sharpen(
     if (at is None) == (map_ is None):
         raise ValueError(f"give one of --at and --depth, got {'neither' if at is None else 'both'}")
     require_folder(output)
-    instrument = radial_instrument(lens, camera=seen.camera, pixel=seen.pixel)
-    one = instrument.lens if seen.f_number is None else instrument.lens.stopped(seen.f_number)
-    one = one if seen.focus is None else one.focused(seen.focus)
+    instrument = radial_instrument(lens, camera=clip_camera.camera, pixel=clip_camera.pixel)
+    lens_in_use = instrument.lens if clip_camera.f_number is None else instrument.lens.stopped(clip_camera.f_number)
+    lens_in_use = lens_in_use if clip_camera.focus is None else lens_in_use.focused(clip_camera.focus)
     stop, count = Stop(), 0
     with progress("reading", endless=True) as status, ExitStack() as stack:
-        known = partial(coding_of, noisy=noisy, camera=instrument.camera, encoding=seen.encoding)
-        shape, coding, frames, write, video = _clip(clip, output, known, seen.encoding, status, stack)
-        found = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
-        distance: float | Array = fill_missing(found, "nearest") if at is None else at
+        coding_from = partial(
+            coding_of, video_noise=video_noise, camera=instrument.camera, encoding=clip_camera.encoding
+        )
+        shape, coding, frames, write, video = _clip(clip, output, coding_from, clip_camera.encoding, status, stack)
+        depth_map = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
+        distance: float | Array = fill_missing(depth_map, "nearest") if at is None else at
         if map_ is not None:
-            tell_of_depths(one, instrument.side, distance)
+            tell_of_depths(lens_in_use, instrument.side, distance)
         if coding.guess:
             status.tell(coding.guess)
         status("computing the filters")
@@ -107,72 +109,72 @@ def sharpen(
             while (frame := stop.next(frames)) is not None:
                 light = coding.light(frame.values)
                 if live is None:
-                    live = _filters(one, instrument.side, distance, coding, light)
-                    start, begun = time.perf_counter(), frame.time
+                    live = _filters(lens_in_use, instrument.side, distance, coding, light)
+                    start, first_time = time.perf_counter(), frame.time
                     mean = float(coding.noise.electrons(float(np.nanmean(light))))
-                write(live(light, distance) / np.float32(coding.white), frame.time - begun)
+                write(live(light, distance) / np.float32(coding.white), frame.time - first_time)
                 count += 1
                 status(f"{count} frames, {count / (time.perf_counter() - start):.3g}/s")
             seconds = time.perf_counter() - start
-        lost = None if video is None else video.lost
-        ended = "interrupted" if stop.requested else lost or "the end"
+        failure = None if video is None else video.lost
+        end_reason = "interrupted" if stop.requested else failure or "the end"
         if not count:
-            raise ValueError(f"no frame was read: {ended}")
+            raise ValueError(f"no frame was read: {end_reason}")
     height, width = shape[:2]
-    of_depth, line = depth_facts(found)
+    depth_values, line = depth_facts(depth_map)
     ends = [float(np.min(distance)), float(np.max(distance))]
-    blur = float(np.max(2.0 * one.pupil(np.array(ends)).geometric_radius())) / instrument.side
+    blur = float(np.max(2.0 * lens_in_use.pupil(np.array(ends)).geometric_radius())) / instrument.side
     facts = {
         **coding.facts,
         "shape": list(shape),
         "pixel": instrument.side,
-        "focus_distance": finite(one.focus_distance),
-        "f_number": one.f_number,
-        "focal_length": one.focal_length,
+        "focus_distance": finite(lens_in_use.focus_distance),
+        "f_number": lens_in_use.f_number,
+        "focal_length": lens_in_use.focal_length,
         "between": [finite(each) for each in ends],
-        "unknown": of_depth["depth_unknown"],
+        "unknown": depth_values["depth_unknown"],
         "blur": blur,
         "frames": count,
         "seconds": seconds,
-        "ended": ended,
+        "ended": end_reason,
     }
     lines = [
         coding.words,
         *([coding.guess] if coding.guess else []),
-        f"{width} x {height} pixels of {format_length(instrument.side)}; f/{one.f_number:.3g}, blur of up to "
+        f"{width} x {height} pixels of {format_length(instrument.side)}; f/{lens_in_use.f_number:.3g}, blur of up to "
         f"{blur:.3g} pixels",
-        line(f"focus {format_length(one.focus_distance)}"),
+        line(f"focus {format_length(lens_in_use.focus_distance)}"),
     ]
     if video is not None:
         bits, lossy = coding.check_compression(video.bits, mean)
         lines += [lossy] if lossy else []
         facts |= bits | {"frames_dropped": video.dropped, "frames_of_another_size": video.refused}
         refused = f", of another size: {video.refused}" if video.refused else ""
-        lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {ended}")
+        lines.append(f"{count} frames in {seconds:.3g} s: {count / seconds:.3g} frames/s; ended: {end_reason}")
         lines.append(f"frames dropped: {video.dropped}{refused}")
     files = written([output])
-    return Report(facts | files.facts, [*lines, *files.parts], converged=lost is None)
+    return Report(facts | files.facts, [*lines, *files.parts], converged=failure is None)
 
 
 def _map(path: Path, values: DepthKeywords, shape: tuple[int, ...]) -> Array:
     """Return a depth map of the size of frames or, unless it is to be resampled, of their blocks."""
-    found = read_depth(path, shape=None if values["resample"] is None else shape, **values)
+    depth_map = read_depth(path, shape=None if values["resample"] is None else shape, **values)
     sizes = shape, (shape[0] // BLOCK, shape[1] // BLOCK)
-    if found.shape not in sizes:
+    if depth_map.shape not in sizes:
         raise ValueError(
-            f"{validation.line(path)} must have the shape {sizes[0]} or {sizes[1]}, got {found.shape}; "
-            '`resample` "nearest" takes the nearest of one of the same aspect ratio'
+            f"{validation.line(path)} must have the shape {sizes[0]} or {sizes[1]}, got {depth_map.shape}; "
+            '`resample` "nearest" uses the nearest pixels of a map of the same aspect ratio'
         )
-    return found
+    return depth_map
 
 
 def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, first: Values) -> LiveSharpen:
-    """Return the filters for the distances, of the light of the first frame."""
+    """Return the filters for a range of distances, and for the mean light of the first frame."""
     near, far = float(np.min(distance)), float(np.max(distance))
     return LiveSharpen(
         lens,
         pixel,
-        between=(min(near, _FAR) * (1.0 - _BESIDE), far * (1.0 + _BESIDE)),
+        between=(min(near, _FAR) * (1.0 - _RANGE_MARGIN), far * (1.0 + _RANGE_MARGIN)),
         noise=coding.noise,
         shape=first.shape,
         light=max(1.0, float(coding.noise.electrons(float(np.nanmean(first))))),
@@ -181,9 +183,14 @@ def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, 
 
 
 def _clip(
-    clip: Path, output: Path, known: Callable[..., Coding], encoding: str | None, status: Steps, stack: ExitStack
+    clip: Path,
+    output: Path,
+    coding_from: Callable[..., Coding],
+    encoding: str | None,
+    status: Steps,
+    stack: ExitStack,
 ) -> Clip:
-    """Open a photo or a video, and what is written."""
+    """Open a photo or a video, and its output."""
     if (
         clip.suffix.lower() in {suffix for form in formats("photo") for suffix in form.suffixes}
         and "%" not in clip.name
@@ -194,7 +201,7 @@ def _clip(
         if values.dtype.kind == "f":
             warn_if_bright(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
-        coding = known(levels, values.dtype, picture.encoding)
+        coding = coding_from(levels, values.dtype, picture.encoding)
         dtype, stored_as = output_type(picture, output, None)
 
         def save(light: Values, _: float) -> None:
@@ -203,13 +210,13 @@ def _clip(
         return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
     form = videos.find(output, "--output")
     video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
-    coding = known(video.levels, video.dtype, video.encoding)
-    # Grey of more than 8 bits keeps them, and its encoding, where the format holds them.
+    coding = coding_from(video.levels, video.dtype, video.encoding)
+    # Grey of more than 8 bits keeps its bits and its encoding, if the format can store them.
     deep = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
     write = stack.enter_context(form.write(output, video.interval))
 
     def store(light: Values, seconds: float) -> None:
-        kept = from_light(light, coding.encoding, np.uint16) if deep else from_light(light, "srgb", np.uint8)
-        write(kept, seconds)
+        stored = from_light(light, coding.encoding, np.uint16) if deep else from_light(light, "srgb", np.uint8)
+        write(stored, seconds)
 
     return Clip(video.shape, coding, video, store, video)

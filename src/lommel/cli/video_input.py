@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 Frame = TypeVar("Frame")
 
-_DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, of 8-bit sRGB without a statement
+_DEFAULT_WHITE, _DEFAULT_READ = 5000.0, 3.0  # full well and read noise, electrons, assumed for 8-bit sRGB
 _MIN_BITS = 0.95  # fraction of the entropy of noise: compressed pixels with fewer bits raise a warning
 _TOP_MARGIN = 1e-5  # fraction of white by which saturation is below it: less than half a 16-bit sRGB step
 _FIT_ABOVE = 0.02  # fraction of white: darker levels are left out of the fit of noise to stored values
@@ -56,7 +56,7 @@ class Coding(NamedTuple):
     white: float  # electrons at white, in the noise model that includes rounding
     noise: Noise  # noise of the values that `light` returns
     saturation: float | None  # saturation level of the values that `light` returns; None if there is none
-    guess: str  # sentence that calls the noise a guess, or ""
+    guess: str  # sentence on the noise if it is a guess, or ""
     words: str  # description of the encoding for the report
     facts: Facts
 
@@ -65,7 +65,7 @@ class Coding(NamedTuple):
         return to_light("the video", values, "srgb", np.float32) if self.encoding == "srgb" else values
 
     def noise_bits(self, electrons: float) -> float:
-        """Return the entropy of a stored pixel's noise, bits, at a number of electrons, taking it as normal."""
+        """Return the entropy of a stored pixel's noise, bits, at a number of electrons, for normal noise."""
         deviation = math.hypot(math.sqrt(electrons), self.noise.read)
         ends = np.clip(np.array([electrons - deviation, electrons + deviation]) / self.white, 0.0, 1.0)
         low, high = from_light(ends, self.encoding, np.float64)
@@ -111,7 +111,7 @@ def coding_of(
     levels: int,
     dtype: np.dtype[np.generic],
     default_encoding: str,
-    noisy: VideoNoise,
+    video_noise: VideoNoise,
     camera: Camera | None,
     encoding: str | None,
 ) -> Coding:
@@ -121,7 +121,7 @@ def coding_of(
     """
     chosen = encoding or default_encoding
     guessed = chosen == "srgb" and levels == 256
-    options, assumed = vars(noisy).copy(), []
+    options, assumed = vars(video_noise).copy(), []
     for name, value in (("white", _DEFAULT_WHITE), ("read", _DEFAULT_READ)) if guessed else ():
         of_camera = camera and (camera.full_well if name == "white" else camera.read)
         if options[name] is None and of_camera is None:
@@ -140,11 +140,11 @@ def coding_of(
     if guessed:
         source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
         guess = (
-            f"The noise of 8-bit sRGB values is a guess, for cameras denoise and compress them: {white:g} electrons "
-            f"at white, read noise {read:g} electrons ({source}), and rounding."
+            f"The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: {white:g} "
+            f"electrons at white, read noise {read:g} electrons ({source}), and rounding."
         )
     facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
-    saturation = None if noisy.saturation is None else noisy.saturation * value_of_white
+    saturation = None if video_noise.saturation is None else video_noise.saturation * value_of_white
     if levels:
         saturation = min(math.inf if saturation is None else saturation, (1.0 - _TOP_MARGIN) * value_of_white)
     noise = Noise(white=stored_white / value_of_white, read=stored_read, offset=offset * value_of_white)
@@ -155,7 +155,7 @@ def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple
     """Return electrons at white and read noise, electrons, of linear light after rounding to `levels`, 0 for floats.
 
     Rounding adds a twelfth of the squared step to the variance. The squared step of sRGB grows with the light, so
-    that the total variance is nearly linear in the light: a least-squares line, with relative residuals, gives both.
+    that the total variance is nearly linear in the light: both values follow from a least-squares line.
     """
     if not levels:
         return white, read

@@ -61,7 +61,7 @@ class PairResult(NamedTuple):
     image: Map | None  # all-in-focus image, electrons
     known: float  # fraction of the blocks that are known
     unfit: float  # fraction of the blocks that are unfit
-    median: tuple[float, float, float]  # depth and standard error of known blocks, misfit of all with a depth; or NaN
+    median: tuple[float, float, float]  # depth, standard error of known blocks; misfit of blocks with depth; or NaN
     duration: float  # time of the computation, seconds
     light: float  # mean electrons per pixel
 
@@ -139,18 +139,18 @@ def watch(
     sources: tuple[str, ...] = option("--source", multiple=True, required=True, metavar="SOURCE",
         help="Number of a camera, a video file, an address such as rtsp://camera/stream, or numbered images: a "
         "folder or a pattern such as frames/%04d.tif. Given twice, frames of the same time are pairs."),
-    alternating: bool = option(is_flag=True, help="The frames of one source are of one focus and the other in turn."),
+    alternating: bool = option(is_flag=True, help="The frames of one source alternate between two focus settings."),
     between: tuple[float, float] = BETWEEN,
     files: Files = Files(),
-    taken: FrameCamera = FrameCamera(),
-    noisy: VideoNoise = VideoNoise(),
+    frame_camera: FrameCamera = FrameCamera(),
+    video_noise: VideoNoise = VideoNoise(),
     estimation: Estimation = Estimation(),
 ) -> Report:  # fmt: skip
     """Estimate depth of video from frames with different focus.
 
     LENS is a lens file. The frames come from two cameras or files, or from one whose focus alternates. Depth and its
-    standard error are those of blocks of 4 x 4 pixels; colours are turned to grey. Ctrl-C ends the command and leaves
-    whole files.
+    standard error are computed for blocks of 4 x 4 pixels; colours are converted to grey. Ctrl-C ends the command and
+    leaves complete files.
 
     Examples
     --------
@@ -158,8 +158,8 @@ def watch(
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
     """
     _require_two(sources, alternating=alternating)
-    instrument = radial_instrument(lens, camera=taken.camera, pixel=taken.pixel)
-    lenses = each_lens(instrument.lens, 2, taken.foci, taken.f_numbers, "frames")
+    instrument = radial_instrument(lens, camera=frame_camera.camera, pixel=frame_camera.pixel)
+    lenses = each_lens(instrument.lens, 2, frame_camera.foci, frame_camera.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError(
             "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
@@ -173,35 +173,37 @@ def watch(
     with progress("opening the sources", endless=True) as status, ExitStack() as stack:
         second = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
-        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noisy, instrument.camera, taken.encoding)
+        coding = coding_of(
+            pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, frame_camera.encoding
+        )
         if coding.guess:
             status.tell(coding.guess)
         status("computing the filters of every distance")
         live = LiveDepth(
             lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
-            exposures=taken.exposures or "smooth", magnification=taken.magnification,
+            exposures=frame_camera.exposures or "smooth", magnification=frame_camera.magnification,
             saturation=coding.saturation, sharp=files.sharp,
         )  # fmt: skip
-        estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not taken.exposures)
+        estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not frame_camera.exposures)
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
-        ended = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
+        end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
         status("finishing")
         bits, compression = coding.check_compression(pairs.bits, tally.light)
         if compression and tally.pairs < _COMPRESSION_PAIRS:
             status.tell(compression)
         if not tally.pairs:
-            raise ValueError(f"no pair of frames came: {ended}; check that the times of the sources overlap")
+            raise ValueError(f"no pair of frames came: {end_reason}; check that the times of the sources overlap")
     verdict = DefocusVerdict.of(math.nan) if tally.failed == tally.pairs else live.verdict()
-    read = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, compression) if each])
+    read_report = Report(coding.facts | bits, [each for each in (coding.words, coding.guess, compression) if each])
     height, width = pairs.shape
     (of_lenses, focus), (near, far) = lens_facts(lenses), map(format_length, between)
-    setting = Report(
+    setting_report = Report(
         {
             "shape": [height, width],
             "pixel": instrument.side,
             **of_lenses,
             "between": [finite(one) for one in between],
-            "magnification": taken.magnification,
+            "magnification": frame_camera.magnification,
             "design_error": live.design_error,
         },
         [
@@ -209,8 +211,10 @@ def watch(
             f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
-    result = tally.summary(limit, taken.magnification == "registered", verdict) + outputs.report()
-    return read + setting + _counts(tally, pairs, ended) + result + Report({}, [], pairs.lost is None)
+    result = tally.summary(limit, frame_camera.magnification == "registered", verdict) + outputs.report()
+    return (
+        read_report + setting_report + _counts(tally, pairs, end_reason) + result + Report({}, [], pairs.lost is None)
+    )
 
 
 def _require_two(sources: tuple[str, ...], *, alternating: bool) -> None:
@@ -318,7 +322,7 @@ class Tally:
         if abs(depth - before) > _JUMP * error:
             self.jumped = (
                 f"Depth jumps at {result.time:.2f} s, from {before:.4g} to {depth:.4g} m: if nothing in the scene "
-                "did, a frame was lost, and near and far are exchanged since."
+                "moved, a frame was lost, and near and far have been exchanged since then."
             )
         return self.jumped
 
@@ -463,7 +467,7 @@ class Outputs:
         return np.where(known, np.clip(levels, 1, _MAX_LEVEL), 0).astype(np.uint16)
 
     def _grey(self, electrons: Map) -> NDArray[np.uint8]:
-        """Return an all-in-focus image in sRGB; the white is that of sRGB video, or set by the first linear image."""
+        """Return an all-in-focus image in sRGB; white is as in sRGB video, or set by the first linear image."""
         if math.isnan(self._white):
             self._white = max(float(np.percentile(electrons, _WHITE_PERCENTILE)), 1.0)
         levels = np.clip(electrons * ((_CURVE_LEVELS - 1) / self._white), 0.0, _CURVE_LEVELS - 1.0)
@@ -487,15 +491,15 @@ class Window:
 
     def __init__(self, title: str, stack: ExitStack) -> None:
         self._cv2, self._title = optional.library("cv2", "a window needs", "video"), title
-        self._begun = math.nan
+        self._start = math.nan
         stack.callback(self._cv2.destroyAllWindows)
 
     def __call__(self, picture: NDArray[np.uint8], due: float | None) -> bool:
         """Show a picture until `due`, seconds after the first picture; return whether the window has been closed."""
         now = time.monotonic()
-        if math.isnan(self._begun):
-            self._begun = now
-        wait = 0.0 if due is None else self._begun + due - now
+        if math.isnan(self._start):
+            self._start = now
+        wait = 0.0 if due is None else self._start + due - now
         self._cv2.imshow(self._title, picture[..., ::-1])
         key = self._cv2.waitKey(max(1, round(1e3 * wait))) & 0xFF
         return key in (27, ord("q")) or self._cv2.getWindowProperty(self._title, self._cv2.WND_PROP_VISIBLE) < 1.0

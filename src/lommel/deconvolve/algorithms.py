@@ -16,7 +16,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Json, Values, fields_of, plain
 from lommel.fit.findings import Findings, Judged
 
-# Why a method stopped.
+# Reasons to stop.
 NOISE, STEPS, MISFIT, ONE_PASS = "noise", "steps", "misfit: depth, lens or noise do not fit", "one pass"
 
 # Arguments: number of steps taken, discrepancy, estimated remaining time (s).
@@ -89,7 +89,7 @@ class StoppingRule:
 
     @property
     def steps(self) -> int:
-        """Number of steps taken; the first discrepancy of the history is that of the initial scene."""
+        """Number of steps taken; the history starts with the discrepancy of the initial scene."""
         return len(self._history) - 1
 
     def judge(self, discrepancy: float) -> str | None:
@@ -248,11 +248,12 @@ class Restoration(Judged):
     clipped : float
         Fraction of the values that were clipped at white; 0 for floats.
     background : float or ndarray
-        Light of each voxel of a stack (float), or of each pixel of all planes (ndarray), that the values exclude; 0
-        for photographs.
+        Background of a stack, per voxel (float) or per pixel of all planes (ndarray), which the values exclude; 0 for
+        photographs.
     photograph : float
         Weight of the photograph in the result, 0 to 1. It is 1 if the result of the method would be farther from the
-        scene, because depth, lens or noise do not fit, and below 1 if the blur is hardly larger than the noise.
+        scene, because depth, lens or noise do not fit; between 0 and 1 if the blur is hardly larger than the noise;
+        else 0.
     findings : Findings
         Problems found: the codes "misfit", "too_quiet" and, if more steps would fit better, "not_settled".
     """

@@ -32,7 +32,7 @@ _DIM_START = 0.01  # smallest initial light of the specimen, relative to the mea
 
 
 class Background(NamedTuple):
-    """Uniform or slowly varying light besides that of the specimen.
+    """Uniform or slowly varying light in addition to the light of the specimen.
 
     `level` is the known light of each voxel, or None to estimate the background at a grid of `points` by `points`
     points over the field, the same in all planes.
@@ -76,8 +76,8 @@ class Iteration:
     """Richardson-Lucy steps with memory for two specimens and one recording.
 
     An unknown `background` is estimated together with the specimen. A uniform background and a uniform specimen have
-    the same image. Each step multiplies light by a factor, so that the one that starts brighter receives uniform
-    light: the specimen therefore starts at `_DIM_START` of the mean light.
+    the same image. Each step multiplies light by a factor, so that uniform light is assigned to whichever starts
+    brighter: the specimen therefore starts at `_DIM_START` of the mean light.
 
     `course`, the settings of the steps of another part of the same stack, prescribes the number of steps, their
     extrapolation factors and, for a background of a single level, that level.
@@ -181,7 +181,7 @@ class Iteration:
         return self._counted.mean(self.discrepancies)
 
     def _specimen_settled(self, discrepancy: float, target: float) -> bool:
-        """Check that the whole recording has reached the target, and the specimen has too or no longer improves.
+        """Check that the whole recording has reached the target, and the specimen has reached it or improves no more.
 
         A stack that is mostly background may reach the target long before the voxels lit by its specimen do.
         """
@@ -234,7 +234,7 @@ class Iteration:
         return overlap
 
     def _back_projected(self, consume: PartConsumer[Result]) -> list[Result]:
-        """Call `consume` with the parts of A^T of the misfit, and update the background and the light outside."""
+        """Call `consume` with the parts of A^T of the misfit; update the background and the light beyond margins."""
         misfit, smallest = self._misfit, self._counted.smallest
         if self._background_unknown:
             levels = self._extrapolated_background

@@ -128,7 +128,9 @@ class LinearBlur(ABC):
             converted = np.require(array, self.dtype, "A")
         if converted.dtype != array.dtype and not np.all(np.isfinite(converted)):
             largest = float(np.abs(array).max())
-            raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {largest:g}")
+            raise ValueError(
+                f"image must be at most {np.finfo(self.dtype).max:.3g}, the largest {self.dtype}, got {largest:g}"
+            )
         return np.moveaxis(converted.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: Values, make: Callable[[int, Values], Values]) -> Values:
@@ -191,7 +193,7 @@ class PlaneOperator(ABC):
 
     @abstractmethod
     def per_seen(self, plane: int, rows: slice, columns: slice, /) -> Values:
-        """Return the reciprocal of A^T w, the weighted recorded fraction of the light of each point; 0 if none is."""
+        """Return the reciprocal of A^T w, the weighted recorded fraction of the light of each point; 0 if it is 0."""
 
     def weigh(self, weight: float) -> None:  # noqa: B027 (nothing to do where pixels have weights of their own)
         """Set the largest weight of a pixel, by which :meth:`per_seen` is divided."""
@@ -304,7 +306,7 @@ def folded(padded: Values, margin: int, count: int) -> Values:
 def without_copies(
     image: Values, rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]
 ) -> Values:
-    """Return an image without its border copies, whose values are added to those of the original pixels.
+    """Return an image without its border copies, whose values are added to the original pixels.
 
     `rows` and `columns` are the indices of the original pixels, as returned by :func:`copies`.
     """

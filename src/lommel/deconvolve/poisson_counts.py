@@ -19,7 +19,7 @@ from lommel.recorded.noise import Noise
 
 SINGLE: np.dtype[np.floating] = np.dtype(np.float32)
 TINY = 1e-30  # smallest denominator: the ratio of a count of 0 to a model of 0 is then 0
-_MANY = 3.0  # mean electrons above which the expected deviance of the true scene is taken as 1 + 1 / (6 m)
+_MANY = 3.0  # mean electrons above which the expected deviance of the true scene is set to 1 + 1 / (6 m)
 _MAX_RATIO = 1e3  # largest ratio of counts to model
 _BLOCK, _DARKEST = 8, 10.0  # side of blocks in pixels, and percentile of their means from which a background starts
 
@@ -94,8 +94,8 @@ class PoissonCounts:
         )
         self.most_weight = float(self._weight.max())
         self.level = sum(self._light) / weights  # mean light
-        # Mean count in electrons, including the read variance. Below 1 the deviance of the true scene is below 1,
-        # too.
+        # Mean count in electrons, including the read variance. Below 1, the deviance of the true scene is
+        # also below 1.
         self.electrons = self.white * counts / weights
         self.smallest = 1e-6 * max(counts / weights, TINY)
         # The expected deviance of the true scene is 1 + 1/(6 m) for m electrons; 1/m is estimated by the mean of
@@ -104,7 +104,7 @@ class PoissonCounts:
 
     @property
     def start(self) -> Array:
-        """Light of each plane of a uniform scene, in a shape that broadcasts to that of the scene."""
+        """Light of each plane of a uniform scene, in a shape that broadcasts to the shape of the scene."""
         return np.asarray(self.level)
 
     @property
@@ -134,15 +134,17 @@ class PoissonCounts:
         numbers = {"discrepancy": discrepancy, "most": 1.0 + self.slack}
         if stopped == MISFIT:
             parts = "aberrations, wavelength, depth, direction of z, steps of z, pixels"
-            return Finding("misfit", "error", f"the PSF ({parts}) or the noise is not that of the stack", numbers)
+            return Finding(
+                "misfit", "error", f"the PSF ({parts}) or the noise does not agree with the stack", numbers
+            )
         # Below one electron the deviance of the true scene is itself below 1, and does not test the noise.
         if steps == 0 and self.electrons >= 1.0 and discrepancy < 1.0 - 4.0 * self.slack:
-            text = "the stack is quieter than its noise; is the offset left out, or the read noise too large?"
+            text = "the stack is quieter than its noise; the offset may be missing, or the read noise too large"
             return Finding("too_quiet", "error", text, numbers)
         return None
 
     def per_pixel(self, sums: Array) -> Array:
-        """Return the discrepancy of each plane: Poisson deviance per known pixel, divided by that of the true scene.
+        """Return the discrepancy of each plane: deviance per known pixel, divided by its value for the true scene.
 
         `sums` are the sums of ``w (m - y + y ln(y / m))`` over each plane. Bertero et al. 2010,
         doi:10.1088/0266-5611/26/10/105004.

@@ -58,7 +58,7 @@ def deconvolve(
     method : RichardsonLucy or TotalVariation, optional
         By default ``lm.imaging.RichardsonLucy(target=1.0)``: a lower target, as for photographs, would amplify noise
         where the PSF is much wider than a voxel. ``lm.imaging.TotalVariation(target=1.0)`` preserves edges, with
-        gradients in three dimensions, those along z per pixel, too.
+        gradients in three dimensions, all per pixel.
     background : "flat", "uneven" or float, default "flat"
         Light per voxel that is not from the specimen, in the unit of `stack` without the offset of its noise; the
         restored values exclude it. A number is a known level, 0 for none. Otherwise the background is estimated with
@@ -95,7 +95,7 @@ def deconvolve(
 
     Notes
     -----
-    Steps are those of :class:`lommel.imaging.RichardsonLucy`, on all processors. In addition to the stack, they need
+    Steps are as in :class:`lommel.imaging.RichardsonLucy`, on all processors. In addition to the stack, they need
     memory for three float32 stacks with margin, approximately, and for one without. Total variation needs a fourth
     stack with margin: its steps have a closed form for each voxel, and none raises the objective (De Pierro 1995,
     doi:10.1109/42.370409). If voxels are small enough, and at most 2 % of the light of the PSF is on the rim of its

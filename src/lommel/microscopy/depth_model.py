@@ -119,8 +119,7 @@ class DepthModel:
         """Return the light of an emitter in each voxel of the PSF window, as a fraction of its light in all planes.
 
         For modalities that record light out of focus, the window is tapered towards its edge, and values are
-        fractions of the light that the objective collects in all planes of the window. For others the values sum to
-        1.
+        fractions of the light that the objective collects in all planes of the window. For others the sum is 1.
         """
         values = self.psf(depth).values.astype(np.float64)
         if not self.spreads:
@@ -160,8 +159,7 @@ class DepthModel:
         means = values.reshape(-1, side, _SAMPLES_PER_NODE, side, _SAMPLES_PER_NODE).mean(axis=(2, 4))
         means *= plane_light[:, np.newaxis, np.newaxis]
         rim = np.maximum(*np.abs(np.indices((side, side)) - reach)) >= 0.8 * reach
-        # In each plane, window and tail together must contain the collected light: the difference is added to the
-        # rim.
+        # In each plane, window and tail together must contain the collected light: the rim gets the difference.
         expected = np.maximum(plane_light - self.near(depth).sum(axis=(1, 2)), 0.0) / pitch**2
         sums = np.maximum(means.sum(axis=(1, 2)), 1e-30)
         means *= np.minimum(expected / sums, 1.0)[:, np.newaxis, np.newaxis]
@@ -220,7 +218,7 @@ class DepthModel:
             return np.asarray(np.clip(self.depth + offset, 0.0, DEPTH_MOST))
         wave = self.wavelength if self.modality != "two-photon" else float(self.excitation or self.wavelength)
         # Tabulate the best focus over depth, and invert the table by interpolation. Its range is 1.6 times the
-        # paraxial one, which is the range of the stage multiplied by the ratio of the indices.
+        # paraxial range, which is the range of the stage multiplied by the ratio of the indices.
         span = float(np.abs(offset).max()) * self.objective.sample / self.objective.immersion
         table = np.linspace(max(0.0, self.depth - 1.6 * span), self.depth + 1.6 * span + 1e-9, _FOCUS_TABLE)
         table = np.unique(np.append(table, self.depth))
@@ -234,7 +232,7 @@ class DepthModel:
         """Return the depths of the PSFs for a stack with `margin` more planes on each side.
 
         One PSF is used if PSFs hardly differ over the stack. If they are rotationally symmetric, each plane has its
-        own. Otherwise their number is `slabs`, or what linear interpolation between neighbours requires.
+        own. Otherwise their number is `slabs`, or as large as linear interpolation requires.
         """
         depths = self.depths(margin)
         low, high = float(depths[0]), float(depths[-1])

@@ -31,7 +31,7 @@ WHOLE = 500_000
 _STEPS, _PATIENCE = 150, 6  # largest number of iterations, and of iterations after the best one
 _USUAL_STEPS = 55  # typical number of iterations
 _RISE, _LEVELS, _SETTLE = 0.0065, 8, 3  # background steps: relative size, largest number, iterations after each
-_MAX_LOSS = 2.0  # accepted decrease of lnL, relative to the best background
+_MAX_LOSS = 2.0  # accepted decrease of lnL (log likelihood), relative to the best background
 _INDEX_STEP, _MORE_CHANGES = 0.005, 4  # tested change of the sample index, and number of further changes
 _SIGNIFICANT = 2.5  # significance of a better PSF, standard errors
 _UNCERTAIN = -1.0, 4.0  # significance range, standard errors, in which the halves are exchanged for a second test
@@ -76,7 +76,7 @@ class _Half(PoissonCounts):
         return sums
 
     def is_past_best(self, step: int, iteration: Iteration) -> bool:
-        """Update the best iteration; return whether it is _PATIENCE or more iterations ago."""
+        """Update the best iteration; return whether it was _PATIENCE or more iterations ago."""
         loss = float(self._losses.sum(dtype=np.float64))
         if loss < self.best.loss:
             self.best = Best(
@@ -129,7 +129,7 @@ class Halves:
 def enough(
     method: RichardsonLucy | TotalVariation, steps: int, counted: PoissonCounts
 ) -> Callable[[int, float], bool] | None:
-    """Return a rule that stops after `steps` iterations, best for held-out photons, with a residual within the noise.
+    """Return a stopping rule: at least `steps` iterations (best for held-out photons), and a residual within noise.
 
     Return None if `steps` is 0, or the method is not Richardson-Lucy with a target discrepancy of at least 1.
     """
@@ -156,7 +156,7 @@ def highest_level(free: Best, run: Callable[[Background, State, int], Best]) -> 
         losses.append(run(Background(levels[-1]), start, _SETTLE).loss)
         most = min(losses) + _MAX_LOSS
         if losses[-1] > most:
-            # The levels are those of half of the counts. Interpolate linearly between the last two, and double.
+            # The levels refer to half of the counts. Interpolate linearly between the last two, and double.
             fraction = (most - losses[-2]) / (losses[-1] - losses[-2])
             return 2.0 * (levels[-2] + fraction * (levels[-1] - levels[-2]))
     return 2.0 * levels[-1]

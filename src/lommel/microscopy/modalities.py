@@ -63,7 +63,7 @@ def confocal(
     Returns
     -------
     PSF
-        Its pupil is the emission. Its `energy` and `encircled_energy` are those of a thin uniform layer in each
+        Its pupil is the emission. Its `energy` and `encircled_energy` refer to a thin uniform layer in each
         plane, and show the optical sectioning.
 
     Raises
@@ -119,7 +119,7 @@ def two_photon(
     Returns
     -------
     PSF
-        Its pupil is the excitation; its `energy` is that of a thin uniform layer in each plane.
+        Its pupil is the excitation; its `energy` refers to a thin uniform layer in each plane.
 
     Raises
     ------
@@ -284,8 +284,8 @@ def sted(
         As in :func:`lommel.microscopy.confocal`, point-sampled.
     saturation : float
         Maximum intensity of the doughnut relative to the intensity that depletes half of the fluorescence, 0 to a few
-        hundreds. The maximum is that of a doughnut without aberrations behind the same interfaces, so that depletion
-        decreases where the layers blur the doughnut.
+        hundreds. The maximum is computed for a doughnut without aberrations behind the same interfaces, so that
+        depletion decreases where the layers blur the doughnut.
     pinhole, tol : float
         As in :func:`lommel.microscopy.confocal`.
 

@@ -54,7 +54,7 @@ _COMPARABLE = 0.5  # PSFs whose decrease is at least this fraction of the larges
 
 
 def select_crop(stack: Stack, side: int, saturation: float) -> tuple[slice, slice]:
-    """Return rows and columns of a part around the brightest detail, of the `side` of the PSFs within limits."""
+    """Return rows and columns of a part around the brightest detail; its side is `side` pixels, within limits."""
     return brightest(stack, max(_SIDES[0], min(side, _SIDES[1])), saturation)
 
 
@@ -154,7 +154,7 @@ class TrialDeconvolution:
     ) -> list[float]:
         """Return the discrepancy after each step with the PSFs of a model; `turned`: with the planes reversed.
 
-        Extrapolation factors are those of the first model, so that differences are due to the PSFs alone.
+        All trials use the extrapolation factors of the first, so that differences are due to the PSFs alone.
         """
         counted = self._counted
         if turned:
@@ -195,17 +195,16 @@ def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], progr
         for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
     )
     better, worse = min(up, down), max(up, down)
-    figures = f"after {_STEPS} steps of a part of it the discrepancy is {better:.3g}, and {worse:.3g} with the planes"
+    figures = f"after {_STEPS} steps, the discrepancy of a part is {better:.3g}, and {worse:.3g} with the planes"
     if worse - better < max(0.5 * trial.slack, 0.005 * better):
         return "up", (
-            f"The direction of z cannot be determined from the stack ({figures} the other way round): the first "
+            f"The direction of z cannot be determined from the stack ({figures} in reverse order): the first "
             "plane was assumed to be the nearest to the cover glass."
         )
     if up < down:
-        return "up", f"The planes run from the cover glass into the sample ({figures} the other way round)."
+        return "up", f"The planes run from the cover glass into the sample ({figures} in reverse order)."
     return "down", (
-        f"The planes run towards the cover glass ({figures} the other way round): the last plane is the nearest to "
-        "it."
+        f"The planes run towards the cover glass ({figures} in reverse order): the last plane is the nearest to it."
     )
 
 
@@ -213,7 +212,7 @@ def rank_alternatives(context: StackContext, progress: Progress, *, turned: bool
     """Return descriptions of PSFs with one changed parameter that fit the stack better, the best first.
 
     Points between voxels leave a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
-    tried if `turned`. Spherical aberration is not tried, as its effect is like that of another sample index. Errors
+    tried if `turned`. Spherical aberration is not tried, as it has a similar effect as another sample index. Errors
     of index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
     as much as the best one.
     """
@@ -257,7 +256,7 @@ def _line_search(
     """Return the value with the lowest cost, and that cost, with few evaluations.
 
     From `start` the change is doubled while the cost falls, in the first of two directions in which it falls. An
-    infinite cost marks a value out of range and ends a direction.
+    infinite cost marks a value out of range and ends the search in a direction.
     """
     for step in (first_change, -first_change):
         values, costs = [start], [start_cost]
@@ -326,7 +325,7 @@ def refined(
 
 
 def _start(model: DepthModel, name: str) -> float:
-    """Return the value from which the search of a parameter starts: the model's, 0 for a change, 1 for a factor."""
+    """Return the start of the search of a parameter: 0 for a change, 1 for a factor, else the value of the model."""
     values = {"depth": model.depth, "sample": model.objective.sample, "spherical": 0.0}
     return values.get(name, 1.0)
 

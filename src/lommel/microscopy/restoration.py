@@ -81,7 +81,7 @@ Report = Callable[[float, str], object]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RestoredChannel:
-    """How one channel of a stack was restored.
+    """Settings and quality of the restoration of one channel.
 
     Attributes
     ----------
@@ -192,9 +192,9 @@ class RestoredStack(FitReport):
     def plot(self) -> Figure:
         """Return a matplotlib figure of maximum projections before and after, and of the normalized residual.
 
-        Projections along z (xy) are above those along y (xz), with a scale bar. The residual in units of the noise is
-        summed along each projected line and divided by the square root of its number of voxels. If PSF and noise
-        model are right, it has no pattern, and its modulus rarely exceeds 3.
+        Projections along z (xy) are above projections along y (xz), with a scale bar. The residual in units of the
+        noise is summed along each projected line and divided by the square root of its number of voxels. If PSF and
+        noise model are right, it has no pattern, and its modulus rarely exceeds 3.
 
         Returns
         -------
@@ -320,12 +320,11 @@ def restore(
         likely one, or "up" if the data do not determine the direction.
     slabs : int, optional
         Number of PSFs over the depth of the stack, interpolated linearly in depth; 1 for a single PSF. By default one
-        for each plane. If aberrations are not rotationally symmetric, the default is the number that keeps the
-        interpolation error below 3 % of the light, at most 9.
+        for each plane, or a single one if they hardly differ. If aberrations are not rotationally symmetric, the
+        default is the number that keeps the interpolation error below 3 % of the light, at most 9.
     refine : sequence of {"depth", "sample", "spherical"}
         Parameters estimated before the restoration, by maximum likelihood: the depth, the refractive index of the
         sample, or the spherical aberration (waves rms).
-        spherical aberration (waves rms).
     method : RichardsonLucy or TotalVariation, optional
         Algorithm, as in :func:`lommel.microscopy.deconvolve`: by default ``lm.imaging.RichardsonLucy(target=1.0)``.
     background : "flat", "uneven" or float, default "flat"
@@ -339,9 +338,9 @@ def restore(
         Planes and pixels restored beyond the stack, as in :func:`lommel.microscopy.deconvolve`.
     tile : int, optional
         Side of lateral chunks, pixels. By default as large as `memory` allows. Chunks overlap by the PSF window. All
-        chunks repeat the steps and extrapolations of the central chunk, so the result differs from that of a single
-        chunk. In a test the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25 steps,
-        or 2 % without extrapolation (``RichardsonLucy(accelerate=False)``).
+        chunks repeat the steps and extrapolations of the central chunk, so the result differs from the result of a
+        single chunk. In a test the sum of absolute differences was 3 % of the light after 5 steps and 17 % after 25
+        steps, or 2 % without extrapolation (``RichardsonLucy(accelerate=False)``).
     memory : float, default 2**31
         Limit of the memory in addition to input and output, bytes.
     diagnosis : bool, default True
@@ -359,7 +358,7 @@ def restore(
     progress : callable, optional
         Called as ``progress(fraction, message)`` with the fraction of the work that is done, 0 to 1.
     threads : int, optional
-        Number of threads, by default that of processors. The result does not depend on it.
+        Number of threads, by default the number of processors. The result does not depend on it.
 
     Returns
     -------
@@ -593,13 +592,13 @@ class _Sizes:
         if of_file is None:
             where = "on the camera" if name == "pixel" else "of the stage"
             notes.append(
-                f"The stack does not state its {name}: that of the objective file was used, "
+                f"The stack does not state its {name}: the value of the objective file was used, "
                 f"{format_length(float(of_microscope or 0.0))} {where}; set {name}= if it differs."
             )
             return float(of_microscope or 0.0)
         if of_microscope is not None and abs(of_microscope - of_file) > _TOLERANCE * of_file:
             notes.append(
-                f"The {name} of the stack, {format_length(of_file)}, was used; that of the objective file is "
+                f"The {name} of the stack, {format_length(of_file)}, was used; the objective file states "
                 f"{format_length(of_microscope)}."
             )
         return of_file
@@ -636,8 +635,8 @@ def _wavelengths(
             notes.append(f"The wavelength of the objective file, {format_length(wave)}, was used.")
         elif len(numbers) == 1 and microscope is not None and abs(wave - microscope.wavelength) > _TOLERANCE * wave:
             notes.append(
-                f"The emission wavelength of the stack, {format_length(wave)}, was used; that of the objective file "
-                f"is {format_length(microscope.wavelength)}; set wavelength= if it differs."
+                f"The emission wavelength of the stack, {format_length(wave)}, was used; the objective file "
+                f"states {format_length(microscope.wavelength)}; set wavelength= if it differs."
             )
         waves.append(validation.wavelength(float(wave)))
     return waves
@@ -969,7 +968,7 @@ class _ChannelRestoration:
         if above > 1:
             notes.append(
                 f"{above} of {len(depths)} planes are focused above the sample, in the cover glass or at its "
-                f"surface, if the middle plane is focused {format_length(model.depth, digits=3)} below it; set "
+                f"surface, if the middle plane is focused at a depth of {format_length(model.depth, digits=3)}; set "
                 "depth= if not."
             )
         if len(psf_depths) > 1:

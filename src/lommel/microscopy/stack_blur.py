@@ -222,7 +222,7 @@ class TiledBlur(PlaneOperator):
         return out.reshape(rows, groups, planes, -1)
 
     def _recorded_ranges(self) -> tuple[list[NDArray[np.intp]], list[_TableIndices]]:
-        """Return the distinct ranges of a kernel that are recorded, along y and x, and the range of each row.
+        """Return the distinct ranges of recorded kernel pixels, along y and x, and the range number of each row.
 
         Ranges of kernel pixels, shape (first and stop, ranges), depend on the position of the point: they differ near
         the edges and are equal in the middle. For either axis the range number of each row or column of the specimen
@@ -305,8 +305,8 @@ class TiledBlur(PlaneOperator):
     ) -> Iterator[_TileJob]:
         """Yield the tiles of output planes of this shape.
 
-        An output pixel depends on pixels of the source from `reach` below to a kernel's side - 1 - `reach` above it.
-        The first pixel of the output lies at pixel `shift` of the source.
+        An output pixel at q depends on the source from ``q - reach`` to ``q + side - 1 - reach``, `side` of the
+        kernel. The first pixel of the output lies at pixel `shift` of the source.
         """
         if self._single:
             output, source = (_window((0, 0), sides[1:]) for sides in (shape, source_shape))
@@ -426,7 +426,7 @@ def _expand(table: Values, down: _TableIndices, across: _TableIndices) -> Values
 
 
 def _tile_side(side: int, kernel: int, most: int) -> int:
-    """Return the side, about `most` pixels, of the tiles that cover `side` pixels in the smallest number."""
+    """Return the side (about `most` pixels) of tiles, so that as few tiles as possible cover `side` pixels."""
     from scipy.fft import next_fast_len
 
     # Tiles of less than twice the kernel would consist of overlap for the most part.
@@ -485,7 +485,7 @@ class RadialTransfer:
     def __call__(self, kernel: Array) -> Values:
         """Return the transfer function of the planes of an even kernel, shape (frequencies, planes)."""
         values = kernel.astype(np.float32)
-        # On an axis: the transform of sums over the other axis. On the diagonal: cosines along both.
+        # On an axis: the transform of sums over the other axis. On the diagonal: cosines along both axes.
         on_axis = product(values.sum(axis=1), self._axis)
         along_x = product(values.reshape(-1, values.shape[2]), self._diagonal).reshape(*values.shape[:2], -1)
         on_diagonal = np.einsum("yf,pyf->pf", self._diagonal, along_x)
@@ -593,8 +593,8 @@ class WideBlur(PlaneOperator):
 
     The tails are smooth: light is binned to the nodes of a coarse grid with linear weights, and the result is
     interpolated linearly between the nodes, so that the transpose is exact. Beyond the margin each plane of the
-    specimen has the uniform brightness `outside`, which a deconvolution estimates as well. With it, the recording of
-    a uniform specimen is uniform.
+    specimen has the uniform brightness `outside`, which a deconvolution estimates as well. With this light, the
+    recording of a uniform specimen is uniform.
 
     Parameters
     ----------
@@ -638,7 +638,7 @@ class WideBlur(PlaneOperator):
             for side, count in zip(near.whole[1:], nodes, strict=True)
         ]
         down, across = (axis.weights.sum(axis=0) for axis in self._specimen_weights)
-        # A node represents pitch^2 pixels. Those that are not pixels of the specimen have the brightness `outside`.
+        # A node represents pitch^2 pixels. Pixels beyond the specimen have the brightness `outside`.
         self._pixels_outside = np.maximum(float(pitch) ** 2 - np.outer(down, across), 0.0).astype(np.float32)
         self.outside = np.ones(near.whole[0], np.float32)
         ones = np.outer(*(axis.weights.sum(axis=0) for axis in self._recording_weights)).astype(np.float32)

@@ -162,8 +162,8 @@ def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> 
           `photons`, `read_noise` (electrons).
         - Display: `rays` ("off", "on"), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`.
 
-        Also `controls`, a list of the controls to show, and `theme`, "light" or "dark", by default that of the
-        notebook.
+        Also `controls`, a list of the controls to show, and `theme`, "light" or "dark", by default the theme of
+        the notebook.
 
     Returns
     -------

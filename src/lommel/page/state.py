@@ -34,7 +34,7 @@ class Row(NamedTuple):
     said: str = ""
     """Unit in words."""
     waves: bool = False
-    """Whether the number is shown in the unit of the wavefront instead: waves, radians or nanometres."""
+    """Whether the number is shown in the unit of the wavefront: waves, radians or nanometres."""
     name: str | None = None
     """Text for screen readers, if the label alone is not enough."""
     when: tuple[tuple[str | int, ...], ...] = ()
@@ -185,7 +185,7 @@ _VANES, _NOISE = (("vanes", *range(1, MOST_VANES + 1)),), (("noise", "on"),)
 _WAVES, _DISTANCES, _ANGLES = (("focus", "waves"),), (("focus", "distances"),), (("length_unit", "arcsec"),)
 
 _ABOUT = {
-    "focus": "How defocus is set: in waves, or by focal length, f-number, focus distance and object distance.",
+    "focus": "Input of defocus: in waves, or by focal length, f-number, focus distance and object distance.",
     "defocus": (
         "Seidel term W020 ρ², waves at the edge of the pupil; positive: the sensor lies between lens and focus."
     ),
@@ -460,7 +460,7 @@ def pupil_of(state: Mapping[str, object]) -> Pupil:
     if not distances:
         return Pupil(wavefront, f_number=whole["f_number"], **shared)
     focal = whole["focal_length"] * 1e-3
-    # The diameter is passed, because Lens rejects an f-number together with a focal length above 1 m as an error.
+    # The diameter is passed, because Lens may reject an f-number with a focal length above 1 m as a wrong unit.
     lens = Lens(
         focal_length=focal,
         aperture_diameter=focal / whole["f_number"],

@@ -15,20 +15,18 @@ from lommel.recorded.counts import PlanePart, Stack, plane_of
 from lommel.recorded.noise import Noise
 
 _MIN_SIGMA = 10.0  # least excess of a hot voxel, standard deviations of the noise
-_MIN_SHARPNESS = (
-    2.0  # least excess of a hot voxel over its neighbours, relative to the largest of a point with the PSF
-)
+_MIN_SHARPNESS = 2.0  # least excess of a hot voxel over its neighbours, relative to the image of a point
 MOST = 1e-3
 """Largest fraction of hot voxels: more are points of light, sharper than a PSF that is too wide."""
 
 _PERSISTENT = 8.0  # least mean excess of a hot pixel over the median of its neighbours, standard errors
 _MOSTLY = 0.75  # least fraction of the planes in which a hot pixel exceeds the median of its neighbours
-_ABOVE = 0.6  # least fraction of the planes in which a hot pixel exceeds all neighbours, or else
+_ABOVE = 0.6  # least fraction of the planes in which a hot pixel exceeds all neighbours, unless _BUT_ONE applies
 _BUT_ONE = 0.5  # least mean excess over all neighbours but one, relative to the mean excess over their median
 _PLANES_COMPARED = 32  # largest number of planes that are compared, evenly spaced
 _MIN_PLANES = 5  # smallest number of planes in which hot pixels are detected
 _PASSES = 3  # largest number of passes, each without the hot pixels found before
-# The eight neighbours, those of them that share a side, and eight pixels at twice the distance.
+# The eight neighbours, the four of them that share a side, and eight pixels at twice the distance.
 _NEAR = [(y, x) for y, x in product((-1, 0, 1), (-1, 0, 1)) if y or x]
 _SIDES = [(y, x) for y, x in _NEAR if 0 in (y, x)]
 _NEXT = [(2 * y, 2 * x) for y, x in _NEAR]
@@ -48,10 +46,10 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
 
     A hot pixel exceeds the median of its eight neighbours by more than eight standard errors in the mean over the
     planes, and in three quarters of the planes. It also exceeds all neighbours in 60 % of the planes; or, since two
-    hot pixels may be adjacent, its mean excess over all neighbours but one is more than half of that over the median.
-    A point of light exceeds its neighbours only in the planes near its focus. A line of light along the optical axis
-    exceeds them in all planes, but lights them, too: the excess of a hot pixel is more than twice what the PSF allows
-    for a point. Values from `limit` on, and NaN, are unknown.
+    hot pixels may be adjacent, its mean excess over all neighbours but one is more than half of the one over the
+    median. A point of light exceeds its neighbours only in the planes near its focus. A line of light along the
+    optical axis exceeds them in all planes, but also lights them: the excess of a hot pixel is more than twice what
+    the PSF allows for a point. Values from `limit` on, and NaN, are unknown.
     """
     planes = np.unique(np.linspace(0, len(stack) - 1, min(len(stack), _PLANES_COMPARED)).astype(int))
     hot = np.zeros(stack.shape[1:], dtype=bool)
@@ -120,7 +118,7 @@ def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
             if (y, x) != (1, 1):
                 np.maximum(near, padded[y : y + height, x : x + width], out=near)
         base = float(np.median(recorded[known])) if known.any() else 0.0
-        # Photon noise of the voxel itself, but at least that of the background.
+        # Photon noise of the voxel itself, but at least the noise of the background.
         electrons = np.maximum(gain * (np.maximum(values, base) - noise.offset), 0.0)
         threshold = _MIN_SIGMA * np.sqrt(electrons + np.asarray(noise.read) ** 2) / gain
         hot = (values < limit) & (
@@ -169,7 +167,7 @@ _READ = 1.6  # default read noise, rms electrons: it cannot be separated from th
 _KERNEL = np.array([1.0, -2.0, 1.0])
 _WINDOW = 5  # side of the window of a local mean, pixels
 _STRUCTURE = 16.0  # squares that exceed this multiple of the variance are details, not noise
-_SATURATED = 8  # number of voxels with the largest value of a plane from which on the value counts as saturated
+_SATURATED = 8  # least number of voxels with the largest value of a plane for which it counts as saturated
 _MEDIAN = 0.4549  # median of the square of a normal deviate
 _DIFFERENT = 0.3  # difference of the logarithms of variances that details and rounding may cause
 _UNSURE = 0.3  # largest accepted relative standard error of the gain
@@ -207,7 +205,7 @@ def estimate_noise(stack: Stack, *, read: float = _READ, excess: float = 1.0) ->
     """
     factor = validation.real("excess", excess, least=1.0, most=100.0)
     fitted_noise = measured_noise(stack, validation.real("read", read, least=0.0) / factor)[0]
-    # After multiplication the variance is `factor` times that of Poisson electrons: the fit has gain / factor.
+    # After multiplication electrons have `factor` times the Poisson variance: the fit has gain / factor.
     assert fitted_noise.white is not None
     return Noise(white=fitted_noise.white * factor, read=read, offset=fitted_noise.offset, excess=factor)
 
@@ -226,8 +224,8 @@ def _fit_noise(mean: Array, squares: Array, independent: float, sigma: float) ->
     error /= math.sqrt(independent)
     if not slope > 0.0 or error > _UNSURE * slope:
         raise ValueError(
-            "the noise cannot be estimated: its variance does not clearly grow with the light, as that of photons "
-            "does; give a stack that was not filtered and has brighter and darker regions, or noise=, such as "
+            "the noise cannot be estimated: its variance does not clearly grow with the light, as photon "
+            "noise does; give a stack that was not filtered and has brighter and darker regions, or noise=, such as "
             "lommel.Noise(white=0.46, read=1.6, offset=100) from the data sheet of the camera"
         )
     # variance = (mean - offset) / gain + (read / gain)^2, solved for the offset; slope is 1 / gain.

@@ -18,15 +18,16 @@ from lommel.recorded.noise import Noise
 _BITS = (8, 10, 12, 14, 16)  # bits of analogue-to-digital converters, whose largest values mean saturation
 _LEAST = 3  # smallest number of pixels with the largest value that counts as saturation
 _COUNTS = 3.0  # standard deviation of the noise, counts, from which equal values are rare
-_OFTEN = 2.0  # ratio of pixels with the largest value to pixels just below it, above which it is saturation
+_OFTEN = (
+    2.0  # ratio of pixels with the largest value to pixels just below it, above which the value counts as saturated
+)
 
 
 def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "pixels") -> tuple[float, str]:
     """Return the smallest saturated value (infinity for none), and a note if this value was assumed, else "".
 
     The value is `stated`, if given. Otherwise it is the full scale of a camera of 8, 10, 12, 14 or 16 bits if that is
-    the largest value of all `planes` and more pixels have it than noise explains; else the largest of the integer
-    type.
+    the largest value of all `planes` and more pixels have it than noise explains; else the largest of the type.
     """
     if stated is not None:
         return validation.real("saturation", stated, infinite=True), ""
@@ -53,7 +54,8 @@ def full_value(planes: Sequence[Values], stated: float | None, *, name: str = "p
 def flat_top(values: Values, valid: NDArray[np.bool_], noise: Noise) -> tuple[float, int]:
     """Return the largest valid value and its number of pixels, if noise does not explain that number; else (nan, 0).
 
-    Without saturation at least as many pixels are within one standard deviation below the largest value as have it.
+    Without saturation at least as many pixels are within one standard deviation below the largest value as have this
+    value.
     """
     valid_values = values[valid]
     if valid_values.size == 0:
@@ -112,7 +114,7 @@ class Counts:
         saturation: float | None = None,
         empty: bool = False,
     ) -> Self:
-        """Return the counts of an argument: an array, a container with a mask, or a list of these.
+        """Return the counts of an argument: an array, a container with a mask, or a list of arrays.
 
         Parameters
         ----------
@@ -125,7 +127,7 @@ class Counts:
         shape : str
             Allowed shapes in words, for messages.
         mask : array_like of bool, optional
-            True for pixels to ignore; its shape is that of `images`, or of their last two or more axes.
+            True for pixels to ignore; its shape is the shape of `images`, or of their last two or more axes.
         saturation : float, optional
             Smallest value of saturated pixels; by default see :func:`lommel.recorded.counts.full_value`.
         empty : bool, default False

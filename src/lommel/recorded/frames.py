@@ -55,7 +55,7 @@ _GAIN, _READ, _FULL = ("EGAIN",), ("RDNOISE", "READNOIS", "RON"), ("SATURATE", "
 _MULTIPLIED = ("EMGAIN", "EMREALGN", "EMREALGAIN")
 EXCESS = 2.0  # variance of an electron-multiplying register, divided by that of a Poisson variable of the same mean
 _IGNORED_CARDS = {
-    "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass those of one",
+    "BAYERPAT": "a mosaic of colours, whose pixels are of several wavelengths: pass the pixels of one",
     "PEDESTAL": "which was not subtracted: state it by the offset",
 }
 _AMBIGUOUS_GAIN = "GAIN"  # card with electrons per count at observatories, but with a setting in amateur cameras
@@ -456,7 +456,9 @@ class _TiffPlanes:
         with errors_of(self._path, f"page {number}: "), self._lock:
             page = self._pages[number]
             if page is None:
-                raise ValueError("it is missing: the file is cut off, or others of its OME-TIFF are not beside it")
+                raise ValueError(
+                    "it is missing: the file is cut off, or other files of its OME-TIFF are not beside it"
+                )
             return reading.tiff_values(page, self.sides, self.dtype)
 
 
@@ -726,7 +728,7 @@ def _zarr(path: Path) -> Frames:
             if transform.get("type") == "scale":
                 scale = scale * np.asarray(transform["scale"], float)
     except Exception as error:  # malformed metadata raise many types
-        raise ValueError(f"its multiscales are not those of an OME-Zarr ({reading.reason(error)})") from None
+        raise ValueError(f"its multiscales metadata are invalid ({reading.reason(error)})") from None
     order = "".join(names).upper()
     if not re.fullmatch(r"[TCZ]*YX", order) or len(order) != array.ndim or len(set(order)) != len(order):
         raise ValueError(f"its axes are {shown(order)}, not some of t, c, z, y, x in this order")
@@ -935,7 +937,7 @@ class Movie:
         Raises
         ------
         TypeError, ValueError
-            If there are no such frames; MovieError if one is damaged or missing.
+            If a number is out of range; MovieError if one is damaged or missing.
         """
         begin = validation.integer("first", first, least=0, most=len(self))
         end = validation.integer("last", last, least=begin, most=len(self))

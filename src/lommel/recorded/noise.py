@@ -13,7 +13,7 @@ from lommel.base.cached import EqualByContent
 
 
 def random_numbers(seed: int | np.random.Generator) -> np.random.Generator:
-    """Return the random generator of a seed; TypeError if it is not one."""
+    """Return the random generator of a seed; TypeError if `seed` is not valid."""
     try:
         return np.random.default_rng(seed)
     except (TypeError, ValueError):  # NumPy's message repeats the whole argument
@@ -41,7 +41,7 @@ class Noise(EqualByContent):
         dark current have noise of their own: they are a background, not an offset.
     excess : float, default 1.0
         Excess noise factor F^2 of multiplication before the read noise, 1 to 100: about 2 for an electron-multiplying
-        CCD (EMCCD) at a high gain. `white` and `read` are then those of electrons before multiplication: the gain
+        CCD (EMCCD) at a high gain. `white` and `read` then refer to electrons before multiplication: the gain
         and the read noise of the output amplifier, both divided by the EM gain.
 
     Raises

@@ -115,7 +115,7 @@ class Recording:
         Raises
         ------
         TypeError, ValueError
-            If there is no such channel; RecordingError, when it is read, if the file is damaged.
+            If `channel` is out of range; RecordingError, when it is read, if the file is damaged.
         """
         number = validation.integer("channel", channel, least=0, most=self.shape[0] - 1)
         return self.frames.one_of("C", number)

@@ -182,10 +182,8 @@ def _parts(result: BeadFit, facts: Facts) -> Parts:
         (constants if constant else terms).append(cells)
     factors = {"row": 1.0, "column": 1.0, "z": 1e9, "depth": 1e9, "flux": 1.0}
     for name, place, bead in zip(facts["beads"], facts["places"], result.beads, strict=True):
-        numbers = [
-            _with_error(factor, np.mean(place[key]), bead.errors.get(key, 0.0)) for key, factor in factors.items()
-        ]
-        beads.append((name, *numbers, f"{place['chi2']:.3f}{'' if place['used'] else ', left out'}"))
+        row = [_with_error(factor, np.mean(place[key]), bead.errors.get(key, 0.0)) for key, factor in factors.items()]
+        beads.append((name, *row, f"{place['chi2']:.3f}{'' if place['used'] else ', left out'}"))
     return paragraphs(
         [Wrapped(result.message, "bold")],
         [table_of(("term", "milliwaves rms", "std. error"), terms)],

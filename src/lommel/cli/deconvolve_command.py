@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 METHODS = ("richardson-lucy", "total-variation")
 
 
-class Recorded(Group, heading="Microscope"):
+class RecordingOptions(Group, heading="Microscope"):
     """Options for the recording; default values are in the stack, or in the file of the objective."""
 
     # fmt: off
@@ -88,7 +88,7 @@ class StackCamera(CameraMaps, heading="Camera"):
         return self.resolve({}, self.camera)[0]
 
 
-class Restoring(Group, heading="Restoration"):
+class RestorationOptions(Group, heading="Restoration"):
     """Options for the restoration, its memory and its threads."""
 
     # fmt: off
@@ -142,9 +142,9 @@ def deconvolve(
     outputs: tuple[Path, ...] = option("-o", "--output", type=OUTPUT_PATH, required=True, multiple=True,
         help="Restored stack: .ome.tif or .ome.zarr; may be repeated."),
     figure: Path | None = plot_option("Figure of projections before and after, and of the residual"),
-    recorded: Recorded = Recorded(),
+    recording_options: RecordingOptions = RecordingOptions(),
     camera: StackCamera = StackCamera(),
-    restoring: Restoring = Restoring(),
+    restoration: RestorationOptions = RestorationOptions(),
 ) -> Report:  # fmt: skip
     """Deconvolve the stack of a microscope (3-D deconvolution).
 
@@ -171,9 +171,9 @@ def deconvolve(
     microscope = require_microscope("deconvolve", lens)
     noise, mask = camera.noise(), None
     if camera.masked is not None:
-        with recordings.open_recording(stack, time=restoring.time, axes=restoring.axes) as recording:
+        with recordings.open_recording(stack, time=restoration.time, axes=restoration.axes) as recording:
             mask = camera.mask(np.broadcast_to(False, recording.shape[1:]))
-    arguments = vars(recorded) | {"pixel": camera.pixel} | restoring.arguments()
+    arguments = vars(recording_options) | {"pixel": camera.pixel} | restoration.arguments()
     zarr_output = outputs[0] if len(outputs) == 1 and recordings.kind_of(outputs[0]) == "zarr" else None
     start = time.perf_counter()
     try:

@@ -131,7 +131,7 @@ def depth(
     sharp: Path | None = option(type=OUTPUT, help=f"All-in-focus image: {suffixes('photo')}."),
     figure: Path | None = plot_option("Figure of depth map, standard error and all-in-focus image"),
     photo_lens: PhotoLens = PhotoLens(),
-    noisy: RecordedNoise = RecordedNoise(),
+    noise_options: RecordedNoise = RecordedNoise(),
     estimation: Estimation = Estimation(),
 ) -> Report:  # fmt: skip
     """Estimate a depth map from photos (depth from defocus).
@@ -151,15 +151,15 @@ def depth(
     if sharp is not None:
         photo_files.find(sharp, "--sharp")
     instrument = radial_instrument(lens, "depth from defocus", camera=photo_lens.camera, pixel=photo_lens.pixel)
-    noise = noise_of(vars(noisy), instrument.camera, photographs=True)
+    noise = noise_of(vars(noise_options), instrument.camera, photographs=True)
     lenses = each_lens(instrument.lens, len(photos), photo_lens.foci, photo_lens.f_numbers)
     with progress("reading") as status:
         pictures = [read_photo(path, photo_lens.encoding) for path in photos]
         if len({(one.values.dtype, one.encoding) for one in pictures}) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding or convert them")
         images = [one.values for one in pictures]
-        if noisy.masked is not None:
-            images = apply_mask(images, noisy.masked)
+        if noise_options.masked is not None:
+            images = apply_mask(images, noise_options.masked)
         status("computing the PSFs of every distance")
         start = time.perf_counter()
         estimate = depth_from_defocus(
@@ -173,7 +173,7 @@ def depth(
             magnification=photo_lens.magnification,
             f_number_error=photo_lens.f_number_error,
             focus_error=photo_lens.focus_error,
-            saturation=noisy.saturation,
+            saturation=noise_options.saturation,
             progress=lambda done, tiles: status(f"tile {done} of {tiles}", done / tiles),
             **vars(estimation),
         )

@@ -45,10 +45,10 @@ class Chart(Group):
         "measured.")
     # fmt: on
 
-    def side(self, found: PointSources | Crossings, pitch: float) -> float | None:
+    def side(self, targets: PointSources | Crossings, pitch: float) -> float | None:
         """Return the stated size, or else the measured side of squares, metres; None if there is neither."""
-        if isinstance(found, Crossings) and self.size is None and math.isfinite(found.square):
-            return found.square * pitch
+        if isinstance(targets, Crossings) and self.size is None and math.isfinite(targets.square):
+            return targets.square * pitch
         return self.size
 
 
@@ -123,11 +123,9 @@ class Files(Group):
             result.save(self.twin, twin=True)
         if self.figure is not None:
             save_figure(result.plot(), self.figure)
-        status_text = (
-            "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
-        )
+        note = "" if result.converged else f", of a fit that has not converged: {result.status.replace('_', ' ')}"
         tables = (self.output, self.twin)
-        return written([*tables, self.figure, self.spots], lambda path: status_text if path in tables else "")
+        return written([*tables, self.figure, self.spots], lambda path: note if path in tables else "")
 
 
 class Search(Group, heading="Stars and crossings"):
@@ -324,20 +322,18 @@ def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
     x, y = result.extent
     positions = {"middle": result.middle, "corner": (x[1], y[1])}
     distortion: Facts | None = None
-    if (field_distortion := result.distortion) is not None:
+    if (warp := result.distortion) is not None:
         distortion = {
-            "degree": field_distortion.degree,
-            "spacing": float(math.hypot(*field_distortion.pose[:, 0])),
-            "rotation": float(math.atan2(field_distortion.pose[1, 0], field_distortion.pose[0, 0])),
-            "scatter": field_distortion.scatter,
-            "pixels": {
-                name: _values(field_distortion.at(*at), "displacement", 1.0) for name, at in positions.items()
-            },
+            "degree": warp.degree,
+            "spacing": float(math.hypot(*warp.pose[:, 0])),
+            "rotation": float(math.atan2(warp.pose[1, 0], warp.pose[0, 0])),
+            "scatter": warp.scatter,
+            "pixels": {name: _values(warp.at(*at), "displacement", 1.0) for name, at in positions.items()},
         }
     fit, coma, stars = result.to_dict(), result.coma, result.stars
     names = "status", "converged", "reliable", "message", "findings", "chi2", "held_out", "degree", "blur_errors"
-    rejected = np.flatnonzero(~stars.used)
-    rejected = rejected[np.argsort(-stars.chi2[rejected], kind="stable")]
+    rows = np.flatnonzero(~stars.used)
+    rows = rows[np.argsort(-stars.chi2[rows], kind="stable")]
     return {name: fit[name] for name in names} | {
         "coma": coma and {"waves": coma.rms / _WAVE, "error": coma.error / _WAVE, "degrees": coma.degrees},
         "focus": result.focus and result.focus._asdict(),
@@ -346,12 +342,10 @@ def _facts(result: FieldFit, targets: PointSources | Crossings) -> Facts:
         "waves": {name: _values(result.at(*at), "coefficients", _WAVE) for name, at in positions.items()},
         "blur": plain(result.blurs),
         "stars": len(stars.used),
-        "rejected": len(rejected),
+        "rejected": len(rows),
         "rejected_stars": [
             {"row": row, "column": column, "reason": f"rejected, chi2 {chi2:.3g}"}
-            for (row, column), chi2 in zip(
-                stars.places[rejected].astype(int).tolist(), stars.chi2[rejected], strict=True
-            )
+            for (row, column), chi2 in zip(stars.places[rows].astype(int).tolist(), stars.chi2[rows], strict=True)
         ],
         "left_out": targets.left_out,
         "refused": [{"row": each.row, "column": each.column, "reason": each.reason} for each in targets.refused],

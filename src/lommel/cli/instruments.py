@@ -96,7 +96,7 @@ DEPTH = option(length="um", heading="Microscopes",
     help="Depth of the emitter below the cover glass, such as 2um; by default from the file.")  # fmt: skip
 
 
-class Seen(Group):
+class Optics(Group):
     """Options for lens, object and sensor, which override the file."""
 
     # fmt: off
@@ -139,10 +139,8 @@ def instrument_of(lens: Path, **options: object) -> Instrument:
             validation.pixel(side, metric=True)
         changes["pixel"] = validation.pitch("pixel", changes["pixel"])
     lens_values = {name: changes.pop(name) for name in _LENS_OPTIONS if name in changes}
-    instrument = load_instrument(lens)
-    return dataclasses.replace(
-        _with_lens_options(instrument, lens_values, lens) if lens_values else instrument, **changes
-    )
+    base = load_instrument(lens)
+    return dataclasses.replace(_with_lens_options(base, lens_values, lens) if lens_values else base, **changes)
 
 
 _LENS_OPTIONS = "focal_length", "f_number", "wavelength", "focus_distance"
@@ -367,8 +365,8 @@ class CameraOptions(Group, heading="Camera and noise"):
 
     def require(self) -> None:
         """Raise ValueError if a noise parameter is out of range, before files are read."""
-        given = {name: value for name, value in self.values().items() if value is not None}
-        Noise(**{"read": 0.0} | given)
+        values = {name: value for name, value in self.values().items() if value is not None}
+        Noise(**{"read": 0.0} | values)
 
     def values(self) -> Facts:
         """Return gain, read noise, offset and excess, None without an option."""

@@ -16,7 +16,7 @@ from lommel.base import atomic
 from lommel.base.options import near
 from lommel.base.units import pitch_in_words
 from lommel.base.validation import shown
-from lommel.cli.instruments import DEPTH, LENS, Seen, instrument_of, microscope_of
+from lommel.cli.instruments import DEPTH, LENS, Optics, instrument_of, microscope_of
 from lommel.cli.options import FILE, JSON, OUTPUT, PATH, WINDOW, argument, command, option, plot_option
 from lommel.cli.output import progress, save_figure, written
 from lommel.lensfiles import KINDS, example_files
@@ -54,13 +54,11 @@ def examples(
         raise ValueError("--find lists examples: leave it out to copy them")
     if not names and not everything:
         return _list_examples(files, (text or "").lower().split())
-    names_to_copy = (
-        list(files) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
-    )
-    for name in names_to_copy:
+    stems = list(files) if everything else [name.removesuffix(".toml").removesuffix(".ipynb") for name in names]
+    for name in stems:
         if name not in files:
             raise ValueError(f"NAMES must be names of examples, got {shown(name)}; {_suggest(name, files)}")
-    copies = {folder / files[name].name: files[name].read_bytes() for name in names_to_copy}
+    copies = {folder / files[name].name: files[name].read_bytes() for name in stems}
     present = [path for path in copies if path.exists()]
     for path in present:
         if path.is_dir() or path.read_bytes() != copies[path]:
@@ -160,7 +158,7 @@ def live(
 _NOTES = {"HuygensFresnel": "flat, thin lens without the Fresnel approximation", "Geometric": "no diffraction"}
 
 
-class Described(Seen):
+class InfoOptions(Optics):
     """Options for lens, object and sensor, with a window only for the comparison of models."""
 
     # fmt: off
@@ -172,7 +170,7 @@ class Described(Seen):
 
 
 @command(JSON)
-def info(lens: Path = LENS, seen: Described = Described(), depth: float | None = DEPTH) -> Report:
+def info(lens: Path = LENS, lens_options: InfoOptions = InfoOptions(), depth: float | None = DEPTH) -> Report:
     """Print the image quality of a lens or a microscope.
 
     Lens: wavefront in radians and waves, aperture, Airy radius, geometric blur, Strehl ratio and Marechal's estimate,
@@ -190,16 +188,16 @@ def info(lens: Path = LENS, seen: Described = Described(), depth: float | None =
     """
     from lommel.report import optics  # imported here, as the import takes longer than the list of commands
 
-    microscope = microscope_of(lens, depth=depth, **vars(seen))
+    microscope = microscope_of(lens, depth=depth, **vars(lens_options))
     if microscope is not None:
         return optics.describe_microscope(microscope)
-    return optics.describe_lens(instrument_of(lens, **vars(seen)))
+    return optics.describe_lens(instrument_of(lens, **vars(lens_options)))
 
 
 @command(JSON)
 def compare(
     lens: Path = LENS,
-    seen: Seen = Seen(),
+    lens_options: Optics = Optics(),
     figure: Path | None = plot_option(
         "Figure of the reference, maps of the errors of the others, and slices", "--figure"
     ),
@@ -224,7 +222,7 @@ def compare(
     from lommel.report import optics  # imported here, as the import takes longer than the list of commands
     from lommel.report.image_quality import compare_methods, other_model
 
-    instrument = instrument_of(lens, **vars(seen))
+    instrument = instrument_of(lens, **vars(lens_options))
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as status:
         methods = [

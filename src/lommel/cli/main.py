@@ -63,10 +63,8 @@ class _Commands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         # Only the module of this command is imported: importing all takes longer than most commands run.
-        command: click.Command = getattr(
-            import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name.replace("-", "_")
-        )
-        return command
+        entry: click.Command = getattr(import_module(f"lommel.cli.{COMMANDS[cmd_name]}"), cmd_name.replace("-", "_"))
+        return entry
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the names of all commands, each with the first sentence of its docstring."""

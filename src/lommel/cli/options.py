@@ -168,10 +168,10 @@ class Group:
     @classmethod
     def options(cls) -> list[Option]:
         """Return the options in their order."""
-        found: list[Option] = []
+        options: list[Option] = []
         for name, one in cls._members().items():
-            found += one.options() if isinstance(one, Group) else [_with_name(name, one, cls.heading)]
-        return found
+            options += one.options() if isinstance(one, Group) else [_with_name(name, one, cls.heading)]
+        return options
 
     @classmethod
     def of(cls, values: Facts) -> Self:
@@ -413,9 +413,7 @@ def _hint(error: OSError) -> str:
 
 # Matches a method with its options in brackets, which is kept, or a word that may be the name of an argument:
 # "`missing`", "largest=", "tol=1e-9", "f_number"; but not --set tol=1, lens.f_number (of a file) or words in quotes.
-_ARGUMENT_NAME = re.compile(
-    r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)"
-)
+_NAMES = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<![.'])\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
 _METHOD = re.compile(r"--method (\w+)\(.*?\)")
 _METHOD_NAMES = {kind.__name__: name for name, kind in METHODS.items()}
 _METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
@@ -424,20 +422,16 @@ _METHOD_OPTIONS = {item.name for kind in METHODS.values() for item in dataclasse
 def with_options(message: str) -> str:
     """Return a message of the library with the options of the running command for its arguments and methods."""
     context, flags = click.get_current_context(silent=True), _flags()
-    names = {flag: name for name, flag in flags.items()}
+    keys = {flag: name for name, flag in flags.items()}
     first = message.partition(" must ")[0]
     # A value that was not on the command line may be from a file, whose key is the name of the argument.
-    if (
-        context
-        and first in flags
-        and context.get_parameter_source(names[flags[first]]) is ParameterSource.COMMANDLINE
-    ):
+    if context and first in flags and context.get_parameter_source(keys[flags[first]]) is ParameterSource.COMMANDLINE:
         message = flags[first] + message.removeprefix(first)
-    message = _ARGUMENT_NAME.sub(partial(_flag_of, flags), message)
+    message = _NAMES.sub(partial(_flag_of, flags), message)
     message = re.sub(r", in metres, such as (\d+)e-9", r", such as \1nm", message).replace(
         ", in metres", ", with a unit"
     )
-    return _METHOD.sub(lambda found: f"--method {_METHOD_NAMES.get(found[1], found[1])}", with_units(message))
+    return _METHOD.sub(lambda match: f"--method {_METHOD_NAMES.get(match[1], match[1])}", with_units(message))
 
 
 def flag_of(name: str) -> str:
@@ -452,15 +446,15 @@ def _flags() -> dict[str, str]:
     return {part.name or "": max(part.opts, key=len) for part in params if isinstance(part, click.Option)}
 
 
-def _flag_of(flags: dict[str, str], found: re.Match[str]) -> str:
-    """Return the option for a match of `_ARGUMENT_NAME`, or the matched text if there is no such option."""
-    quoted, name, equals, value = found.groups()
+def _flag_of(flags: dict[str, str], match: re.Match[str]) -> str:
+    """Return the option for a match of `_NAMES`, or the matched text if there is no such option."""
+    quoted, name, equals, value = match.groups()
     word = quoted or name
     if word in flags and (quoted or equals or "_" in word):
         return flags[word] + (" " if equals and value else "")
     if equals and value and word in _METHOD_OPTIONS and "settings" in flags:
-        return f"--set {found[0]}"
-    return found[0]
+        return f"--set {match[0]}"
+    return match[0]
 
 
 def finding_lines(facts: Facts) -> list[Wrapped]:

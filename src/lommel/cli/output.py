@@ -32,7 +32,7 @@ class Steps:
 
     def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
         self._bar, self._total = bar, total
-        self._steps_begun, self._fraction = 0, 0.0
+        self._count, self._fraction = 0, 0.0
         self._task = None if bar is None else bar.add_task(description, total=total)
         self._start = time.monotonic()
         self._next = _LOG_INTERVAL
@@ -42,16 +42,14 @@ class Steps:
         if fraction is not None:
             self._fraction = min(max(fraction, self._fraction), 1.0)  # estimates of the remaining time may increase
         elif self._total:
-            self._fraction = self._steps_begun / self._total
+            self._fraction = self._count / self._total
         if self._bar is None or self._task is None:
             self._log(name)
         elif fraction is not None:
             self._bar.update(self._task, description=name, total=1.0, completed=self._fraction)
         else:
-            self._bar.update(
-                self._task, description=name, completed=None if self._total is None else self._steps_begun
-            )
-        self._steps_begun += fraction is None
+            self._bar.update(self._task, description=name, completed=None if self._total is None else self._count)
+        self._count += fraction is None
 
     def tell(self, sentence: str) -> None:
         """Print a sentence, above the bar."""

@@ -140,7 +140,7 @@ def render(
 ) -> Report:
     """Render a data set into a folder, from folders of photos and of depth maps and from a file of lenses."""
     photos, depths, lens = files
-    stated = vars(options.made) | vars(options.seen) | pull
+    stated = vars(options.output_file) | vars(options.photo_camera) | pull
     for name in _SINGLE_PHOTO_OPTIONS:
         if stated[name]:
             raise ValueError(f"{flag_of(name)} is an option for a single photo; it cannot be combined with --batch")
@@ -277,12 +277,12 @@ class PhotoOptions(Group, heading="Photo and depth map"):
     """Options common to the commands on one photograph with a depth map."""
 
     # fmt: off
-    seen: PhotoCamera = PhotoCamera()
+    photo_camera: PhotoCamera = PhotoCamera()
     encoding: str | None = option(type=click.Choice(["srgb", "linear"]),
         help="Encoding of the photo's values; by default integers are sRGB and floats are linear.")
     depth_map: PhotoDepth = PhotoDepth()
     blurring: Blurring = Blurring()
-    made: OutputFile = OutputFile()
+    output_file: OutputFile = OutputFile()
     # fmt: on
 
     @property
@@ -293,7 +293,7 @@ class PhotoOptions(Group, heading="Photo and depth map"):
     @property
     def settings(self) -> Facts:
         """Arguments of :class:`lommel.imaging.settings.Settings`."""
-        return {"wavelengths": self.seen.wavelengths, "missing": self.depth_map.missing} | vars(self.blurring)
+        return {"wavelengths": self.photo_camera.wavelengths, "missing": self.depth_map.missing} | vars(self.blurring)
 
 
 class FocusPull(Group, heading="Focus pull"):
@@ -359,7 +359,7 @@ def blur(
     for flag, is_set in (
         ("--over-field", field.over),
         ("--batch", data.batch),
-        ("--pixel-from-exif", options.seen.pixel_from_exif),
+        ("--pixel-from-exif", options.photo_camera.pixel_from_exif),
     ):
         if supersample > 1 and is_set:
             raise ValueError(f"--supersample cannot be combined with {flag}, got {supersample}")
@@ -406,7 +406,7 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
         if name not in (*_OF_FIELD, *_OF_BLUR):
             raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
     find(output, "--output")
-    seen, stored_as = options.seen, options.made
+    photo_camera, stored_as = options.photo_camera, options.output_file
     with terminated_as_interrupted(), progress("reading") as status:
         picture = read_photo(photo, options.encoding)
         light = picture.light()
@@ -416,8 +416,8 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
             raise ValueError(
                 f"{path} must have no [field.vignetting]: state the whole relative illumination in [field.shading]"
             )
-        camera = seen.camera or instrument.camera
-        pitch = seen.pixel or (instrument.side if camera is None else camera.side)
+        camera = photo_camera.camera or instrument.camera
+        pitch = photo_camera.pixel or (instrument.side if camera is None else camera.side)
         dtype, encoding = output_type(picture, output, stored_as.bits)
         status("computing PSFs and blurring")
         start = time.perf_counter()
@@ -479,7 +479,9 @@ def _pull_focus(
                 shares.append(clipped)
                 yield values
 
-        files = write_frames(output, frame_values(), fps=fps, quality=job.options.made.quality, exif=job.picture.exif)
+        files = write_frames(
+            output, frame_values(), fps=fps, quality=job.options.output_file.quality, exif=job.picture.exif
+        )
         seconds = time.perf_counter() - start
     foci = [finite(lens.focus_distance) for lens in lenses]
     facts, lines = _worst(photographs, shares)
@@ -558,7 +560,7 @@ def restore(
     lens: Path | None = argument("lens", type=FILE, required=False),
     output: Path = option("-o", "--output", required=True, type=OUTPUT, help=f"Restored photo: {suffixes('photo')}."),
     focus_distance: float | None = FOCUS,
-    noisy: RestoredNoise = RestoredNoise(),
+    noise_options: RestoredNoise = RestoredNoise(),
     restoring: Restoring = Restoring(),
     options: PhotoOptions = PhotoOptions(),
 ) -> Report:  # fmt: skip
@@ -584,8 +586,8 @@ def restore(
         job = Job(photo, depth, lens, output, options)
         focused_lens = job.focused(focus_distance)
         values = job.picture.values
-        if noisy.masked is not None:
-            (values,) = apply_mask([values], noisy.masked)
+        if noise_options.masked is not None:
+            (values,) = apply_mask([values], noise_options.masked)
         status("computing PSFs")
         start = time.perf_counter()
 
@@ -599,9 +601,9 @@ def restore(
             focused_lens,
             job.pitch,
             encoding=job.picture.encoding,
-            noise=noise_of(vars(noisy), job.camera, photographs=True),
+            noise=noise_of(vars(noise_options), job.camera, photographs=True),
             method=method,
-            saturation=noisy.saturation,
+            saturation=noise_options.saturation,
             progress=step_done,
             **options.settings,
         )
@@ -660,15 +662,15 @@ class Job:
     supersample: int = 1
 
     def __post_init__(self) -> None:
-        options, seen = self.options, self.options.seen
+        options, photo_camera = self.options, self.options.photo_camera
         self.settings = Settings(**options.settings)
         self.picture = read_photo(self.photo, options.encoding)
         self.distance = read_depth(self.depth, shape=self.picture.values.shape, **options.depth_values)
-        self.pixel, self.camera = seen.pixel, seen.camera
-        if seen.pixel_from_exif:
+        self.pixel, self.camera = photo_camera.pixel, photo_camera.camera
+        if photo_camera.pixel_from_exif:
             if self.pixel is not None:
                 raise ValueError("give one of --pixel and --pixel-from-exif")
-            if seen.no_exif:
+            if photo_camera.no_exif:
                 raise ValueError("--pixel-from-exif contradicts --no-exif")
             self.pixel = self.picture.exif.pixel(self.picture.values.shape)
         if self.pixel is None and self.camera is not None:
@@ -677,7 +679,7 @@ class Job:
         if self.pixel is None:
             raise ValueError("without a lens file give --camera, --pixel or --pixel-from-exif")
         self.pitch = self.pixel
-        self.dtype, self.stored_as = output_type(self.picture, self.output, options.made.bits)
+        self.dtype, self.stored_as = output_type(self.picture, self.output, options.output_file.bits)
         if not self.one_file:
             find(self.output, "--output", holding=f"of {self.dtype}")
         elif is_animation(self.output) and self.dtype.itemsize > 1:
@@ -685,21 +687,20 @@ class Job:
 
     def _lens_of_options(self) -> Lens:
         """Return a lens with the data of the options or the EXIF, focused at infinity."""
-        exif, seen = self.picture.exif, self.options.seen
+        exif, photo_camera = self.picture.exif, self.options.photo_camera
         return Lens(
-            focal_length=self._option_or_exif("--focal-length", seen.focal_length, exif.focal_length, format_length),
-            f_number=self._option_or_exif("--f-number", seen.f_number, exif.f_number, lambda n: f"f/{n:g}"),
+            focal_length=self._resolve("--focal-length", photo_camera.focal_length, exif.focal_length, format_length),
+            f_number=self._resolve("--f-number", photo_camera.f_number, exif.f_number, lambda n: f"f/{n:g}"),
             wavelength=540e-9 if self.picture.values.ndim == 3 else 550e-9,
         )
 
-    def _option_or_exif(
-        self, option: str, given: float | None, read: float | None, show: Callable[[float], str]
-    ) -> float:
+    def _resolve(self, option: str, given: float | None, read: float | None, show: Callable[[float], str]) -> float:
         """Return the value of an option or of the EXIF; ValueError if they contradict each other."""
-        known = None if self.options.seen.no_exif else read
+        is_ignored = self.options.photo_camera.no_exif
+        known = None if is_ignored else read
         if given is None:
             if known is None:
-                reason = "the EXIF is ignored" if self.options.seen.no_exif else f"{self.photo} has none in its EXIF"
+                reason = "the EXIF is ignored" if is_ignored else f"{self.photo} has none in its EXIF"
                 raise ValueError(f"give a lens file or {option}: {reason}")
             return known
         if known is not None and not math.isclose(given, known, rel_tol=_TOLERANCE):
@@ -711,16 +712,17 @@ class Job:
 
     def _lens_of_file(self, path: Path) -> Lens:
         """Return the lens of a file, stopped down to --f-number, and keep the pixel pitch of the file."""
-        seen = self.options.seen
-        if seen.focal_length is not None or seen.pixel_from_exif:
-            flag = "--focal-length" if seen.focal_length is not None else "--pixel-from-exif"
+        photo_camera = self.options.photo_camera
+        if photo_camera.focal_length is not None or photo_camera.pixel_from_exif:
+            flag = "--focal-length" if photo_camera.focal_length is not None else "--pixel-from-exif"
             raise ValueError(f"{flag} cannot be combined with a lens file, which states this value")
         instrument = radial_instrument(path)
         side = instrument.side
         self.pixel = side if self.pixel is None else self.pixel
         self.camera = self.camera or instrument.camera
         try:
-            return instrument.lens if seen.f_number is None else instrument.lens.stopped(seen.f_number)
+            stop = photo_camera.f_number
+            return instrument.lens if stop is None else instrument.lens.stopped(stop)
         except ValueError as error:
             raise ValueError(f"--f-number of {path}: {error}") from None
 
@@ -751,7 +753,7 @@ class Job:
 
     def write(self, light: Values) -> float:
         """Write the result and return the clipped fraction of its values."""
-        quality = self.options.made.quality
+        quality = self.options.output_file.quality
         return write_like(
             self.picture, self.output, light, encoding=self.stored_as, dtype=self.dtype, quality=quality
         )

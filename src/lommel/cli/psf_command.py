@@ -18,7 +18,7 @@ from lommel.base.units import format_length
 from lommel.base.validation import shown
 from lommel.blur.blurs import Blur, Jitter, Seeing
 from lommel.channel_psf import ColourPSF, colour_psf
-from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, Planes, Seen, instrument_of, microscope_of
+from lommel.cli.instruments import CAMERA, LENS, SHAPE, SQUARE_PIXEL, Optics, Planes, instrument_of, microscope_of
 from lommel.cli.options import JSON, OUTPUT, OUTPUT_PATH, WINDOW, Group, command, documented, option, plot_option
 from lommel.cli.output import figure_format, progress, require_folder, save_figure, written
 from lommel.field.psf_grid import PSFGrid
@@ -178,7 +178,7 @@ def psf(
     figure: Path | None = plot_option("Figure with axes and a colour bar"),
     stretch: str = option(default="sqrt", type=click.Choice(list(STRETCHES)),
         help="Brightness scale of figures; log reaches down to 1e-5 of the largest value and shows faint spikes."),
-    seen: Seen = Seen(),
+    lens_options: Optics = Optics(),
     field: int | tuple[int, int] | None = option(type=WINDOW, metavar="ROWSxCOLUMNS",
         help="Grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field]."),
     place: tuple[float, float] | None = option("--at", length="m", nargs=2, metavar="X Y",
@@ -215,10 +215,10 @@ def psf(
     """
     options, files = computation.arguments(), (outputs, figure, stretch)
     others: Facts = {"field": field, "at": place, "colour": colour or None, "mtf": mtf or None}
-    microscope = microscope_of(lens, **others, **vars(air), **vars(seen), **vars(planes))
+    microscope = microscope_of(lens, **others, **vars(air), **vars(lens_options), **vars(planes))
     if microscope is not None:
         return _write(_of_microscope(microscope, options), *files)
-    instrument = instrument_of(lens, **vars(seen))
+    instrument = instrument_of(lens, **vars(lens_options))
     options |= instrument.sensor_options
     if blur := air.blur(instrument.lens.focal_length):
         if field is not None or colour or mtf:
@@ -261,14 +261,12 @@ def _at(instrument: Instrument, place: tuple[float, float] | None) -> tuple[Call
     """Return a function that computes the pupil at a place on the sensor (None: axis), and lines on the place."""
     if place is None:
         return instrument.pupil, []
-    where = (
-        f"{format_length(abs(part))} {words[part < 0.0]}" for part, words in zip(place, _DIRECTIONS, strict=True)
-    )
+    where = (f"{format_length(abs(part))} {side[part < 0.0]}" for part, side in zip(place, _SIDES, strict=True))
     return partial(instrument.field().pupil, *place), [f"{' and '.join(where)} the middle of the sensor"]
 
 
 _ARCSEC = math.pi / 648000.0
-_DIRECTIONS = ("right of", "left of"), ("below", "above")
+_SIDES = ("right of", "left of"), ("below", "above")
 
 
 _SCALES = {"sqrt": "square root of the values", "linear": "values", "log": "logarithm of the values"}
@@ -286,11 +284,11 @@ def _write(
     files = [place for path in outputs for place in product.find(path, "--output").places(path)]
     for path in (*outputs, *files):
         require_folder(path)
-    drawn = [path for path in outputs if product.sections and path.suffix.lower() == ".png"]
-    for path in drawn:
+    drawn_files = [path for path in outputs if product.sections and path.suffix.lower() == ".png"]
+    for path in drawn_files:
         figure_format(path)
     if figure is not None:
-        drawn.append(figure)
+        drawn_files.append(figure)
         files.append(figure)
     with progress(product.size):
         start = time.perf_counter()
@@ -299,17 +297,17 @@ def _write(
         if mtf is not None:
             report += mtf(psfs)
         for path in outputs:
-            if path not in drawn:
+            if path not in drawn_files:
                 psfs.save(path)
-        if drawn:
+        if drawn_files:
             axes: Any = psfs.plot(stretch=stretch)
             first = axes.flat[0] if hasattr(axes, "flat") else axes
             product.entitle(first)
-            for path in drawn:
+            for path in drawn_files:
                 save_figure(first.figure, path)
 
     def note(path: Path) -> str:
-        return product.drawn.format(_SCALES[stretch]) if path in drawn else product.note(psfs, path)
+        return product.drawn.format(_SCALES[stretch]) if path in drawn_files else product.note(psfs, path)
 
     files_report = written(files, note)
     if not files:
@@ -323,14 +321,12 @@ def _of_lens(instrument: Instrument, pupil: Callable[[], Pupil], options: Facts,
         size=_size(instrument.window),
         find=psf_files.find,
         make=lambda: compute(pupil(), instrument.window, instrument.pixel, **options),
-        report=lambda made, seconds: (
+        report=lambda psfs, seconds: (
             optics.summarize_lens(instrument)
             + Report({}, [Wrapped(line) for line in lines])
-            + optics.describe_psf(made, seconds)
+            + optics.describe_psf(psfs, seconds)
         ),
-        entitle=lambda axes: axes.set_title(
-            _title_with_name(axes, _setting(instrument), axes.get_title()), fontsize=9
-        ),
+        entitle=lambda axes: axes.set_title(_title(axes, _setting(instrument), axes.get_title()), fontsize=9),
         note=_picture_note,
         drawn=": {}",
     )
@@ -353,10 +349,10 @@ def _of_field(
         window = {"shape": instrument.window, "pixel": instrument.pixel, **options}
         return field_map.grid(rows, columns, sensor=instrument.sensor, **window)
 
-    def report(made: PSFGrid, seconds: float) -> Report:
-        if isinstance(made.psf, ColourPSF):
-            return optics.describe_colour(instrument, made.psf, seconds)
-        return optics.describe_field(instrument, made, seconds)
+    def report(psfs: PSFGrid, seconds: float) -> Report:
+        if isinstance(psfs.psf, ColourPSF):
+            return optics.describe_colour(instrument, psfs.psf, seconds)
+        return optics.describe_field(instrument, psfs, seconds)
 
     return _Product(
         size=f"{rows} x {columns} PSFs of {_size(instrument.window)}",
@@ -364,7 +360,7 @@ def _of_field(
         make=make,
         report=report,
         entitle=lambda axes: axes.set_title(
-            _title_with_name(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
+            _title(axes, setting, axes.get_title("left")), fontsize=9, loc="left", pad=22
         ),
         drawn="" if channels else ": {}, each PSF normalized to its maximum",
     )
@@ -378,8 +374,8 @@ def _in_colour(
         size=f"{len(channels)} channels of {_size(instrument.window)}",
         find=psf_files.find_colours,
         make=lambda: colour_psf(pupil(), instrument.window, instrument.pixel, channels, **options),
-        report=lambda made, seconds: (
-            optics.describe_colour(instrument, made, seconds) + Report({}, [Wrapped(line) for line in lines])
+        report=lambda psfs, seconds: (
+            optics.describe_colour(instrument, psfs, seconds) + Report({}, [Wrapped(line) for line in lines])
         ),
         entitle=lambda axes: _entitle_figure(axes, _setting(instrument, channels)),
     )
@@ -394,8 +390,8 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
         make=lambda: compute(
             microscope.pupil(), microscope.window, microscope.pixel, integrate=microscope.integrate, **options
         ),
-        report=lambda made, seconds: (
-            optics.describe_microscope(microscope, foci=False) + optics.describe_stack(made, seconds)
+        report=lambda psfs, seconds: (
+            optics.describe_microscope(microscope, foci=False) + optics.describe_stack(psfs, seconds)
         ),
         entitle=lambda axes: _entitle_figure(axes, microscope.name),
         note=_picture_note,
@@ -407,17 +403,13 @@ def _of_microscope(microscope: Microscope, options: Facts) -> _Product[PSF]:
 def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
     """Return the name of a lens, its wavelength unless there are channels, and its distances."""
     lens = instrument.lens
-    focus, object_distance = optics.distinct(lens.focus_distance, instrument.object_distance)
+    focus, target = optics.distinct(lens.focus_distance, instrument.object_distance)
     light = "" if channels else f"{format_length(lens.wavelength)}, "
-    distances = (
-        f"object at {object_distance}"
-        if focus == object_distance
-        else f"focus at {focus}, object at {object_distance}"
-    )
+    distances = f"object at {target}" if focus == target else f"focus at {focus}, object at {target}"
     return f"{instrument.name}\n{light}{distances}"
 
 
-def _title_with_name(axes: Axes, name: str, title: str) -> str:
+def _title(axes: Axes, name: str, title: str) -> str:
     """Return a title of a figure below the name of its lens, which is fitted to the width of the figure."""
     from lommel.show.drawing import fitted, name_in_words
 
@@ -427,7 +419,7 @@ def _title_with_name(axes: Axes, name: str, title: str) -> str:
 def _entitle_figure(axes: Axes, name: str) -> None:
     """Set the name of a lens above the title of a figure of many axes."""
     figure = figure_of(axes)
-    figure.suptitle(_title_with_name(axes, name, figure.get_suptitle()), fontsize=9)
+    figure.suptitle(_title(axes, name, figure.get_suptitle()), fontsize=9)
 
 
 def _size(window: tuple[int, int]) -> str:

@@ -112,11 +112,9 @@ def retrieve(
         result.save(output)
     if figure is not None:
         save_figure(result.plot(unit=unit, names=names), figure)
-    files_report = written(
-        [output, figure], lambda path: ": square roots of images and model" if path == figure else ""
-    )
+    files = written([output, figure], lambda path: ": square roots of images and model" if path == figure else "")
     parts = [*_parts(result, unit, names), *map(Wrapped, notes)]
-    return Report({"images": names} | result.to_dict() | {"notes": notes}, parts, result.converged) + files_report
+    return Report({"images": names} | result.to_dict() | {"notes": notes}, parts, result.converged) + files
 
 
 def _parts(result: Retrieval, unit: str, files: list[str]) -> Parts:

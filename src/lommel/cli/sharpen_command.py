@@ -92,10 +92,8 @@ def sharpen(
     lens_in_use = lens_in_use if clip_camera.focus is None else lens_in_use.focused(clip_camera.focus)
     stop, count = Stop(), 0
     with progress("reading", endless=True) as status, ExitStack() as stack:
-        coding_from = partial(
-            coding_of, video_noise=video_noise, camera=instrument.camera, encoding=clip_camera.encoding
-        )
-        shape, coding, frames, write, video = _clip(clip, output, coding_from, clip_camera.encoding, status, stack)
+        coder = partial(coding_of, video_noise=video_noise, camera=instrument.camera, encoding=clip_camera.encoding)
+        shape, coding, frames, write, video = _clip(clip, output, coder, clip_camera.encoding, status, stack)
         depth_map = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
         distance: float | Array = fill_missing(depth_map, "nearest") if at is None else at
         if map_ is not None:
@@ -183,12 +181,7 @@ def _filters(lens: Lens, pixel: float, distance: float | Array, coding: Coding, 
 
 
 def _clip(
-    clip: Path,
-    output: Path,
-    coding_from: Callable[..., Coding],
-    encoding: str | None,
-    status: Steps,
-    stack: ExitStack,
+    clip: Path, output: Path, coder: Callable[..., Coding], encoding: str | None, status: Steps, stack: ExitStack
 ) -> Clip:
     """Open a photo or a video, and its output."""
     if (
@@ -201,7 +194,7 @@ def _clip(
         if values.dtype.kind == "f":
             warn_if_bright(values)
         levels = 0 if values.dtype.kind == "f" else 2 ** (8 * values.dtype.itemsize)
-        coding = coding_from(levels, values.dtype, picture.encoding)
+        coding = coder(levels, values.dtype, picture.encoding)
         dtype, stored_as = output_type(picture, output, None)
 
         def save(light: Values, _: float) -> None:
@@ -210,7 +203,7 @@ def _clip(
         return Clip(values.shape, coding, iter([videos.VideoFrame(values, 0.0)]), save, None)
     form = videos.find(output, "--output")
     video = stack.enter_context(videos.video_frames(str(clip), tell=status.tell))
-    coding = coding_from(video.levels, video.dtype, video.encoding)
+    coding = coder(video.levels, video.dtype, video.encoding)
     # Grey of more than 8 bits keeps its bits and its encoding, if the format can store them.
     deep = video.dtype != np.uint8 and len(video.shape) == 2 and "of uint16" in form.holds
     write = stack.enter_context(form.write(output, video.interval))

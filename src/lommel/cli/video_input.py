@@ -119,36 +119,36 @@ def coding_of(
 
     The noise of 8-bit sRGB values is always reported as a guess; without option and camera it has default values.
     """
-    chosen = encoding or default_encoding
-    guessed = chosen == "srgb" and levels == 256
+    encoding_used = encoding or default_encoding
+    is_guess = encoding_used == "srgb" and levels == 256
     options, assumed = vars(video_noise).copy(), []
-    for name, value in (("white", _DEFAULT_WHITE), ("read", _DEFAULT_READ)) if guessed else ():
+    for name, value in (("white", _DEFAULT_WHITE), ("read", _DEFAULT_READ)) if is_guess else ():
         of_camera = camera and (camera.full_well if name == "white" else camera.read)
         if options[name] is None and of_camera is None:
             options[name] = value
             assumed.append(f"--{name}")
     sensor = noise_of(options, camera, photographs=True)
     white, read, offset = np.array([sensor.white, sensor.read, sensor.offset], np.float64).tolist()
-    value_of_white = 1.0 if chosen == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
-    stored_white, stored_read = stored_noise(white, read, levels, chosen)
+    value_of_white = 1.0 if encoding_used == "srgb" or dtype.kind == "f" else float(np.iinfo(str(dtype)).max)
+    stored_white, stored_read = stored_noise(white, read, levels, encoding_used)
     bits = "float" if dtype.kind == "f" else f"{levels.bit_length() - 1}-bit"
-    label, other = ("sRGB", "linear") if chosen == "srgb" else ("linear", "sRGB")
+    label, other = ("sRGB", "linear") if encoding_used == "srgb" else ("linear", "sRGB")
     words = f"{bits} values, {label}"
     if encoding is None:
         words = f"{bits} values, assumed {label}; if they are {other}, give --encoding {other.lower()}"
     guess = ""
-    if guessed:
+    if is_guess:
         source = f"by default; give {' and '.join(assumed)}" if assumed else "as stated"
         guess = (
             f"The noise of 8-bit sRGB values is a guess, because cameras denoise and compress them: {white:g} "
             f"electrons at white, read noise {read:g} electrons ({source}), and rounding."
         )
-    facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": guessed, "assumed": assumed}
+    facts = {"read": words, "white": white, "read_noise": read, "noise_is_a_guess": is_guess, "assumed": assumed}
     saturation = None if video_noise.saturation is None else video_noise.saturation * value_of_white
     if levels:
         saturation = min(math.inf if saturation is None else saturation, (1.0 - _TOP_MARGIN) * value_of_white)
     noise = Noise(white=stored_white / value_of_white, read=stored_read, offset=offset * value_of_white)
-    return Coding(chosen, levels, stored_white, noise, saturation, guess, words, facts)
+    return Coding(encoding_used, levels, stored_white, noise, saturation, guess, words, facts)
 
 
 def stored_noise(white: float, read: float, levels: int, encoding: str) -> tuple[float, float]:

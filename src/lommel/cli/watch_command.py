@@ -142,8 +142,8 @@ def watch(
     alternating: bool = option(is_flag=True, help="The frames of one source alternate between two focus settings."),
     between: tuple[float, float] = BETWEEN,
     files: Files = Files(),
-    frame_camera: FrameCamera = FrameCamera(),
-    video_noise: VideoNoise = VideoNoise(),
+    cameras: FrameCamera = FrameCamera(),
+    noise: VideoNoise = VideoNoise(),
     estimation: Estimation = Estimation(),
 ) -> Report:  # fmt: skip
     """Estimate depth of video from frames with different focus.
@@ -158,8 +158,8 @@ def watch(
       lommel watch phone.toml --source both.mp4 --alternating --focus 1.3m --focus 2m --between 1m 3m --table d.csv
     """
     _require_two(sources, alternating=alternating)
-    instrument = radial_instrument(lens, camera=frame_camera.camera, pixel=frame_camera.pixel)
-    lenses = each_lens(instrument.lens, 2, frame_camera.foci, frame_camera.f_numbers, "frames")
+    instrument = radial_instrument(lens, camera=cameras.camera, pixel=cameras.pixel)
+    lenses = each_lens(instrument.lens, 2, cameras.foci, cameras.f_numbers, "frames")
     if lenses[0] == lenses[1]:
         raise ValueError(
             "--focus must be given for each of two frames, or --f-number: the frames must differ in one of these"
@@ -173,18 +173,16 @@ def watch(
     with progress("opening the sources", endless=True) as status, ExitStack() as stack:
         second = None if alternating else sources[1]
         pairs = stack.enter_context(videos.frame_pairs(sources[0], second, alternating=alternating, tell=status.tell))
-        coding = coding_of(
-            pairs.levels, pairs.dtype, pairs.encoding, video_noise, instrument.camera, frame_camera.encoding
-        )
+        coding = coding_of(pairs.levels, pairs.dtype, pairs.encoding, noise, instrument.camera, cameras.encoding)
         if coding.guess:
             status.tell(coding.guess)
         status("computing the filters of every distance")
         live = LiveDepth(
             lenses, instrument.side, between=between, noise=coding.noise, shape=pairs.shape, window=estimation.window,
-            exposures=frame_camera.exposures or "smooth", magnification=frame_camera.magnification,
+            exposures=cameras.exposures or "smooth", magnification=cameras.magnification,
             saturation=coding.saturation, sharp=files.sharp,
         )  # fmt: skip
-        estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not frame_camera.exposures)
+        estimator = Estimator(live, coding, limit, sharp=files.sharp, even=not cameras.exposures)
         outputs = stack.enter_context(Outputs(files, between, pairs, coding))
         end_reason = _estimate_all(pairs, estimator, outputs, tally, status, stop, alternating=alternating)
         status("finishing")
@@ -203,7 +201,7 @@ def watch(
             "pixel": instrument.side,
             **of_lenses,
             "between": [finite(one) for one in between],
-            "magnification": frame_camera.magnification,
+            "magnification": cameras.magnification,
             "design_error": live.design_error,
         },
         [
@@ -211,7 +209,7 @@ def watch(
             f"distances from {near} to {far}, windows of {estimation.window:g} pixels rms",
         ],
     )
-    result = tally.summary(limit, frame_camera.magnification == "registered", verdict) + outputs.report()
+    result = tally.summary(limit, cameras.magnification == "registered", verdict) + outputs.report()
     return (
         read_report + setting_report + _counts(tally, pairs, end_reason) + result + Report({}, [], pairs.lost is None)
     )

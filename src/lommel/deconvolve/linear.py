@@ -313,12 +313,12 @@ def without_copies(
     return _gathered(_gathered(image, rows, shape[0]).T, columns, shape[1]).T
 
 
-def _gathered(taken: Values, places: NDArray[np.int64], count: int) -> Values:
+def _gathered(rows: Values, indices: NDArray[np.int64], count: int) -> Values:
     """Return the sums of rows with equal index, shape (count, columns)."""
-    if len(places) == count:
-        return taken
-    total = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
-    for place, row in zip(places, np.ascontiguousarray(taken), strict=True):
+    if len(indices) == count:
+        return rows
+    total = np.zeros((count, rows.shape[1]), dtype=rows.dtype)
+    for place, row in zip(indices, np.ascontiguousarray(rows), strict=True):
         total[place] += row
     return total
 

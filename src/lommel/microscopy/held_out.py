@@ -54,19 +54,19 @@ class Best(NamedTuple):
 class _Half(PoissonCounts):
     """Counts of one half, and the deviance of its model from the other half."""
 
-    def __init__(self, recorded: Values, held: Values, noise: Noise) -> None:
-        self._held: Values | None = None
+    def __init__(self, recorded: Values, validation: Values, noise: Noise) -> None:
+        self._validation: Values | None = None
         super().__init__(recorded, noise)
-        self._held = held
-        self._losses, self._electrons = (np.zeros(held.shape, np.float32) for _ in range(2))
+        self._validation = validation
+        self._losses, self._electrons = (np.zeros(validation.shape, np.float32) for _ in range(2))
         self.best = Best(math.inf, 0, self._losses, self._electrons, 0.0, State(), [])
 
     def _deviance_sums(self, plane: int, rows: slice, columns: slice, light: Values, misfit: Values | None) -> Array:
         sums = super()._deviance_sums(plane, rows, columns, light, misfit)
-        if self._held is not None:
+        if self._validation is not None:
             at = plane, rows, columns
             _, weight = self.part(*at)
-            counts = np.maximum(self._held[at] + self._added_at(rows, columns), np.float32(0.0))
+            counts = np.maximum(self._validation[at] + self._added_at(rows, columns), np.float32(0.0))
             known = np.isfinite(counts) & (weight > 0.0)
             counts = np.where(known, counts, light)  # `light` now holds the model
             # The Poisson deviance m - y + y ln(y / m) of the held-out counts y.
@@ -100,13 +100,13 @@ class Halves:
         recorded = values.astype(np.float64)
         with np.errstate(invalid="ignore"):
             known = np.isfinite(recorded) & (recorded < limit)
-        given = np.where(known, gain * (recorded - camera.offset) + spread, 0.0)
-        whole = np.maximum(np.rint(given), 0.0)
+        electrons = np.where(known, gain * (recorded - camera.offset) + spread, 0.0)
+        whole = np.maximum(np.rint(electrons), 0.0)
         # Each photon goes to either half with probability 1/2: the two parts of a Poisson variable are independent.
         draw = np.random.default_rng(0).binomial(whole.astype(np.int64), 0.5)
         self.parts = [
             # Subtract half of the read-noise variance, which was added to the counts.
-            np.where(known, (each + 0.5 * (given - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
+            np.where(known, (each + 0.5 * (electrons - whole) - 0.5 * spread) / gain, np.nan).astype(np.float32)
             for each in (draw, whole - draw)
         ]
         # Each half has half of the read-noise variance.

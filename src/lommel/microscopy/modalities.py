@@ -16,9 +16,7 @@ from lommel.methods.question import output_type
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.psf import PSF, psf
 
-_DARK = (
-    5.0  # largest distance from the centre of a sheet, in thicknesses: its intensity there is 1e-30 of the maximum
-)
+_DARK = 5.0  # distance from a sheet, in thicknesses, where its intensity is 1e-30 of the maximum
 _CLOSE = 1e-12  # metres: largest difference between planes of two wavelengths that count as equal
 
 
@@ -41,8 +39,7 @@ def confocal(
         Excitation, whose emitter is a :class:`lommel.Beam`, and emission, in the same planes. Both may have
         aberrations; those of the excitation must be the same in all planes. A :class:`lommel.Dipole` absorbs the
         component of the field along it; a wobbling dipole reorients between absorption and emission. The foci of two
-        wavelengths differ: ``z=emission.focus, origin="coverslip"`` computes the excitation in the planes of
-        emission.
+        wavelengths differ: ``z=emission.focus, origin="coverslip"`` puts the excitation in the planes of emission.
     shape : int or (int, int)
     pixel : float
         Shape and pixel pitch as in :func:`lommel.psf`: metres on the camera, the pitch in the sample times the
@@ -233,16 +230,11 @@ def light_sheet(
     # The products are rounded once more when they are stored.
     rounding = storing(dtype)
     # Leave this error and 10 % more of it in the tolerance.
-    emission_psf = psf(pupil, shape, pixel, tol=tol - 1.1 * rounding, normalize=normalize, dtype=np.float64)
-    values = (emission_psf.values * sheet[..., None, None]).astype(dtype)
-    if emission_psf.error_bound is None:
-        raise ToleranceError(f"tol={tol:g} cannot be met: {type(emission_psf.method).__name__} has no bound")
-    return replace(
-        emission_psf,
-        values=values,
-        scale=emission_psf.scale * sheet,
-        error_bound=emission_psf.error_bound + 1.01 * rounding,
-    )
+    base = psf(pupil, shape, pixel, tol=tol - 1.1 * rounding, normalize=normalize, dtype=np.float64)
+    values = (base.values * sheet[..., None, None]).astype(dtype)
+    if base.error_bound is None:
+        raise ToleranceError(f"tol={tol:g} cannot be met: {type(base.method).__name__} has no bound")
+    return replace(base, values=values, scale=base.scale * sheet, error_bound=base.error_bound + 1.01 * rounding)
 
 
 def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
@@ -328,8 +320,7 @@ def sted(
     _same_planes("depletion", depletion, emission)
     factor = validation.real("saturation", saturation, least=0.0)
     unaberrated = replace(depletion, aberrations=None)
-    # The saturation is relative to the intensity at the crest of the doughnut: divide by this intensity. The method
-    # rejects a beam that is not a doughnut.
-    highest = crest(unaberrated) if unaberrated.radial else 1.0
+    # The saturation is relative to the intensity at the crest of the doughnut: divide by this intensity.
+    highest = crest(unaberrated) if unaberrated.radial else 1.0  # the method rejects a beam that is not a doughnut
     method = Sted(excitation, pinhole, tol, depletion=depletion, saturation=factor / highest)
     return psf(emission, shape, pixel, method=method, normalize="strehl", integrate=False)

@@ -349,8 +349,7 @@ def _minimum(
     count, centre = len(start), np.clip(start, *limits)
     unit = np.eye(count)
     pairs = [(i, k) for i in range(count) for k in range(i)]
-    # Trials, in units of the spacing: the centre, one forward and one back along each axis, one for each pair of
-    # axes.
+    # Trials, in units of the spacing: the centre, one forward and one back along each axis, one per pair of axes.
     offsets = np.array([np.zeros(count), *unit, *-unit, *(unit[i] + unit[k] for i, k in pairs)])
     best, errors = centre, np.full(count, np.inf)
     for _ in range(_ROUNDS):

@@ -410,9 +410,9 @@ def restore(
         ]
         if depth is None and microscope is None:
             notes.append(
-                "The depth in focus in the middle plane was assumed to be "
+                "The middle plane was assumed to be focused at a depth of "
                 f"{format_length(models[0].depth, digits=3)}, as if the stack began at the cover glass; set depth= "
-                "if it differs."
+                "if not."
             )
         described = replace(
             recording,
@@ -1013,24 +1013,24 @@ class _ChannelRestoration:
         """Compare PSFs by held-out photons; return the background level if it is estimated from them, else None."""
         if not self._options.diagnosis:
             return None
-        held = HeldOut(context, report)
-        if held.is_uniform:
+        comparison = HeldOut(context, report)
+        if comparison.is_uniform:
             text = "a flat scene explains the brightest part of the stack: other PSFs were not compared"
             self._findings.append(Finding("untested", "note", text))
             return None
-        own = held.best("the PSF as given", context.model)
+        own = comparison.best("the PSF as given", context.model)
         self._best_steps = own.steps
-        if finding := held.finding(own):
+        if finding := comparison.finding(own):
             self._findings.append(finding)
         # Estimate the background from the whole stack: a part also contains light blurred into it from outside.
         if not estimates_background or math.prod(context.stack.shape) > WHOLE:
             return None
         side = max(context.stack.shape[1:])
         if side > SIDE:
-            held = HeldOut(context, report, side=side)
-            own = held.best("background", context.model)
+            comparison = HeldOut(context, report, side=side)
+            own = comparison.best("background", context.model)
             self._best_steps = own.steps
-        return held.level(own)
+        return comparison.level(own)
 
     def _doubt_codes(self) -> tuple[str, ...]:
         """Return the codes of the findings of severity "doubt"."""

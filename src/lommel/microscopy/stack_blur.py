@@ -107,9 +107,7 @@ class _TileJob(NamedTuple):
     output_in_tile: Plane
 
 
-_MAX_MEMORY_RATIO = (
-    3.0  # largest number of values of the transforms of a tile in all planes, relative to the recording
-)
+_MAX_MEMORY_RATIO = 3.0  # largest number of values in the transforms of a tile, relative to the recording
 _MIN_VALUES = 2**23  # number of values that these transforms may have in any case
 _COLUMNS = (0, 4, 1, 5, 2, 6, 3, 7)  # order of the eight columns of a transform that the core filters together
 _MIRROR_TOLERANCE = 1e-6  # largest difference between a kernel and its mirror image, relative to its largest value
@@ -443,9 +441,7 @@ def _window(start: tuple[int, ...], sides: tuple[int, ...]) -> Plane:
 
 _PHASE_STEP = 0.2  # radians: phase difference of neighbouring tabulated frequencies at the edge of the PSF
 _FREQUENCIES_TOGETHER = 16  # tabulated frequencies in a task of a thread
-_MAX_ON_AXIS = (
-    0.4  # cycles per pixel: above, the table is computed along the diagonal, where aliases are farther away
-)
+_MAX_ON_AXIS = 0.4  # cycles per pixel: above, the table is along the diagonal, where aliases are farther away
 
 
 _NEIGHBOUR_VALUE = {0: 0.0, 2: 1.0 / 8.0, 3: 1.0 / 6.0}  # value of a B-spline one voxel from its middle, by degree

@@ -414,11 +414,9 @@ def _without_slider(waves: dict[tuple[int, int], float]) -> tuple[str, float]:
     """Return the text of Zernike terms without a slider, and the rms (waves) of terms beyond its limits."""
     rms = {(n, m): c / edge_factor(n, m) for (n, m), c in waves.items()}
     # Largest first, as the number of terms is limited.
-    selected = sorted(
-        (term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term])
-    )
-    selected = [term for term in selected if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
-    text = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(selected))
+    terms = sorted((term for term in rms if 1e-10 < abs(rms[term]) <= MOST_WAVES), key=lambda term: -abs(rms[term]))
+    terms = [term for term in terms if term[0] <= HIGHEST_DEGREE][:MOST_TERMS]
+    text = ";".join(f"{n},{m}:{rms.pop((n, m)):.9g}" for n, m in sorted(terms))
     return text, math.sqrt(sum(c * c for c in rms.values()))
 
 

@@ -68,7 +68,7 @@ def _persistent(
 ) -> NDArray[np.bool_]:
     """Return a mask of hot pixels that are not in the mask `hot` yet."""
     gain = np.asarray(1.0 if noise.white is None else noise.white)
-    total, steps, slopes, known_planes, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
+    total, steps, slopes, counts, positive, above, but_one = (np.zeros(hot.shape) for _ in range(7))
     for plane in planes:
         recorded = np.asarray(stack[int(plane)], np.float64)
         known = np.isfinite(recorded) & (recorded < limit) & ~hot
@@ -85,16 +85,14 @@ def _persistent(
         # Medians, because one of the neighbours may be hot, too.
         sides, farther = (np.median([shifted[place] for place in places], axis=0) for places in (_SIDES, _NEXT))
         for values, sums in (
-            ((light - median) / sigma, total), (light - sides, steps), (sides - farther, slopes), (1.0, known_planes),
+            ((light - median) / sigma, total), (light - sides, steps), (sides - farther, slopes), (1.0, counts),
             (light > median, positive), (light > near[-1], above), ((light - near[-2]) / sigma, but_one),
         ):  # fmt: skip
             sums += np.where(known, values, 0.0)
     # A sum of n unit deviates has the standard deviation sqrt(n).
-    is_significant = total > _PERSISTENT * np.sqrt(known_planes)
-    is_frequent = (positive >= _MOSTLY * known_planes) & (
-        (above > _ABOVE * known_planes) | (but_one > _BUT_ONE * total)
-    )
-    return np.asarray(is_significant & is_frequent & (steps > steepest * slopes) & (known_planes >= _MIN_PLANES))
+    is_significant = total > _PERSISTENT * np.sqrt(counts)
+    is_frequent = (positive >= _MOSTLY * counts) & ((above > _ABOVE * counts) | (but_one > _BUT_ONE * total))
+    return np.asarray(is_significant & is_frequent & (steps > steepest * slopes) & (counts >= _MIN_PLANES))
 
 
 def hot_voxels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.inf) -> Array:

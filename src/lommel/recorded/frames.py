@@ -295,20 +295,20 @@ class Frames:
         return self.shape[0]
 
     def __getitem__(self, at: Index) -> Values:
-        given = at if isinstance(at, tuple) else (at,)
-        if any(one is Ellipsis for one in given):
-            k = next(k for k, one in enumerate(given) if one is Ellipsis)
-            given = given[:k] + (slice(None),) * (self.ndim - len(given) + 1) + given[k + 1 :]
+        index = at if isinstance(at, tuple) else (at,)
+        if any(one is Ellipsis for one in index):
+            k = next(k for k, one in enumerate(index) if one is Ellipsis)
+            index = index[:k] + (slice(None),) * (self.ndim - len(index) + 1) + index[k + 1 :]
         lead = self.numbers.ndim
-        chosen, part = self.numbers[given[:lead]], given[lead:]
+        numbers, part = self.numbers[index[:lead]], index[lead:]
         if not all(isinstance(one, slice | int | np.integer) for one in part):
             raise TypeError(f"rows and columns must be integers or slices, got {shown(part)}")
-        if np.ndim(chosen) == 0:
-            plane = self.planes.plane(int(chosen))
+        if np.ndim(numbers) == 0:
+            plane = self.planes.plane(int(numbers))
             return plane[part] if part else plane
         sides = np.broadcast_to(np.int8(0), self.planes.sides)[part].shape
-        whole = np.empty((*chosen.shape, *sides), self.dtype)
-        for place, one in np.ndenumerate(chosen):
+        whole = np.empty((*numbers.shape, *sides), self.dtype)
+        for place, one in np.ndenumerate(numbers):
             whole[place] = self.planes.plane(int(one))[part]
         return whole
 
@@ -445,8 +445,8 @@ class _TiffPlanes:
     @property
     def files(self) -> set[str]:
         """Paths of the files if there are several, else empty."""
-        found = {str(handle.path) for handle in self._handles()} if self._several else set()
-        return found if len(found) > 1 else set()
+        paths = {str(handle.path) for handle in self._handles()} if self._several else set()
+        return paths if len(paths) > 1 else set()
 
     def _handles(self) -> set[FileHandle]:
         return {page.parent.filehandle for page in self._pages if page is not None}
@@ -543,8 +543,8 @@ def open_frames(path: str | PathLike[str] | ArrayLike, *, image: int | None = No
         values = cast(ArrayLikeImages, path) if is_array else validation.array(name, path)
         validation.refuse_masked(name, values)
         return _of_array(values, name)
-    given, part = part_of(path)
-    where = validation.path("path", given)
+    file_path, part = part_of(path)
+    where = validation.path("path", file_path)
     if where.is_dir():
         with errors_of(where):
             return _zarr(where)
@@ -821,12 +821,12 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
     """
     done: set[str] = set()
     for path in paths:
-        with open_frames(path) as opened:
-            files = opened.files
+        with open_frames(path) as frames:
+            files = frames.files
             if files and files <= done:
                 continue
             done |= files
-            stack = opened.as_stack()
+            stack = frames.as_stack()
             if stack.left_out:
                 raise RecordingError(f"{stack.name}: it holds {stack.left_out}; save it again")
             with errors_of(stack.path or Path()):
@@ -842,11 +842,11 @@ def read_each(paths: Sequence[str | PathLike[str]]) -> Iterator[Images]:
 
 def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
     """Return the images of all files, as by :func:`read_each`; ValueError unless all have one size and type."""
-    found = list(read_each(paths))
-    if not found:
+    images = list(read_each(paths))
+    if not images:
         raise ValueError("paths must name a file or several, got none")
-    kinds = [(one.values.shape[1:], one.values.dtype) for one in found]
-    for one, ((height, width), dtype) in zip(found, kinds, strict=True):
+    kinds = [(one.values.shape[1:], one.values.dtype) for one in images]
+    for one, ((height, width), dtype) in zip(images, kinds, strict=True):
         if ((height, width), dtype) != kinds[0]:
             (first, across), before = kinds[0]
             raise RecordingError(
@@ -854,10 +854,10 @@ def read_images(paths: Sequence[str | PathLike[str]]) -> Images:
                 f"{across} {before}"
             )
     return Images(
-        np.concatenate([one.values for one in found]),
-        tuple(name for one in found for name in one.names),
-        of_all([one.said for one in found]),
-        tuple(dict.fromkeys(note for one in found for note in one.notes)),
+        np.concatenate([one.values for one in images]),
+        tuple(name for one in images for name in one.names),
+        of_all([one.said for one in images]),
+        tuple(dict.fromkeys(note for one in images for note in one.notes)),
     )
 
 

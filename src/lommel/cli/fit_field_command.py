@@ -167,10 +167,11 @@ def fit_field(
     IMAGES are exposures of one field of stars, or of one chart of pinholes or squares (FITS, TIFF, NPY or 16-bit PNG,
     linear in light, the whole sensor, pixels of one colour); LENS is a lens file with aperture, wavelength, f-number
     and pixel pitch. Isolated stars or crossings are found, and fitted jointly: Zernike terms as polynomials of the
-    position, the blur, and the place, flux and background of each; for crossings also the directions of both lines.
-    Several exposures need the --defocus of each. One focus leaves the common sign of all even terms open (defocus,
-    astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive defocus in the
-    mean; --twin writes the other one. One exposure well out of focus ("donuts") is enough to collimate.
+    position, the blur, and the place, flux and background of each target; for crossings also the directions of both
+    lines. Several exposures need the --defocus of each. One focus leaves the common sign of all even terms open
+    (defocus, astigmatism, spherical): the map nearer to the known --defocus is written, or the one with positive
+    defocus in the mean; --twin writes the other one. One exposure well out of focus ("donuts") is enough to
+    collimate.
 
     The table serves as file of the section [field], with unit = "waves". The first line is the verdict. A misfit is
     also stated in the first line of the table and by "converged" of --json, and the exit code is 3.

@@ -40,7 +40,7 @@ COMMANDS = {
     "localize": "localize_command",
     "paper": "lens_commands",
 }
-"""Module of each command, by name, in the order of the help; a command is the function of its name in its module."""
+"""Module of each command, in the order of the help; a command is the function of that name in the module."""
 
 
 class _Commands(click.Group):

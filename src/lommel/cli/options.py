@@ -73,7 +73,7 @@ def _length(unit: str, text: str) -> float:
 
 
 def _sides(text: str) -> Pitch:
-    """Return one length, or height and width."""
+    """Return a length, or (height, width), in metres."""
     first, *others = (_length("um", side) for side in re.split(r"\s*[xX]\s*", text))
     return (first, *others) if others else first
 
@@ -96,13 +96,13 @@ def _window(text: str) -> Window:
 
 
 SIDES = Parsed("length", _sides)
-"""A length with a unit, or several with an x between them, in metres."""
+"""Type of a length with a unit, or of several with an x between them; values are in metres."""
 
 LENGTHS = Parsed("lengths", _lengths)
-"""Lengths with units, separated by commas, in metres."""
+"""Type of lengths with units, separated by commas; values are in metres."""
 
 WINDOW = Parsed("pixels", _window)
-"""A number of pixels, or two with an x between them."""
+"""Type of a number of pixels, or of two with an x between them."""
 
 
 _UNNAMED = "--unnamed"

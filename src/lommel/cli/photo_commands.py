@@ -164,7 +164,7 @@ def render(
                     status(f"picture {done} of {total}", done / total)
                     continue
                 reason = with_options(picture.failure)
-                if reason not in [earlier["reason"] for earlier in failed]:  # of another copy
+                if reason not in [earlier["reason"] for earlier in failed]:  # not yet reported for another copy
                     click.echo(f"Left out: {reason}", err=True)
                 failed.append({"number": picture.number, **picture.facts, "reason": reason})
     except KeyboardInterrupt:
@@ -175,7 +175,9 @@ def render(
     if failed and not done:
         raise ValueError(f"no picture could be rendered: {failed[0]['reason']}")
     facts = {"output": str(out), "rendered": rendered, "seconds": seconds, "failed": failed}
-    text = f"{rendered} pictures rendered in {seconds:.3g} s" if rendered or failed else "all pictures were there"
+    text = (
+        f"{rendered} pictures rendered in {seconds:.3g} s" if rendered or failed else "all pictures existed already"
+    )
     lines = [text, f"folder {out}"]
     if rendered_facts:
         shares = [each["depth_unknown"] for each in rendered_facts]
@@ -390,8 +392,8 @@ def blur(
     return job.report(focused_lens, facts, lines, [output])
 
 
-_OF_FIELD = ("photo", "depth", "output", "over", "as_json", "camera", "pixel", "encoding", "bits", "quality")
-_OF_BLUR = ("wavelengths", "border", "energy", "tol", "largest")
+_FIELD_OPTIONS = ("photo", "depth", "output", "over", "as_json", "camera", "pixel", "encoding", "bits", "quality")
+_BLUR_OPTIONS = ("wavelengths", "border", "energy", "tol", "largest")
 
 
 def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions) -> Report:
@@ -403,7 +405,7 @@ def _through_field(photo: Path, path: Path, output: Path, options: PhotoOptions)
         if context.get_parameter_source(param.name or "") is ParameterSource.COMMANDLINE
     }
     for name, flag in stated.items():
-        if name not in (*_OF_FIELD, *_OF_BLUR):
+        if name not in (*_FIELD_OPTIONS, *_BLUR_OPTIONS):
             raise ValueError(f"{flag} cannot be combined with --over-field, which takes PHOTO and the lens file")
     find(output, "--output")
     photo_camera, stored_as = options.photo_camera, options.output_file
@@ -572,7 +574,7 @@ def restore(
     photo's EXIF.
 
     The printed discrepancy is the Poisson deviance per pixel between the photo and the restored photo, blurred again:
-    about 1 where they differ only by noise. A larger one means that depth, lens or noise do not fit the photo: the
+    about 1 where they differ only by noise. A larger value means that depth, lens or noise do not fit the photo: the
     exit code is then 3.
 
     Examples

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Camera
     from lommel.optics.lens import Lens
 
-_RANGE_MARGIN = 1e-3  # fraction of the distances by which the range of the filters exceeds them
+_RANGE_MARGIN = 1e-3  # relative margin of the range of the filters beyond the distances
 _FAR = 1e9  # metres: largest nearest distance of filters, practically infinity
 
 

@@ -131,10 +131,10 @@ _CLOSE_ENOUGH = (-0.1, 0.03)  # range of ln(discrepancy / target) that ends a se
 class TotalVariation:
     r"""Deblurring with total variation, which preserves edges.
 
-    Minimizes ``sum w (m - y ln m) + strength * sum |grad x|`` over ``x >= 0``, with ``m = A x + s``, for a scene x,
-    image y, blur A, pixel weights w and read variance s. The norm of the gradient is taken over all channels
-    together, so that they share their edges. By default the `strength` is chosen so that the discrepancy of the
-    result (Poisson deviance per pixel) is `target`.
+    Minimizes ``sum w (m - y ln m) + strength * sum abs(grad x)`` over ``x >= 0``, with ``m = A x + s``, for a scene
+    x, image y, blur A, pixel weights w and read variance s. The norm of the gradient is taken over all channels
+    together, so that channels share edges. By default the `strength` is chosen so that the discrepancy of the result
+    (Poisson deviance per pixel) is `target`.
 
     Parameters
     ----------
@@ -155,8 +155,8 @@ class TotalVariation:
     Notes
     -----
     Extrapolated steps of De Pierro 1995, doi:10.1109/42.370409, which have a closed form for each pixel. The norm is
-    rounded, ``sqrt(|grad x|^2 + e^2)`` with e = 0.01 of the mean light. Each strength starts from the result of the
-    strength before.
+    rounded, ``sqrt(abs(grad x)^2 + e^2)`` with e = 0.01 of the mean light. Each strength starts from the result of
+    the strength before.
     """
 
     strength: float | None = None

@@ -292,24 +292,24 @@ _CONVERGENCE_STEPS, _CONVERGED = 20, 1e-3
 
 
 class VariationIteration(Iteration):
-    r"""Steps to the minimum of ``sum w (m - y ln m) + strength * sum |grad x|``, for light x above 0.
+    r"""Steps to the minimum of ``sum w (m - y ln m) + strength * sum abs(grad x)``, for light x above 0.
 
     Each step minimizes a separable surrogate: a sum of functions of one voxel each, nowhere below the objective and
     equal to it at the current light x', so that the objective never rises (De Pierro 1995, doi:10.1109/42.370409).
 
     - Likelihood: the surrogate of Richardson and Lucy, ``s x - e ln x`` with ``s = A^T w`` and
       ``e = x' A^T[w y / m]``.
-    - Total variation: ``|g| <= (|g|^2 / |g'| + |g'|) / 2`` for the gradient g of x and g' of x', where each squared
-      difference of voxels i and j is bounded by a function of either:
+    - Total variation: ``abs(g) <= (abs(g)^2 / abs(g') + abs(g')) / 2`` for the gradient g of x and g' of x'. Each
+      squared difference of voxels i and j has a bound that is a function of x_i plus a function of x_j:
       ``(x_i - x_j)^2 <= ((2 x_i - c)^2 + (2 x_j - c)^2) / 2`` with ``c = x'_i + x'_j``.
 
-    With ``P = strength * sum 1/|g'|`` and ``Q = strength * sum c/|g'|`` over the differences of a voxel with its
-    neighbours, the minimum is the positive root of ``2 P x^2 + (s - Q) x = e``. Steps are extrapolated as in
+    With ``P = strength * sum 1 / abs(g')`` and ``Q = strength * sum c / abs(g')`` over the differences of a voxel
+    with its neighbours, the minimum is the positive root of ``2 P x^2 + (s - Q) x = e``. Steps are extrapolated as in
     :class:`Iteration`, except for the step after one that raised the objective.
 
     Memory: one specimen more than :class:`Iteration`. `aspect` is the pixel size divided by the step along z.
     Differences between planes are multiplied by it, so that all differences are per pixel. Without `aspect` planes
-    are channels: the norm of the gradient is taken over all of them together, so that they share their edges.
+    are channels: the norm of the gradient is taken over all channels together, so that channels share edges.
     """
 
     def __init__(
@@ -371,7 +371,7 @@ class VariationIteration(Iteration):
     def _converge(self, strength: float, steps: int, report: ProgressCallback, *, final: bool) -> float:
         """Take at most `steps` steps with one strength, until they converge, and return the discrepancy.
 
-        `final`: no other strength follows. Convergence is then tested for stacks only (`PoissonCounts.settles`).
+        With `final`, no other strength follows. Convergence is then tested for stacks only (`PoissonCounts.settles`).
         """
         self._strength, extrapolation = strength, 0.0
         self.objectives = []

@@ -45,7 +45,7 @@ class PoissonCounts:
     """
 
     weakest = 1.0 / 512.0  # smallest strength of the total variation in a search, relative to the usual one
-    settles = True  # steps with a prescribed strength end when they have converged, even before their largest number
+    settles = True  # whether steps with a prescribed strength end at convergence, even before their largest number
 
     def __init__(
         self,
@@ -180,7 +180,7 @@ class PoissonCounts:
         added = _map_part(self._added, rows, columns)
         model = np.maximum(light + added + _map_part(np.asarray(self.background, np.float32), rows, columns), TINY)
         known = np.broadcast_to(weight > 0.0, counts.shape)
-        # Divided by the standard deviation of a Poisson count, the root of its mean in electrons.
+        # Divided by the standard deviation of a Poisson count, the square root of its mean in electrons.
         residual = (counts - model) * np.sqrt(self.white * weight / model)
         return np.where(known, np.maximum(counts - added, 0.0), 0.0), residual, known.astype(np.float32)
 

@@ -229,7 +229,7 @@ def light_sheet(
     dtype = output_type(None, validation.real("tol", tol, least=Method.least_tol, below=1e-1))
     # The products are rounded once more when they are stored.
     rounding = storing(dtype)
-    # Leave this error and 10 % more of it in the tolerance.
+    # Subtract 1.1 times this error from the tolerance.
     base = psf(pupil, shape, pixel, tol=tol - 1.1 * rounding, normalize=normalize, dtype=np.float64)
     values = (base.values * sheet[..., None, None]).astype(dtype)
     if base.error_bound is None:

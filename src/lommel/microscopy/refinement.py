@@ -212,7 +212,7 @@ def rank_alternatives(context: StackContext, progress: Progress, *, turned: bool
     """Return descriptions of PSFs with one changed parameter that fit the stack better, the best first.
 
     Points between voxels leave a misfit with any PSF, but hardly change which PSF is the best. Reversed planes are
-    tried if `turned`. Spherical aberration is not tried, as it has a similar effect as another sample index. Errors
+    tried if `turned`. Spherical aberration is not tried, as its effect is similar to another sample index. Errors
     of index, depth and step have similar effects: all PSFs are returned that lower the discrepancy by at least half
     as much as the best one.
     """

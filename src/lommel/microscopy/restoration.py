@@ -194,7 +194,7 @@ class RestoredStack(FitReport):
 
         Projections along z (xy) are above projections along y (xz), with a scale bar. The residual in units of the
         noise is summed along each projected line and divided by the square root of its number of voxels. If PSF and
-        noise model are right, it has no pattern, and its modulus rarely exceeds 3.
+        noise model are right, the residual has no pattern, and its modulus rarely exceeds 3.
 
         Returns
         -------
@@ -320,7 +320,7 @@ def restore(
         likely one, or "up" if the data do not determine the direction.
     slabs : int, optional
         Number of PSFs over the depth of the stack, interpolated linearly in depth; 1 for a single PSF. By default one
-        for each plane, or a single one if they hardly differ. If aberrations are not rotationally symmetric, the
+        for each plane, or a single one if PSFs hardly differ. If aberrations are not rotationally symmetric, the
         default is the number that keeps the interpolation error below 3 % of the light, at most 9.
     refine : sequence of {"depth", "sample", "spherical"}
         Parameters estimated before the restoration, by maximum likelihood: the depth, the refractive index of the
@@ -1321,10 +1321,10 @@ class Projections(NamedTuple):
     Attributes
     ----------
     recorded, restored : (ndarray, ndarray)
-        Maxima, in the unit of the recording without its offset.
+        Maxima, in the unit of the recording, without the camera offset.
     residual : (ndarray, ndarray)
         Recording minus model in units of the noise, summed along each projected line and divided by the square root
-        of its number of voxels: of unit variance if PSF and noise model are right.
+        of its number of voxels; the variance is 1 if PSF and noise model are right.
     """
 
     recorded: tuple[Values, Values]

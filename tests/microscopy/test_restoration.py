@@ -105,7 +105,7 @@ def test_planes_that_run_the_other_way_are_noticed_and_keep_their_order(tmp_path
     found = quick(there, direction="auto")
     assert found.channels[0].direction == "down"
     told = re.search(
-        r"the cover glass \(after \d+ steps of a part of it the discrepancy is ([\d.]+), and ([\d.]+) with",
+        r"the cover glass \(after \d+ steps a part of the stack has the discrepancy ([\d.]+), and ([\d.]+) for",
         " ".join(found.notes),
     )
     assert float(told[1]) < float(told[2])

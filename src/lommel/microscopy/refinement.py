@@ -195,17 +195,18 @@ def estimate_z_direction(context: StackContext, crop: tuple[slice, slice], progr
         for turned, words in ((False, "planes as they are"), (True, "planes in reverse order"))
     )
     better, worse = min(up, down), max(up, down)
-    figures = f"after {_STEPS} steps, the discrepancy of a part is {better:.3g}, and {worse:.3g} with the planes"
+    figures = (
+        f"after {_STEPS} steps a part of the stack has the discrepancy {better:.3g}, and {worse:.3g} for the "
+        "opposite direction"
+    )
     if worse - better < max(0.5 * trial.slack, 0.005 * better):
         return "up", (
-            f"The direction of z cannot be determined from the stack ({figures} in reverse order): the first "
+            f"The direction of z cannot be determined from the stack ({figures}): the first "
             "plane was assumed to be the nearest to the cover glass."
         )
     if up < down:
-        return "up", f"The planes run from the cover glass into the sample ({figures} in reverse order)."
-    return "down", (
-        f"The planes run towards the cover glass ({figures} in reverse order): the last plane is the nearest to it."
-    )
+        return "up", f"The planes run from the cover glass into the sample ({figures})."
+    return "down", (f"The planes run towards the cover glass ({figures}): the last plane is the nearest to it.")
 
 
 def rank_alternatives(context: StackContext, progress: Progress, *, turned: bool) -> list[str]:

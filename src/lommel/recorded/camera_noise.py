@@ -56,14 +56,14 @@ def hot_pixels(stack: Stack, noise: Noise, sharpest: float, limit: float = math.
     if len(planes) < _MIN_PLANES:
         return hot
     for _ in range(_PASSES):
-        more = _persistent(stack, planes, noise, limit, hot, _MIN_SHARPNESS * (sharpest - 1.0))
+        more = _further_hot_pixels(stack, planes, noise, limit, hot, _MIN_SHARPNESS * (sharpest - 1.0))
         if not more.any():
             break
         hot |= more
     return hot
 
 
-def _persistent(
+def _further_hot_pixels(
     stack: Stack, planes: Array, noise: Noise, limit: float, hot: NDArray[np.bool_], steepest: float
 ) -> NDArray[np.bool_]:
     """Return a mask of hot pixels that are not in the mask `hot` yet."""

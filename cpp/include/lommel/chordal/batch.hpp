@@ -81,7 +81,8 @@ struct ChordalBatch {
         }
     }
 
-    // Compute the complex amplitude U of one disk; rows U[column][re, im] go to `sink`. nodes_of: returns the pupil function.
+    // Compute the complex amplitude U of one disk; rows U[column][re, im] go to `sink`. nodes_of(disk, i): pupil function at
+    // the nodes of the i-th pair of chords (or vector of pairs).
     void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
         const KernelTable<Real>& kernel = *disks[disk].kernel;
         const std::size_t line = 2 * kernel.vectors() * 2 * lanes();

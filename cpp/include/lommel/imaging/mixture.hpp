@@ -12,8 +12,8 @@
 namespace lommel {
 
 // Bank of PSF windows at equal steps of defocus, 2 widest + 1 pixels a side. Windows are symmetric about both axes, so only one
-// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. An interpolated
-// window is divided by its energy and multiplied by the value of its point.
+// quadrant is stored. Window i is zero beyond halves[i] pixels from its middle pixel and sums to energies[i]. The interpolated
+// window of an object point is scaled so that its sum is the point's value (brightness).
 template <class T>
 struct WindowBank {
     const T* windows;  // [window, one spare][row from the middle down][column from the middle right, zero padded]
@@ -42,7 +42,7 @@ struct Mixture {
     bool any, hidden;
 };
 
-// Weights of the four windows that a point mixes or, with `slopes`, their derivatives with respect to the point's position.
+// Weights of the four windows summed for a point or, with `slopes`, derivatives of these weights with respect to its position.
 template <class T>
 class Mixer {
    public:
@@ -71,7 +71,7 @@ class Mixer {
         }
         const std::size_t first = static_cast<std::size_t>(place.first);
         m.first = static_cast<std::uint32_t>(first), m.half = halves_[first];
-        // Broadcast by adding to zero: splat() needs vectors of the processor's own width.
+        // Copy the number place.within to all lanes by adding it to 0: splat() needs vectors of the processor's own width.
         const V t = V{} + place.within;
         const V a = load<V>(powers[0]), b = load<V>(powers[1]), c = load<V>(powers[2]), d = load<V>(powers[3]);
         const V energies = load<V>(energies_.data() + first), weights = a + t * (b + t * (c + t * d));

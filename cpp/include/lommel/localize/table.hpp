@@ -24,10 +24,10 @@ struct Place {
 };
 
 // Table of a molecule's images. Along z: `pieces` equal intervals from `low` to `high`, with `terms` Chebyshev coefficients
-// each. Along rows and columns: `per` filtered samples per pixel, interpolated with the weights polynomials[power, highest
-// first][tap] in 2 t - 1, t from 0 to 1 between two samples. coefficients[piece * terms + term][row][phase][column] belongs to
-// sample per * column + phase of a row. first_row, first_column: distance, in samples, from the molecule to coefficient (0, 0).
-// Up to `beyond` floats after the last coefficient may be read.
+// each. Along rows and columns: `per` filtered samples per pixel; to interpolate, the weight of a sample (tap) is a polynomial in
+// 2 t - 1 with coefficients polynomials[power, highest first][tap], with t from 0 to 1 between two samples.
+// coefficients[piece * terms + term][row][phase][column] belongs to sample per * column + phase of a row. first_row,
+// first_column: distance, in samples, from the molecule to coefficient (0, 0). Up to `beyond` floats past the last one may be read.
 struct MoleculeTable {
     static constexpr std::size_t terms = 8, beyond = 256, most_taps = 16;
     const float* coefficients;

@@ -24,8 +24,8 @@ struct MirroredPixels {
         const std::int64_t far_x = std::max(std::abs(c), std::abs(w - 1 - c));
         const std::int64_t near_y = r < 0 ? -r : std::max<std::int64_t>(0, r - h + 1);
         const std::int64_t near_x = c < 0 ? -c : std::max<std::int64_t>(0, c - w + 1);
-        // For each a, list the groups (a, b) with b <= a. If the image has columns with |x| = a, b is |y| of their pixels; if it
-        // has rows with |y| = a, b is also |x| of their pixels.
+        // List the groups of pixels at (+-a, +-b) and (+-b, +-a), b <= a. Columns with |x| = a, if the image has any, contain
+        // pixels with b = |y| from near_y to far_y; rows with |y| = a contain pixels with b = |x| from near_x to far_x.
         Glance glance;
         for (std::int64_t a = std::min(near_x, near_y); a <= std::max(far_x, far_y); ++a) {
             const bool along_x = a >= near_x && a <= far_x, along_y = a >= near_y && a <= far_y;

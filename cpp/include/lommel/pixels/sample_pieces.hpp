@@ -47,7 +47,7 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
     // Width of a piece (interval of the distance), in optical units, for `digits` decimal digits. 10/11 of the allowed error is for
-    // interpolation on pieces, amplified by lebesgue(terms), and 1/11 for interpolation on the parts of a piece.
+    // lebesgue(terms) * (error of interpolation on a piece), and 1/11 for the error of interpolation on the parts of a piece.
     static double width_for(int digits) {
         const double error = PixelTable::Budget::window * std::pow(10.0, -digits) / 1.1;
         const double of_slopes = interpolation_by_slope(1.0, points) * of_squares(evenly, points) * lebesgue(terms);
@@ -59,8 +59,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return 2 * static_cast<std::size_t>(
                        std::ceil(0.25 * width_for(digits) / std::pow(error / of_slopes, 1.0 / static_cast<double>(terms))));
     }
-    // Number R, even, of the innermost pieces, which have equal width in the distance r. Farther out, with r in units of this
-    // width, pieces between r = R and 2 R have equal width in r^2, which saves square roots; also between 2 R and 4 R, and so on.
+    // Even number R of the innermost pieces, of width `width` in the distance r, which end at r = R widths. Pieces from R to 2 R
+    // widths have equal width in r^2, which saves square roots; so have those from 2 R to 4 R widths, and so on.
     static double equal_pieces(double width) { return 2.0 * std::ceil(0.5 * evenly / width); }
 
     // Return the first piece that a window needs, and the piece after the last one.
@@ -89,8 +89,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     double paint(const PixelWindow& window, const double* intensity, double by, T least, int threads, T* image) const;
 
     // Like paint() with `least` 0, in single precision, by cubics on parts of the pieces and, far from the axis, straight lines.
-    // room: allowed error of the intensity due to these; places: allowed error of positions, in optical units; off: set to the
-    // error bound of the intensity due to both and to rounding. The speed is limited by loads.
+    // room: allowed error of the intensity due to cubics and lines; places: allowed error of positions, in optical units; off: set
+    // to the error bound of the intensity due to cubics and lines, positions, and rounding. The speed is limited by loads.
     double paint_single(const PixelWindow& window, const double* intensity, double by, double room, double places, int threads,
                         float* image, double& off) const;
 
@@ -124,8 +124,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
         return *std::max_element(tops.begin(), tops.end());
     }
 
-    // piece_of(): position, counted in pieces, of a distance r in units of the innermost piece's width. It is r if r < equal, else
-    // (r^2 / R - equal) / 2 + R, with R <= r < 2 R and R = equal * (1, 2, 4, 8, ...). distance_of(): inverse function.
+    // piece_of(): position, in pieces, of a distance r in units of the innermost width: r within the first `equal` pieces, then
+    // R + (r^2 / R - equal) / 2 for R <= r < 2 R, with R = equal * (1, 2, 4, 8, ...). distance_of(): inverse function.
     static double piece_of(double distance, double equal) {
         if (distance < equal) {
             return distance;
@@ -148,7 +148,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
                static_cast<std::size_t>(std::max(1.0, std::min(0.5 * Parts<4>::most, wanted)));  // NaN gives the largest number
     }
 
-    // curves[piece]: bound on the intensity's second derivative, each piece being [-1, 1]. Return: the largest bound on the fourth.
+    // Write a bound on the intensity's second derivative for each piece to `curves`, with the piece as [-1, 1]; return the largest
+    // bound on the fourth derivative.
     template <class I>
     LOMMEL_INLINE double measure(I isa, const double* intensity, double* curves) const {
         const Bends& bends = Bends::get();
@@ -178,8 +179,8 @@ struct SamplePieces : Radii {  // radii at which the intensity is computed, in o
     }
 
     SampleRows::Zones zones(double parts) const;
-    // Compute to[i], the polynomial with the `Terms` coefficients from c[at[i]] on, at x[i], or 0 if it is negative. Coefficients
-    // are loaded pixel by pixel and transposed. `tops` is raised, lane by lane, to the largest values.
+    // Compute to[i] = max(0, p(x[i])); c[at[i]] is the first of the `Terms` coefficients of the polynomial p. Coefficients are
+    // loaded pixel by pixel and transposed. Each lane of `tops` is raised to the largest to[i] of that lane.
     template <std::size_t Terms, class I>
     static LOMMEL_INLINE void values_at(I, const float* c, const std::int32_t* at, const float* x, std::size_t count, float* to,
                                         float* tops) {

@@ -148,7 +148,7 @@ struct PixelGroups {
         }
     }
 
-    // Write the image rows whose distances from the axis have ranks in [first, last), from values[group].
+    // Write, from values[group], those rows of the image `out` whose distances from the axis are rows.distances[first .. last - 1].
     template <class T>
     void paint(const T* values, std::size_t first, std::size_t last, T* out) const;
 };

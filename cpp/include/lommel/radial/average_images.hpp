@@ -109,10 +109,10 @@ class PixelRenderer {
 
     // Error budget: shares of tolerance * estimated largest pixel.
     struct Budget {
-        // First attempt: errors of the table, of the field U (counts twice in the intensity), and of cubics in single precision
-        // (half of this if values are divided by their maximum); places * tolerance: error of positions, in optical units.
+        // First attempt. table, field, cubics: errors of the table, of U (counts twice in the intensity), and of cubics in single
+        // precision (halved if values are divided by their maximum); places * tolerance: error of positions, in optical units.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
-        // Later attempts. each: share for the error of the table, and for that of U; half if values are divided by their maximum.
+        // Later attempts. each: share for the table, and again for U; both are halved if values are divided by their maximum.
         static constexpr double each = 0.2;
         // Averages from the flux through pixel edges. rings: error due to omitted interference rings; sums: error of quadratures.
         static constexpr double rings = 0.6, sums = 0.05;
@@ -198,7 +198,7 @@ class PixelRenderer {
                             0.5 * aperture_.area * aperture_.area);
     }
 
-    // Compute the pixels of a window, in `made` or, by SamplePieces, in painted.image; returns their error bounds.
+    // Compute a window's pixels, in `made` or, if Table is SamplePieces, in painted.image; return their error bounds.
     template <class Table>
     Found<Table> measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
                          Doubles& at_radii, WindowValues& made, const Painted& painted = {}) const {
@@ -252,7 +252,7 @@ class PixelRenderer {
         return finished_error<T>(peak > 1e-300 ? off / peak : 1e300, normalize, after);
     }
 
-    // Return whether few pupils, and no two pixels of a window, would share the weights of a table.
+    // Return whether a table of weights would serve only few pupils, and each of its weights only one pixel of a window.
     bool few_share() const { return !window_.folds() && stack_.count <= CoarseAverages::few; }
     // Return whether these pixels can be averaged by filters that are applied to finer samples.
     bool filters_serve() const {
@@ -269,7 +269,7 @@ class PixelRenderer {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        // The flux also serves pixels of smaller pitch, for few pupils with a common axis for which AverageRings is too large.
+        // A pitch below `least` is enough if few pupils have a common axis and the weights of AverageRings would take too long.
         const bool wide = window_.step >= CoarseAverages::least ||
                           (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
                            any_axis(AverageRings::most_reach) && !of_rings());
@@ -280,8 +280,8 @@ class PixelRenderer {
         const double room = coarse_attempt(phase, likely_value(phase)).rings;
         return CoarseAverages::without_rings(EnergyTail(phase, stack_.obscuration), window_.step, room) / window_.step;
     }
-    // Return whether the flux through pixel edges is faster than weights, which a stack shares. By measurement, computing the
-    // weights of a pixel takes as long as the flux of 20 + step^2 / 4 pixels, with `step` the pitch in optical units.
+    // Return whether the flux through pixel edges is faster than weights, which are computed once for the stack. By measurement,
+    // the weights of a pixel take as long as the flux of 20 + step^2 / 4 pixels, with `step` the pitch in optical units.
     bool coarse(const Phase& phase) const {
         const bool serve = crossings_serve(phase);
         if (!serve || stack_.count == 1 || pixels() > most_tabled) {
@@ -364,7 +364,7 @@ class PixelRenderer {
             try {
                 return render_by<SamplePieces>(pupil, threads);
             } catch (const ToleranceNotMet&) {
-                // Rounding of the polynomials exceeds the tolerance; the methods below round less.
+                // The polynomials of SamplePieces round by more than the tolerance; the methods that follow round less.
             }
         }
         if (!window_.integrate && windows_.centers == nullptr && window_.folds()) {
@@ -376,7 +376,7 @@ class PixelRenderer {
                 return render_by<AverageRings>(pupil, threads);
             }
         } catch (const ToleranceNotMet&) {
-            // Rounding of the polynomials exceeds the tolerance; weights for each pixel round less.
+            // The polynomials of AverageRings round by more than the tolerance; weights for each pixel round less.
         }
         const bool many = rings || (window_.integrate && few_share() && !weights_are_few());
         if (!light_ && many && stack_.amplitude.closed() && rendered_coarse(pupil, threads)) {
@@ -384,7 +384,7 @@ class PixelRenderer {
         }
         render_by<PixelTable>(pupil, threads);
     }
-    // Render from the flux through pixel edges; return false if the tolerance is not met: this rounds more than weights do.
+    // Render from the flux through pixel edges; return false if the tolerance is not met, as the flux rounds more than weights do.
     bool rendered_coarse(std::size_t pupil, int threads) {
         try {
             render_coarse(pupil, threads);
@@ -576,8 +576,8 @@ class PixelRenderer {
     Answer<T> answer_;
 };
 
-// Compute the images of a stack. With the axis at a pixel centre or midway between pixels, samples come from the intensity at
-// their distinct distances, unless there are so many that interpolation is faster than look-ups.
+// Compute the images of a stack. With the axis at a pixel centre or midway between pixels, samples are looked up in a list of the
+// intensity at all distinct distances of pixels, unless this list is so long that interpolation is faster.
 template <class T>
 void render_radial(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer) {
     constexpr std::size_t most_looked_up = std::size_t{1} << 21;

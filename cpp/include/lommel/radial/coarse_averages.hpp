@@ -282,7 +282,8 @@ LOMMEL_ONCE EnergyWithin::Crossed EnergyWithin::crossing(double x, double start,
 // by Gauss quadrature; farther out from the smooth part of the intensity, with a bound on the omitted interference rings.
 class CoarseAverages {
    public:
-    // by_rings, error: error bounds of the averages without interference rings and of those from the flux; top: largest average.
+    // by_rings: error bound of far averages, which omit interference rings; error: error bound of near averages, which are
+    // computed from the flux through pixel edges; top: largest average.
     double by_rings = 0.0, error = 0.0, top = 0.0;
     Doubles values;
     double off() const { return std::max(by_rings, error); }
@@ -303,12 +304,12 @@ class CoarseAverages {
     };
 
     // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r from the axis.
-    // Seen from it, the near edges subtend an angle of at most sqrt(2) step / r, the far ones as much: 2 sqrt(2) step / r in all.
-    // If the axis is in the pixel, its edges subtend 2 pi <= pi step / r, and the second term is at most pi / 2 times curved(r).
+    // rings(r) / step^2 is multiplied by the sum of the angles that the four edges subtend at the axis: <= 2 sqrt(2) step / r or,
+    // if the axis is in the pixel, 2 pi <= pi step / r. In that case curved(r) is multiplied by at most pi / 2, else by 1.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }
-    // Smallest distance from the axis, found by bisection, from which on averages without interference rings err by <= `request`.
+    // Distance from the axis, found by bisection, beyond which averages without interference rings have an error of <= `request`.
     static double without_rings(const EnergyTail& tail, double step, double request) {
         double low = 1.0, high = 1e8;
         while (high > 1.01 * low) {

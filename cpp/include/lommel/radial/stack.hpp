@@ -55,7 +55,7 @@ struct Box {
     Box() = default;
     explicit Box(const Stack& stack) { hold(stack); }
 
-    // Set the ranges to those of a stack; allocates nothing if the number of terms has not grown.
+    // Set least, most and farthest from the pupils of a stack; allocates nothing if the number of terms has not grown.
     void hold(const Stack& stack) {
         least.assign(stack.coefficients, stack.coefficients + stack.terms);
         most = least;

@@ -1,4 +1,4 @@
-// Choice of a box of pixels for each pupil: averages in the box are computed from samples at nodes, those outside from the rim.
+// Choice of a box of pixels per pupil: inside, averages come from samples at nodes; outside, from the pupil function on its rim.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class RimBoxes {
 
     // `tol`: tolerance relative to the largest average. `lowest`: lower bound on (largest average) / (peak).
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Compute `sides` and `remainders`; returns whether boxes, with the pixels outside computed from the rim, should save time.
+    // Compute `sides`, and `remainders` for errors outside boxes; returns whether boxes, with the rim for other pixels, save time.
     bool choose(int threads);
 
    private:
@@ -36,7 +36,7 @@ class RimBoxes {
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of reach / sqrt(s): small windows gain most
     static constexpr double further = 4.0;  // least value of P, as small stacks often follow one another
-    // Times in units of that of one sample. rim (rims): far pixels of a pupil without (with) obscuration; call: once per call.
+    // Times / (time of one sample). rim (rims): for far pixels of a pupil without (with) obscuration; call: fixed time of a stack.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
@@ -51,8 +51,8 @@ class RimBoxes {
     double tolerance_of(std::size_t pupil) const;
     std::int64_t side_of(std::size_t pupil, double remainder) const;
     double nodes(std::int64_t pixels) const { return 0.6366 * step_ * static_cast<double>(pixels) + 9.0; }
-    // Estimated time per pupil; unit: the time of one sample, at a node along x and a node along y. whole(): all pixels from
-    // nodes; with_box(): pixels of a box from nodes, and the pixels outside from the rim.
+    // Estimated time per pupil; unit: the time of one sample, at a node along x and a node along y. whole(): if all pixels are
+    // computed from samples; with_box(): if only those in a box are, and the pixels outside from the rim of the aperture.
     double whole() const { return nodes(height_) * nodes(width_); }
     double with_box(std::int64_t side) const {
         return nodes(side) * nodes(side) + (stack_.obscuration > 0.0 ? rims : rim) + call / count();
@@ -155,7 +155,7 @@ LOMMEL_ONCE bool RimBoxes::choose(int threads) {
     if (none || !RimStack::serves(stack_) || with_box(smallest()) > whole()) {
         return false;
     }
-    // For a large stack, decide by a sample of its pupils first.
+    // In a large stack, first check whether boxes save time for a sample of its pupils.
     std::vector<std::size_t> all(pupils), some;
     std::iota(all.begin(), all.end(), std::size_t{0});
     std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](std::size_t p) { return p % every == 0; });

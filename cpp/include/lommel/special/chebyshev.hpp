@@ -57,7 +57,7 @@ class ChebyshevToMonomials {
             }
         }
     }
-    // Write to `out` the first `kept` Chebyshev terms as powers of x; return the sum of the moduli of the other coefficients.
+    // Write to `out` the first `kept` Chebyshev terms as coefficients of 1, x, x^2, ...; return the sum of the others' moduli.
     template <class In, class Out>
     Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
         std::array<Real, Count> sums{};

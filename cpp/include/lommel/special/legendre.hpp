@@ -48,7 +48,7 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
             });
             const Real round = y * (2 - y), slope = order * (before - (1 - y) * value) / round;
             move = value / slope;
-            // Weight 2 / ((1 - x^2) P_n'(x)^2) at the improved node x = 1 - y, to first order in `move`.
+            // Weight 2 / ((1 - x^2) P_n'(x)^2) at the next x = 1 - (y + move), to first order in `move`, from values at 1 - y.
             weight = 2 / (round * slope * slope) * (1 + 2 * (1 - y) * move / round);
             y += move;
         }

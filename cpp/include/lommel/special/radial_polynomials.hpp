@@ -62,7 +62,7 @@ class ZernikeValues {
                   [](const Term& a, const Term& b) { return std::tie(a.m, a.sine, a.k) < std::tie(b.m, b.sine, b.k); });
     }
 
-    // Call put(j, value) for each Zernike term at (x, y), real or complex; j: place of the term in the constructor's `order`.
+    // Call put(j, value) for each Zernike term at the point (x, y); x and y may be complex. j: index in the constructor's `order`.
     template <class Number, class Put>
     void at(Number x, Number y, const Put& put) const {
         const Number two = 2, one = 1, square = two * (x * x + y * y) - one;
@@ -103,9 +103,9 @@ class ZernikeValues {
 // These factors are cached.
 class SmallerDisk {
    public:
-    // Expand c R_n^m(a rho): call add(k, c times the factor of R_k^m) for each k. Returns a bound on the rounding, including
-    // sums of `terms` such products: n^2 roundings of the recurrence in each of at most n / 2 + 1 factors, and one for each
-    // factor, product and sum.
+    // Expand c R_n^m(a rho): call add(k, c * (factor of R_k^m)) for each k. Returns a bound on the rounding error of sums of
+    // `terms` such products: n^2 epsilons of `wide` for each of the two polynomials in at most n / 2 + 1 factors; in double, one
+    // roundoff for each factor, product and sum.
     template <class Add>
     double shrink(std::size_t n, std::size_t m, double a, double c, std::size_t terms, const Add& add) {
         if (a != radius_) {

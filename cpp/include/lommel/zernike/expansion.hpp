@@ -30,8 +30,8 @@ struct ZernikeBudget {
     // coefficients of each disk; dropped: omitted azimuthal orders; pieces: interpolation in the radius on a piece.
     static constexpr double trimmed = 0.1, dropped = 0.1, pieces = 0.1;
     static_assert(2.0 * trimmed + dropped + pieces <= 1.0);
-    // Shares of (allowed error of U on a radial piece - error common to all pieces). own_orders: orders omitted on this piece, and
-    // all sines if their bound is below sines * own_orders; rings: interpolation on rings. The rest is for single precision.
+    // Shares of (allowed error of U on a radial piece - error common to all pieces). own_orders: orders omitted on this piece, with
+    // all sin(m psi) terms if these add at most sines * own_orders; rings: interpolation on rings. The rest: for single precision.
     static constexpr double own_orders = 0.3, sines = 0.3, rings = 0.3;
     static_assert(own_orders + rings <= 1.0 && sines <= 1.0);
     // Interpolation on rings is always allowed an error of rings_least * (error of U that all radial pieces have in common).
@@ -45,7 +45,7 @@ struct ZernikeBudget {
     static constexpr double divided = 0.4;
     static_assert(2.0 * divided <= 1.0);
     // Factors on the allowed error if a computation is repeated: `retry` for the expansion, `piece_retry` for a radial piece. The
-    // expansion is repeated if blame * (its error of U) exceeds the error of U on the piece.
+    // expansion, not the piece, is repeated if blame * (error of U common to all pieces) exceeds the error of U on the piece.
     static constexpr double retry = 0.1, piece_retry = 0.2, blame = 3.0;
 };
 
@@ -59,7 +59,7 @@ struct DiskExpansion {
 
     DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
-    // Estimated size of an expansion. exact: degree up to which quadrature is exact; samples: time to sample the pupil function.
+    // Estimated size of an expansion: numbers of degrees and orders; degree of exact quadrature; time to sample the pupil function.
     struct Size {
         std::size_t degrees, orders, exact;
         double samples;
@@ -80,7 +80,7 @@ struct DiskExpansion {
         const std::size_t at = bounds.likely(error, usual_share);
         double samples = GrowthTable::work(phase.list);
         if (plan.work(exact) > 2.0 * samples && GrowthTable::serves(phase.list, at)) {
-            // Sampling is estimated to lower the bound, the sum over terms of `most`, to the root of the sum of squares.
+            // Estimate: samples lower the bound on ln |pupil function| from the sum of `most` over terms to sqrt(sum of most^2).
             double squares = 0.0, sum = 0.0;
             phase.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
                 const double most = amplitude * chord_curves.growth[n][at];
@@ -95,8 +95,8 @@ struct DiskExpansion {
         return {plan.degrees, plan.orders, exact, samples};
     }
 
-    // Error bound of U. Rounding of exp(i Phi) at the nodes is not amplified in U. Rounding of sums and recurrences is relative to
-    // each of degrees^2 / 2 coefficients; by Cauchy's inequality, all together add at most degrees / sqrt(2) times as much as one.
+    // Error bound of U. Rounding of exp(i Phi) at the nodes is not amplified in U. Sums and recurrences round each of degrees^2 / 2
+    // coefficients by at most `sums` roundoffs; by Cauchy's inequality, U changes by at most `sums` * degrees / sqrt(2) roundoffs.
     double error(const ZernikePhase& phase) const {
         const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
@@ -144,7 +144,7 @@ LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach
     check_reach(reach);
     DiskBounds bounds = phase.bounds();
     std::size_t exact = count(bounds, reach, error);
-    // Sampling the pupil function lowers the bound on it and hence the number of degrees; this saves time in large expansions only.
+    // Samples of the pupil function at complex points lower the bound on it and hence `degrees`: faster for large expansions only.
     curve = bounds.likely(error, usual_share);
     if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
         saved = less_by_samples(phase);

@@ -115,7 +115,7 @@ class ZernikeField {
                 inner_tables[parity] = all.get(width, within, (inner_.degrees + 2) / 2);
             }
         }
-        // By Cauchy and Parseval, sum |2 beta J_{n+1}(v) / v| over all coefficients beta is <= 1; cosines apart from sines: <= 2.
+        // By Cauchy and Parseval, sum |2 beta J_{n+1}(v) / v| is <= 1 for coefficients beta of exp(i m psi), <= 2 for cos and sin.
         const double terms = static_cast<double>(std::max(outer_.degrees, inner_.degrees));
         base_ += 2.0 * weight_ * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
         rows_.resize(pieces);
@@ -155,7 +155,7 @@ class ZernikeField {
         return made;
     }
 
-    // Coefficients for sum_orders<16> across the undivided piece s; only for unobscured pupils.
+    // Write to `out` the coefficients with which sum_orders<16> computes I on the undivided piece s; only for unobscured pupils.
     void whole(const PiecePlan& plan, std::size_t s, Doubles& out) const {
         const std::size_t parts = plan.orders.sines ? 4 : 2;
         out.resize(plan.rows.size() * parts * degree_count);
@@ -168,7 +168,7 @@ class ZernikeField {
         }
     }
 
-    // Coefficients for sum_orders<8> across ring r of piece s.
+    // Write to `out` the coefficients with which sum_orders<8> computes I on ring r of piece s.
     template <class I>
     LOMMEL_INLINE void ring(I isa, const PiecePlan& plan, std::size_t s, std::size_t r, Doubles& out) const {
         const std::size_t parts = plan.orders.sines ? 4 : 2;
@@ -180,7 +180,7 @@ class ZernikeField {
         if (!obscured()) {
             return;
         }
-        // Pieces of the obscuration divide the radius eps v, with eps the obscuration ratio; a ring may overlap two of them.
+        // Pieces of the obscuration are intervals of eps v, with eps the obscuration ratio; a ring may overlap two of them.
         const auto at = [&](double x) { return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         const auto piece_at = [&](double x) { return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
@@ -196,7 +196,7 @@ class ZernikeField {
     }
 
    private:
-    // Index of the obscuration's piece at the radius v = at * width(), the width of a piece of the full disk.
+    // Index of the obscuration's piece that contains obscuration() * v, for v = at * width(). Its pieces, too, are width() wide.
     std::size_t inner_piece(double at) const {
         return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(obscuration_ * at));
     }

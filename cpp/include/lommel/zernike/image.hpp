@@ -52,7 +52,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
 
     ZernikeField& field() { return field_; }
 
-    // Preview the brightness of the expanded pupil, and derive the allowed error of each piece from the relative tolerance `tol`.
+    // Preview the intensity I at some radii, and derive the allowed error of U on each piece; tol: (tolerance of I) / (its peak).
     void prepare(double tol) {
         const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));

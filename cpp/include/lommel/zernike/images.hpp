@@ -73,7 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // A smaller `error` also reduces the tolerance, which is relative to the previewed peak: all pixels may be dimmer.
+                // Reduce the tolerance as much as `error`: it counts relative to a previewed peak, which pixels may miss.
                 image.prepare(tol * error / first);
                 expanded = false;
             }
@@ -116,7 +116,7 @@ class ZernikeRenderer {
                                              static_cast<double>(tiles.height * tiles.width));
         image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
-        // Widely spaced pixels may miss the previewed peak; the second attempt aims at the tolerance for the brightest pixel.
+        // `tol` counts relative to a previewed peak. If widely spaced pixels miss that peak, a second attempt reduces `tol`.
         double share = 1.0;
         for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);
@@ -130,7 +130,7 @@ class ZernikeRenderer {
         return 1e300;
     }
 
-    // Search 65 x 65 points across the geometrical blur for a larger peak, as pixels may miss it. off: error of U at this peak.
+    // Pixels may miss the peak: search 65 x 65 points of the blur; if I exceeds `peak`, set `peak` and `off`, the error bound of U.
     template <class Expand>
     void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;

@@ -1,10 +1,11 @@
-"""Stacks of PSFs larger than memory: computed chunk by chunk into a store, a Zarr folder, and read in parts.
+"""Stacks of PSFs larger than memory: computed chunk by chunk into a store (a Zarr folder), and read in parts.
 
-A chunk is a file of each array. Writing one changes nothing else, and a process that is killed meanwhile leaves all
-others as they were.
+A chunk is a block of the stack, and has one file in each computed array. Writing a chunk changes no other file, so
+that a killed process leaves the other chunks intact.
 
-Every store has an identity, a random number. Each write compares it, so that nothing is written into another store
-that has taken the place of this one, and every checksum includes it, so that chunks of another store are detected.
+Every store has an identity, a random number. Each write compares the identity, so that no chunk is written into a
+store that replaced this one. Every checksum includes the identity, so that a chunk copied from another store is
+detected. "Pupils" are the pupils of the stack, one for each PSF.
 """
 
 from __future__ import annotations
@@ -52,27 +53,27 @@ from lommel.special import zernike
 
 KEY = "lommel"
 IDENTITY = "identity"
-WHAT = "a stack of PSFs"
+KIND = "a stack of PSFs"
 
 FORMAT = 2
 MAX_CHUNKS = 2**24
 """Largest number of chunks of a stack."""
-DEFAULT = 2**24
-"""Bytes of the values of a chunk by default."""
-MARKS = "chunks/checksum"
-"""The array with the checksum of each chunk, or -1 where it is not computed yet."""
-OF_CHUNK = ("values", "error_bound", "scale", "method")
-"""The computed arrays."""
+DEFAULT_CHUNK_BYTES = 2**24
+"""Default size of the values of a chunk in bytes."""
+CHECKSUMS = "chunks/checksum"
+"""Name of the array with the checksum of each chunk, -1 for a chunk that is not computed yet."""
+COMPUTED_ARRAYS = ("values", "error_bound", "scale", "method")
+"""Names of the arrays that are computed chunk by chunk."""
 
 Index = tuple[int, ...]
 Center: TypeAlias = tuple[ArrayLike, ArrayLike]
-Places: TypeAlias = ArrayLike | tuple[ArrayLike, str]
-"""Coordinates along an axis of a stack, or these and their unit."""
+Coordinates: TypeAlias = ArrayLike | tuple[ArrayLike, str]
+"""Coordinates along an axis of a stack, or a pair of coordinates and unit."""
 
 
-def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
-    """Return the shape of equal chunks of a stack, of at most so many members, each a run of the flattened stack."""
-    # Axes are whole from the last on, as far as they fit.
+def chunk_shape(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
+    """Return the shape of equal chunks of a stack: at most `most` PSFs, contiguous in the flattened stack."""
+    # A chunk spans whole axes, beginning with the last axis, while the chunk has at most `most` PSFs.
     chunk = [1] * len(shape)
     for axis in reversed(range(len(shape))):
         parts = -(-shape[axis] // min(most, shape[axis]))
@@ -85,11 +86,11 @@ def cut(shape: tuple[int, ...], most: int) -> tuple[int, ...]:
     return tuple(chunk)
 
 
-def layouts(said: Description) -> dict[str, Layout]:
-    """Return the arrays of the store of a description, by name; TypeError, ValueError or KeyError if it is none."""
-    stack, window, chunks = (tuple(int(n) for n in said[name]) for name in ("stack", "window", "chunks"))
-    names = tuple(said["axes"])
-    kind = {"float32": "<f4", "float64": "<f8"}[said["dtype"]]
+def layouts(description: Description) -> dict[str, Layout]:
+    """Return the layout of each array of a store; TypeError, ValueError or KeyError if the description is invalid."""
+    stack, window, chunks = (tuple(int(n) for n in description[name]) for name in ("stack", "window", "chunks"))
+    names = tuple(description["axes"])
+    kind = {"float32": "<f4", "float64": "<f8"}[description["dtype"]]
     if not len(names) == len(stack) == len(chunks) >= 1 or min(*stack, *chunks, *window) < 1 or len(window) != 2:
         raise ValueError(f"axes {names}, chunks {chunks} and windows {window} for a stack of shape {stack}")
     count = math.prod(-(-n // c) for n, c in zip(stack, chunks, strict=True))
@@ -104,202 +105,213 @@ def layouts(said: Description) -> dict[str, Layout]:
         "scale": Layout(stack, chunks, "<f8", names),
         "method": Layout(stack, chunks, "|u1", names),
     }
-    if not all(name.isidentifier() for name in (*names, *said["arrays"])) or {*names} & {*found, "y", "x"}:
-        raise ValueError(f"axes {names} and arrays {list(said['arrays'])} are not names of this kind")
-    for name, (more, _) in said["arrays"].items():
-        further = tuple(int(n) for n in more)
-        found[f"pupil/{name}"] = Layout(
-            stack + further, chunks + further, "<f8", (*names, "term")[: len(stack + further)]
+    if not all(name.isidentifier() for name in (*names, *description["arrays"])) or {*names} & {*found, "y", "x"}:
+        raise ValueError(
+            f"axes {names} and arrays {list(description['arrays'])} must have identifiers as names, no two alike"
         )
-    marks = found["scale"].grid
-    found[MARKS] = Layout(marks, (1,) * len(marks), "<i8", tuple(f"{name}_chunk" for name in names))
-    places = {name: (n, "<f8") for name, n in zip(names, stack, strict=True)}
-    if said["center"] is not None:
-        places |= {"y": (window[0], "<f8"), "x": (window[1], "<f8")}
-    return found | {name: Layout((n,), (n,), dtype, (name,)) for name, (n, dtype) in places.items()}
+    for name, (sizes, _) in description["arrays"].items():
+        tail = tuple(int(n) for n in sizes)
+        found[f"pupil/{name}"] = Layout(stack + tail, chunks + tail, "<f8", (*names, "term")[: len(stack + tail)])
+    chunk_grid = found["scale"].grid
+    found[CHECKSUMS] = Layout(chunk_grid, (1,) * len(chunk_grid), "<i8", tuple(f"{name}_chunk" for name in names))
+    lengths = dict(zip(names, stack, strict=True))
+    if description["center"] is not None:
+        lengths |= {"y": window[0], "x": window[1]}
+    return found | {name: Layout((n,), (n,), "<f8", (name,)) for name, n in lengths.items()}
 
 
 @dataclass(frozen=True)
 class Store:
-    """An existing store, by its path and its description: a Zarr group of version 3 of plain arrays.
+    """An existing store, with its path, description and array layouts: a Zarr 3 group of plain arrays.
 
-    A chunk is written in a folder named by the identity of the store, and moved into place: another store in its
-    place has no such folder, and nothing is written. Other processes that see the same files can use it.
+    A chunk is first written to a scratch folder whose name is the identity of the store, and then moved into place.
+    If another store has replaced this one, the scratch folder is missing and the write fails. Several processes can
+    use one store.
     """
 
     path: Path
-    said: Description = field(repr=False)
+    description: Description = field(repr=False)
     layouts: dict[str, Layout] = field(repr=False)
 
     @classmethod
-    def create(cls, path: Path, said: Description, arrays: Arrays, *, new: bool) -> None:
-        """Write a store without chunks, in place of an existing one, or FileExistsError if it has to be `new`."""
+    def create(cls, path: Path, description: Description, arrays: Arrays, *, new: bool) -> None:
+        """Write a store without chunks in place of an existing store; if `new`, FileExistsError if one exists."""
 
         def fill(folder: Path) -> None:
-            zarr_folders.write_group(folder, {KEY: sealed(said, {})})
-            for name, layout in layouts(said).items():
+            zarr_folders.write_group(folder, {KEY: sealed(description, {})})
+            for name, layout in layouts(description).items():
                 array = ZarrArray(folder / name, layout)
-                array.create(fill=missing(name, layout), attributes=units(said, name), values=arrays.get(name))
-            ZarrArray(_scratch(folder, said), Layout((), (), "|u1")).create()
+                array.create(
+                    fill=fill_value(name, layout), attributes=units(description, name), values=arrays.get(name)
+                )
+            ZarrArray(_scratch(folder, description), Layout((), (), "|u1")).create()
 
         atomic.write_folder(path, fill, new=new)
 
     @classmethod
     def open(cls, path: Path) -> Self:
-        """Return the store at a path; FileError if there is something else."""
+        """Open the store at a path; FileNotFoundError if there is no folder, FileError if it is no valid store."""
         if not path.is_dir():
             raise FileNotFoundError(2, os.strerror(2), str(path))
-        with as_file_error(path, WHAT):
-            said, found = checked(zarr_folders.attributes(path)[KEY])
-            store = cls(path, said, found)
+        with as_file_error(path, KIND):
+            description, found = checked(zarr_folders.attributes(path)[KEY])
+            store = cls(path, description, found)
             for name in found:
                 if ZarrArray.open(path / name) != store._array(name):
                     raise ValueError(f"its array {name} is stored in another way; zarr reads it")
             return store
 
     @property
-    def mark(self) -> Path:
-        """The file that calls hold while they compute into it."""
+    def lock_file(self) -> Path:
+        """The file that every call locks while it computes chunks of this store."""
         return self.path / zarr_folders.META
 
     def _array(self, name: str) -> ZarrArray:
         return ZarrArray(self.path / name, self.layouts[name])
 
-    def marks(self) -> NDArray[np.bool_]:
-        """Return which chunks are computed: have a mark, and a file of each array."""
-        found = np.ones(self.layouts[MARKS].grid, dtype=bool)
-        for name in (*OF_CHUNK, MARKS):
-            there = np.zeros_like(found)
-            with as_file_error(self.path, WHAT), os.scandir(self.path / name) as entries:
+    def computed(self) -> NDArray[np.bool_]:
+        """Return True for each computed chunk, which has a checksum and a file in each computed array."""
+        found = np.ones(self.layouts[CHECKSUMS].grid, dtype=bool)
+        for name in (*COMPUTED_ARRAYS, CHECKSUMS):
+            present = np.zeros_like(found)
+            with as_file_error(self.path, KIND), os.scandir(self.path / name) as entries:
                 for entry in entries:
                     key, *numbers = entry.name.split(".")
                     if key == "c" and all(number.isdecimal() for number in numbers):
                         index = tuple(int(number) for number in numbers[: found.ndim])
-                        there[index] = name != MARKS or (found[index] and self._mark(index) >= 0)
-            found &= there
+                        present[index] = name != CHECKSUMS or (found[index] and self._checksum(index) >= 0)
+            found &= present
         return found
 
-    def get(self, name: str, index: Index) -> Values | None:
-        """Return a chunk of an array, or None where its file is missing."""
-        with as_file_error(self.path, WHAT):
+    def read(self, name: str, index: Index) -> Values | None:
+        """Return a chunk of an array, or None if its file is missing."""
+        with as_file_error(self.path, KIND):
             try:
                 return self._array(name).get(index)
             except FileNotFoundError:
                 return None
 
     def put(self, parts: Arrays, index: Index) -> None:
-        """Write a chunk of some arrays, whole or not at all; FileError if the store was replaced."""
+        """Write one chunk of several arrays, all or none of them; FileError if the store was removed or replaced."""
         try:
-            with atomic.whole_files(_scratch(self.path, self.said)) as write:
+            with atomic.whole_files(_scratch(self.path, self.description)) as write:
                 for name, part in parts.items():
                     array = self._array(name)
                     write(array.file(index), array.packed(part))
         except (FileNotFoundError, NotADirectoryError):
             raise replaced(self.path) from None
 
-    def keep(self, index: Index, made: Arrays, pupils: int) -> None:
-        """Write a computed chunk, then its mark: a checksum that includes that of the requested `pupils`."""
-        self.put(made, index)
-        self.put({MARKS: np.full((1,) * len(index), self._sum(index, made, pupils))}, index)
+    def write_chunk(self, index: Index, arrays: Arrays, pupils: int) -> None:
+        """Write a computed chunk, then its checksum, which includes the checksum `pupils` of the requested pupils."""
+        self.put(arrays, index)
+        self.put({CHECKSUMS: np.full((1,) * len(index), self._sum(index, arrays, pupils))}, index)
 
-    def chunk(self, index: Index) -> Arrays:
-        """Return the arrays of a chunk, pupils too; ValueError if it is not computed yet, FileError if damaged."""
-        mark = self._mark(index)
-        if mark < 0:
+    def read_chunk(self, index: Index) -> Arrays:
+        """Return the arrays of a chunk and its pupils; ValueError if it is not computed yet, FileError if damaged."""
+        stored_sum = self._checksum(index)
+        if stored_sum < 0:
             raise ValueError(
-                f"chunk {index} of {validation.line(self.path)} is not there yet: call psf_to as before to go on"
+                f"chunk {index} of {validation.line(self.path)} is not computed yet; "
+                "call psf_to again with the same arguments to compute the missing chunks"
             )
-        made = {name: self.require(name, index) for name in OF_CHUNK}
+        arrays = {name: self.require(name, index) for name in COMPUTED_ARRAYS}
         pupils = {name: self.require(name, index) for name in self.pupils}
-        if self._sum(index, made, crc32({}, pupils)) != mark:
+        if self._sum(index, arrays, crc32({}, pupils)) != stored_sum:
             raise FileError(
-                f"chunk {index} of {validation.line(self.path)} is damaged: its checksum is another; to compute it "
-                f"again remove {MARKS}/{self._array(MARKS).file(index).name} in it, and call psf_to as before"
+                f"chunk {index} of {validation.line(self.path)} is damaged (wrong checksum); to compute it again, "
+                f"remove {CHECKSUMS}/{self._array(CHECKSUMS).file(index).name} in this folder and call psf_to again"
             )
-        return made | pupils
+        return arrays | pupils
 
-    def whole(self, name: str) -> Values:
-        """Return a whole array, such as the error bounds; NaN where chunks are not computed yet."""
+    def read_whole(self, name: str) -> Values:
+        """Return a whole array, such as the error bounds, with its fill value in chunks that are not computed yet."""
         layout = self.layouts[name]
-        out = np.full(layout.shape, missing(name, layout), layout.dtype)
+        out = np.full(layout.shape, fill_value(name, layout), layout.dtype)
         for index in np.ndindex(*layout.grid):
-            if (part := self.get(name, index)) is not None:
+            if (part := self.read(name, index)) is not None:
                 out[layout.within(index)] = part
         return out
 
     @property
     def pupils(self) -> list[str]:
-        """Names of the arrays that differ between pupils."""
+        """Names of the arrays of pupil parameters that vary over the stack."""
         return [name for name in self.layouts if name.startswith("pupil/")]
 
     def require(self, name: str, index: Index) -> Values:
-        """Return a chunk of an array that the store must have; FileError if it has not."""
-        part = self.get(name, index)
+        """Return a chunk of an array; FileError if its file is missing."""
+        part = self.read(name, index)
         if part is None:
             raise FileError(f"{validation.line(self.path)} lacks chunk {index} of {name}")
         return part
 
-    def _mark(self, index: Index) -> int:
-        found = self.get(MARKS, index)
+    def _checksum(self, index: Index) -> int:
+        """Return the stored checksum of a chunk, -1 if it is not computed yet."""
+        found = self.read(CHECKSUMS, index)
         return -1 if found is None else int(found.flat[0])
 
-    def _sum(self, index: Index, made: Arrays, pupils: int) -> int:
-        """Return the checksum of a chunk with its index, the identity of the store and the checksum of its pupils."""
-        return crc32({"chunk": [int(i) for i in index], "store": self.said[IDENTITY], "pupils": pupils}, made)
+    def _sum(self, index: Index, arrays: Arrays, pupils: int) -> int:
+        """Compute the checksum of the arrays and index of a chunk, the store's identity and the pupils' checksum."""
+        return crc32(
+            {"chunk": [int(i) for i in index], "store": self.description[IDENTITY], "pupils": pupils}, arrays
+        )
 
 
 def replaced(path: Path) -> FileError:
     """Return the error for a store that was removed or replaced."""
     return FileError(
         f"{validation.line(path)} was removed, or replaced by another call of psf_to, while its PSFs were computed; "
-        "call psf_to again, with a path that nobody else writes to"
+        "call psf_to again, with a path that no other call writes to"
     )
 
 
-def missing(name: str, layout: Layout) -> float:
-    """Return the fill value of an array."""
-    return -1 if name == MARKS else np.nan if layout.dtype[1] == "f" else 0
+def fill_value(name: str, layout: Layout) -> float:
+    """Return the fill value of an array: -1 for checksums, NaN for other floating-point arrays, else 0."""
+    return -1 if name == CHECKSUMS else np.nan if layout.dtype[1] == "f" else 0
 
 
-def units(said: Description, name: str) -> dict[str, str]:
-    """Return the attributes of an array: the unit of a coordinate."""
-    known = {"y": said["unit"], "x": said["unit"]} | said["axes"]
-    return {"units": known[name]} if name in known else {}
+def units(description: Description, name: str) -> dict[str, str]:
+    """Return the Zarr attributes of an array: its unit if it holds coordinates, else none."""
+    coordinate_units = {"y": description["unit"], "x": description["unit"]} | description["axes"]
+    return {"units": coordinate_units[name]} if name in coordinate_units else {}
 
 
-def checked(description: Description) -> tuple[Description, dict[str, Layout]]:
-    """Return the description of a store, checked, and its arrays."""
-    if description["checksum"] != checksum(description, {}):
+def checked(record: Description) -> tuple[Description, dict[str, Layout]]:
+    """Check the stored description; return it without its checksum, and the layout of each array."""
+    if record["checksum"] != checksum(record, {}):
         raise ValueError("its description was changed after it was written")
-    said = {name: value for name, value in description.items() if name != "checksum"}
-    if said["format"] != FORMAT:
-        raise ValueError(f"it is of format {said['format']}, and this version reads {FORMAT}")
-    if not isinstance(said[IDENTITY], str) or len(said[IDENTITY]) != 32 or not said[IDENTITY].isalnum():
-        raise ValueError(f"its identity must be 32 letters and digits, got {validation.shown(said[IDENTITY])}")
-    return said, layouts(said)
+    description = {name: value for name, value in record.items() if name != "checksum"}
+    if description["format"] != FORMAT:
+        raise ValueError(f"it has format {description['format']}, and this version of lommel reads format {FORMAT}")
+    if (
+        not isinstance(description[IDENTITY], str)
+        or len(description[IDENTITY]) != 32
+        or not description[IDENTITY].isalnum()
+    ):
+        raise ValueError(f"its identity must be 32 letters and digits, got {validation.shown(description[IDENTITY])}")
+    return description, layouts(description)
 
 
-def _scratch(folder: Path, said: Description) -> Path:
-    """Return the folder where chunks are written, an empty array to readers of the group."""
-    return folder / "chunks" / str(said[IDENTITY])
+def _scratch(folder: Path, description: Description) -> Path:
+    """Return the scratch folder of new chunks, which readers of the Zarr group see as an empty array."""
+    return folder / "chunks" / str(description[IDENTITY])
 
 
 def path_of(store: str | os.PathLike[str]) -> Path:
-    """Return the path of a store, links followed; ValueError if it does not end in .zarr."""
+    """Return the path of a store with links resolved; ValueError if `store` does not end in .zarr."""
     path = validation.path("store", store)
     if path.suffix.lower() != ".zarr":
-        instead = ", which stacks are written to instead of HDF5" if path.suffix.lower() in (".h5", ".hdf5") else ""
-        raise ValueError(f"store must end in .zarr{instead}, got {validation.shown(str(path))}")
+        note = " (stacks are not written to HDF5)" if path.suffix.lower() in (".h5", ".hdf5") else ""
+        raise ValueError(f"store must end in .zarr{note}, got {validation.shown(str(path))}")
     return Path(os.path.realpath(path))
 
 
 def open_stack(store: str | os.PathLike[str]) -> PSFStack:
-    """Open a store that :func:`lommel.psf_to` wrote, or is writing.
+    """Open a store that :func:`lommel.psf_to` wrote, or is still writing.
 
     Parameters
     ----------
     store : path
-        A folder ``.zarr``.
+        Zarr folder, ending in ``.zarr``.
 
     Returns
     -------
@@ -308,11 +320,11 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
     Raises
     ------
     ValueError
-        If it does not end in ``.zarr``.
+        If `store` does not end in ``.zarr``.
     FileError
         If the store is damaged, or was not written by :func:`lommel.psf_to`.
     OSError
-        If it cannot be read.
+        If the store cannot be read.
     """
     return PSFStack(Store.open(path_of(store)))
 
@@ -320,7 +332,7 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
 class PSFStack:
     """A stack of PSFs in a store, read by index: ``stack[index]`` is a :class:`lommel.PSF`.
 
-    The checksum of each chunk is verified when it is read.
+    The checksum of a chunk is verified whenever the chunk is read.
 
     Parameters
     ----------
@@ -330,38 +342,39 @@ class PSFStack:
     Attributes
     ----------
     shape : tuple of int
-        Shape of all values: that of the stack, height, width.
+        Shape of the values: the shape of the stack, then height and width of a PSF.
     dtype : dtype
+        Type of the values.
     axes : dict of str to ndarray
-        Names of the axes of the stack, and the coordinates along each.
+        Coordinates along each axis of the stack, by the name of the axis.
     units : dict of str to str
         Unit of each axis.
     grid : Grid or None
-        Grid of pixels, if all PSFs have one center, else None.
+        Grid of pixels if all PSFs have the same center, else None.
 
     Raises
     ------
     FileError
-        If its coordinates are damaged.
+        If the coordinates are damaged.
     """
 
     def __init__(self, store: Store) -> None:
-        self._store, said = store, store.said
+        self._store, description = store, store.description
         layout = store.layouts["values"]
         self.shape: tuple[int, ...] = layout.shape
         self.dtype = np.dtype(layout.dtype)
-        self.units: dict[str, str] = dict(said["axes"])
-        with as_file_error(store.path, WHAT):
+        self.units: dict[str, str] = dict(description["axes"])
+        with as_file_error(store.path, KIND):
             self.axes: dict[str, Array] = {name: store.require(name, (0,)) for name in self.units}
-            if crc32({}, dict(self.axes)) != said["coordinates"]:
+            if crc32({}, dict(self.axes)) != description["coordinates"]:
                 raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
-            validation.choice("normalize", said["normalize"], NORMALIZE)
-            self._methods = [method_from_dict(one) for one in said["methods"]]
-            self.grid: Grid | None = None if said["center"] is None else self._pixels(said["center"])
-        self._last: tuple[Index, Arrays] | None = None
+            validation.choice("normalize", description["normalize"], NORMALIZE)
+            self._methods = [method_from_dict(one) for one in description["methods"]]
+            self.grid: Grid | None = None if description["center"] is None else self._pixels(description["center"])
+        self._last_chunk: tuple[Index, Arrays] | None = None
 
     def __getstate__(self) -> dict[str, object]:
-        return vars(self) | {"_last": None}
+        return vars(self) | {"_last_chunk": None}
 
     @property
     def ndim(self) -> int:
@@ -370,45 +383,48 @@ class PSFStack:
 
     @property
     def done(self) -> tuple[int, int]:
-        """Numbers of computed chunks and of all chunks."""
-        marks = self._store.marks()
-        return int(marks.sum()), marks.size
+        """Number of computed chunks, and number of all chunks."""
+        computed = self._store.computed()
+        return int(computed.sum()), computed.size
 
     @property
     def error_bound(self) -> Array:
-        """Bound on the error of each PSF over its peak, the largest of its chunk; NaN if not computed yet."""
-        return self._store.whole("error_bound")
+        """Error bound of each PSF relative to its peak, the maximum over its chunk; NaN if not computed yet."""
+        return self._store.read_whole("error_bound")
 
     @property
     def scale(self) -> Array:
-        """Factor of the intensity of each PSF; NaN if not computed yet."""
-        return self._store.whole("scale")
+        """Factor by which the intensity of each PSF was multiplied; NaN if not computed yet."""
+        return self._store.read_whole("scale")
 
     @property
     def dask(self) -> Any:
-        """The values as a dask array with the chunks of the store; needs dask."""
+        """The values as a dask array with the chunks of the store; requires dask."""
         da = library("dask.array", "stacks as arrays of dask need", "dask")
         chunks = self._store.layouts["values"].chunks
-        name = f"psf-stack-{crc32(self._store.said | {'path': str(self._store.path)}, {}):08x}"
+        name = f"psf-stack-{crc32(self._store.description | {'path': str(self._store.path)}, {}):08x}"
         return da.from_array(_Values(self), chunks=chunks, name=name, asarray=False, meta=np.empty(0, self.dtype))
 
     def to_xarray(self) -> Any:
-        """Return a lazy ``xarray.Dataset`` of `values`, `error_bound` and `scale`; needs xarray and dask."""
+        """Return an ``xarray.Dataset`` of lazy `values`, and `error_bound` and `scale`; requires xarray and dask."""
         xarray = library("xarray", "stacks in xarray need", "xarray")
-        said, names = self._store.said, tuple(self.axes)
-        places = dict(self.axes)
+        description, names = self._store.description, tuple(self.axes)
+        coordinates = dict(self.axes)
         if self.grid is not None:
-            places |= {"y": self.grid.y, "x": self.grid.x}
-        units = self.units | {"y": said["unit"], "x": said["unit"]}
-        told_once = {name: said[name] for name in ("software", "pixel", "unit", "normalize")}
+            coordinates |= {"y": self.grid.y, "x": self.grid.x}
+        units = self.units | {"y": description["unit"], "x": description["unit"]}
         return xarray.Dataset(
             {
-                "values": ((*names, "y", "x"), self.dask, {"sampling": "pixel" if said["integrate"] else "center"}),
+                "values": (
+                    (*names, "y", "x"),
+                    self.dask,
+                    {"sampling": "pixel" if description["integrate"] else "center"},
+                ),
                 "error_bound": (names, self.error_bound),
                 "scale": (names, self.scale),
             },
-            coords={name: (name, at, {"units": units[name]}) for name, at in places.items()},
-            attrs=told_once,
+            coords={name: (name, at, {"units": units[name]}) for name, at in coordinates.items()},
+            attrs={name: description[name] for name in ("software", "pixel", "unit", "normalize")},
         )
 
     def __len__(self) -> int:
@@ -418,85 +434,101 @@ class PSFStack:
     def __repr__(self) -> str:
         done, total = self.done
         axes = ", ".join(f"{name} {at.size}" for name, at in self.axes.items())
-        there = "" if done == total else f", {done} of {total} chunks there"
-        return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{there}>"
+        note = "" if done == total else f", {done} of {total} chunks computed"
+        return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{note}>"
 
     def __getitem__(self, index: ArrayIndex) -> PSF:
-        """Return part of the stack in memory, indexed as a NumPy array.
+        """Return part of the stack in memory, for the index of a NumPy array of the shape of the stack.
 
         Raises
         ------
         IndexError
-            If there is no such part.
+            If the index is out of range.
         ValueError
-            If a part is not computed yet, has more than 2^31 values, or is of several wavelengths or methods.
+            If the part is not computed yet, has no PSF or more than 2^31 values, or if its PSFs were computed by
+            different methods or for pupils that differ in more than the phase, such as the wavelength.
         FileError
-            If it is damaged.
+            If a chunk is damaged.
         """
-        which, found = self._members(index)
-        said = self._store.said
-        ways = np.unique(found["method"])
-        with as_file_error(self._store.path, WHAT):
-            if ways[-1] >= len(self._methods):
-                raise ValueError(f"it names method {ways[-1]} of {len(self._methods)}")
-        if ways.size != 1:
-            names = " and ".join(type(self._methods[way]).__name__ for way in ways)
-            raise ValueError(f"these were computed by {names}; take them apart: stack[...] has one method")
-        shared = said["pupils"]
-        lights = np.unique(which // math.prod(self.shape[1:-2])) if len(shared) > 1 else np.zeros(1, int)
-        if lights.size != 1:
+        members, found = self._members(index)
+        description = self._store.description
+        used = np.unique(found["method"])
+        with as_file_error(self._store.path, KIND):
+            if used[-1] >= len(self._methods):
+                raise ValueError(
+                    f"method number {used[-1]} is not below {len(self._methods)}, the number of its methods"
+                )
+        if used.size != 1:
+            names = " and ".join(type(self._methods[k]).__name__ for k in used)
             raise ValueError(
-                "the pupils of the first axis differ in more than phase; take one: stack[k], or stack.dask"
+                f"these PSFs were computed by {names}; choose an index whose PSFs have one method, or use stack.dask"
+            )
+        shared = description["pupils"]
+        firsts = np.unique(members // math.prod(self.shape[1:-2])) if len(shared) > 1 else np.zeros(1, int)
+        if firsts.size != 1:
+            raise ValueError(
+                "the pupils of the first axis differ in more than phase; choose one by stack[k], or use stack.dask"
             )
         pupils = {name.removeprefix("pupil/"): at for name, at in found.items() if name.startswith("pupil/")}
-        center = said["center"] if said["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
+        center = (
+            description["center"] if description["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
+        )
         bound = float(found["error_bound"].max())
-        with as_file_error(self._store.path, WHAT):
+        with as_file_error(self._store.path, KIND):
             return PSF(
                 values=found["values"],
                 grid=self._pixels(center),
-                pupil=join_pupils(shared[int(lights[0])], pupils),
-                method=self._methods[int(ways[0])],
-                normalize=said["normalize"],
+                pupil=join_pupils(shared[int(firsts[0])], pupils),
+                method=self._methods[int(used[0])],
+                normalize=description["normalize"],
                 error_bound=None if math.isnan(bound) else bound,
                 scale=found["scale"],
-                blur=blurs_from_dicts(said["blur"]),
+                blur=blurs_from_dicts(description["blur"]),
             )
 
     def _pixels(self, center: Center) -> Grid:
-        said = self._store.said
-        pixel = said["pixel"] if isinstance(said["pixel"], float) else tuple(said["pixel"])
-        kept = {"integrate": said["integrate"], "fill": tuple(said["fill"])}
-        return Grid(tuple(said["window"]), pixel, center=center, **kept)
+        description = self._store.description
+        pixel = description["pixel"] if isinstance(description["pixel"], float) else tuple(description["pixel"])
+        return Grid(
+            tuple(description["window"]),
+            pixel,
+            center=center,
+            integrate=description["integrate"],
+            fill=tuple(description["fill"]),
+        )
 
     def _members(self, index: ArrayIndex, only: tuple[str, ...] | None = None) -> tuple[NDArray[np.intp], Arrays]:
-        """Return the members of the flattened stack at an index, and their arrays by name."""
+        """Return the indices of PSFs in the flattened stack, for an index of the stack, and their arrays by name."""
         stack = self.shape[:-2]
-        which = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
-        if which.size == 0 or which.size * math.prod(self.shape[-2:]) > validation.MAX_VALUES:
-            raise ValueError(f"{which.size} PSFs of {self.shape[-2:]} are none, or more than fit: 2^31 values")
-        names = only or (*OF_CHUNK, *self._store.pupils)
+        members = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
+        if members.size == 0 or members.size * math.prod(self.shape[-2:]) > validation.MAX_VALUES:
+            raise ValueError(
+                f"the index must select at least one PSF and at most 2^31 values, "
+                f"got {members.size} PSFs of shape {self.shape[-2:]}"
+            )
+        names = only or (*COMPUTED_ARRAYS, *self._store.pupils)
         layouts = {name: self._store.layouts[name] for name in names}
         tails = {name: layout.shape[len(stack) :] for name, layout in layouts.items()}
-        out = {name: np.empty((which.size, *tails[name]), layouts[name].dtype) for name in names}
-        members = self._store.layouts["scale"]
-        places = np.unravel_index(which.ravel(), stack)
-        cut = tuple(place // size for place, size in zip(places, members.chunks, strict=True))
-        chunks = np.ravel_multi_index(cut, members.grid)
+        out = {name: np.empty((members.size, *tails[name]), layouts[name].dtype) for name in names}
+        layout = self._store.layouts["scale"]
+        positions = np.unravel_index(members.ravel(), stack)
+        chunk_index = tuple(at // size for at, size in zip(positions, layout.chunks, strict=True))
+        chunks = np.ravel_multi_index(chunk_index, layout.grid)
         for chunk in np.unique(chunks):
-            where = tuple(int(i) for i in np.unravel_index(chunk, members.grid))
-            last = self._last  # of the calls before, since neighbours are usually read next
+            where = tuple(int(i) for i in np.unravel_index(chunk, layout.grid))
+            # The last chunk stays in memory, since consecutive calls often read neighbouring PSFs.
+            last = self._last_chunk
             if last is None or last[0] != where:
-                self._last = last = where, self._store.chunk(where)
+                self._last_chunk = last = where, self._store.read_chunk(where)
             # A chunk is a contiguous run of the flattened stack.
-            at, first = np.flatnonzero(chunks == chunk), members.first(where)
+            at, first = np.flatnonzero(chunks == chunk), layout.first(where)
             for name in names:
-                out[name][at] = last[1][name].reshape(-1, *tails[name])[which.flat[at] - first]
-        return which, {name: values.reshape(which.shape + tails[name]) for name, values in out.items()}
+                out[name][at] = last[1][name].reshape(-1, *tails[name])[members.flat[at] - first]
+        return members, {name: values.reshape(members.shape + tails[name]) for name, values in out.items()}
 
 
 class _Values:
-    """The values of a stack as dask indexes them."""
+    """The values of a stack as an array-like for dask: an index has the axes of the stack, then row and column."""
 
     def __init__(self, stack: PSFStack) -> None:
         self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
@@ -513,7 +545,7 @@ _LENS, _OBJECTIVE = "Pupil", "ObjectivePupil"
 
 
 def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
-    """Return what the pupils of a stack share, for JSON, and arrays of what differs, the axes of the stack first."""
+    """Return the parameters that all pupils of a stack share (plain JSON), and arrays of those that vary over it."""
     first = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
     shared = first.to_dict()
     if isinstance(pupil, ObjectivePupil):
@@ -533,7 +565,10 @@ def split_pupils(pupil: BasePupil) -> tuple[Json, dict[str, Array]]:
 
 
 def join_pupils(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
-    """Return the stack of :func:`split_pupils`, or part of it, bit by bit; TypeError, ValueError or KeyError."""
+    """Return the pupils, bit for bit, from the results of :func:`split_pupils`, whose arrays may be sliced.
+
+    TypeError, ValueError or KeyError if the parameters are invalid.
+    """
     plain = dict(shared)
     if validation.choice("kind", plain.pop("kind"), (_LENS, _OBJECTIVE)) == _OBJECTIVE:
         planes = {name: arrays[name] for name in PLANES}
@@ -549,111 +584,120 @@ def join_pupils(shared: Json, arrays: Mapping[str, Array]) -> BasePupil:
 
 
 def _terms(wavefront: Wavefront, arrays: dict[str, Array]) -> Json:
-    """Move the coefficients into the arrays, and return their terms and error."""
+    """Add the coefficients of a wavefront to `arrays`; return its terms and the bound on their error."""
     arrays["edge"] = wavefront.edge
     if wavefront._powers is not None:
         arrays["powers"] = wavefront._powers
     return {"terms": [list(term) for term in wavefront.terms], "error": wavefront.error}
 
 
-def _wavefront(said: Json, arrays: Mapping[str, Array]) -> Wavefront:
-    terms = tuple(zernike.check_term(n, m) for n, m in said["terms"])
+def _wavefront(description: Json, arrays: Mapping[str, Array]) -> Wavefront:
+    """Return the wavefront from the result of :func:`_terms` and its arrays."""
+    terms = tuple(zernike.check_term(n, m) for n, m in description["terms"])
     edge = validation.real_array("edge", arrays["edge"]).copy()
     if edge.ndim == 0 or edge.shape[-1] != len(terms):
-        raise ValueError(f"edge must have {len(terms)} coefficients each, got shape {edge.shape}")
+        raise ValueError(f"edge must have {len(terms)} coefficients on its last axis, got shape {edge.shape}")
     powers = validation.real_array("powers", arrays["powers"]).copy() if "powers" in arrays else None
-    return Wavefront.trusted(terms, edge, validation.real("error", said["error"], least=0.0), powers)
+    return Wavefront.trusted(terms, edge, validation.real("error", description["error"], least=0.0), powers)
 
 
-_METRES = ("object_distance", "depth", "z", "wavelength")
-_TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
-_MOST_AXES = 8
+_AXES_IN_METRES = ("object_distance", "depth", "z", "wavelength")
+_RESERVED_NAMES = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
+_MAX_AXES = 8
 
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """A checked request for a stack: its pupils, their methods, and its description.
+    """Checked arguments of :func:`psf_to`: the pupils, their methods, and the description of the store.
 
     Attributes
     ----------
     pupils : tuple of Pupil or ObjectivePupil
-        One stack, or, where more than the phase differs and `listed`, one for each of the first axis.
+        One stack; if `listed`, one stack for each index of the first axis.
+    listed : bool
+        True if the pupils of the first axis differ in more than the phase.
     prepare : partial of Plan
-        All that is asked but the pupils, their center and their method, as it is sent to workers.
-    ways : tuple
-        The methods for each of the pupils, in order: chosen for all of a stack, whatever the chunks.
+        Plan without center and method, which each chunk adds; it is sent to the workers.
+    method_order : tuple
+        For each of `pupils`, the methods to try, in order. They are chosen for a whole stack, independent of chunks.
+    grid : Grid
+    axes : dict of str to ndarray
+        Coordinates along each axis of the stack.
     methods : list
-        All of them, each once.
-    said : dict
-        The description, in plain types.
+        All methods of `method_order` without repetition.
+    description : dict
+        Description of the store, in plain types.
     arrays : dict of str to ndarray
-        Arrays that differ between the pupils.
+        Arrays of the pupil parameters that vary over the stack.
     """
 
     pupils: tuple[BasePupil, ...]
     listed: bool
     prepare: partial[Plan]
-    ways: tuple[tuple[Method, ...], ...]
+    method_order: tuple[tuple[Method, ...], ...]
     grid: Grid
     axes: dict[str, Array]
     methods: list[Method]
-    said: Description
+    description: Description
     arrays: dict[str, Array] = field(repr=False)
 
     def part(self, index: Index) -> tuple[BasePupil, Center, tuple[Method, ...]]:
-        """Return the pupils of a chunk, the center of their windows, and their methods."""
+        """Return the pupils of a chunk, the center of their windows, and the methods to try."""
         members = self.layouts["scale"]
         within = members.within(index)
         if not self.listed:
             center = self.grid[within].center if self.grid.stack else self.grid.center
-            return self.pupils[0][within], center, self.ways[0]
+            return self.pupils[0][within], center, self.method_order[0]
         k = within[0].start
         one = self.pupils[k][within[1:]] if self.pupils[k].shape else self.pupils[k]
-        return one.broadcast(members.part(index)), self.grid.center, self.ways[k]
+        return one.broadcast(members.part(index)), self.grid.center, self.method_order[k]
 
-    def seal(self, index: Index) -> int:
-        """Return the checksum of the pupils of a chunk, as in a store."""
+    def pupil_checksum(self, index: Index) -> int:
+        """Return the checksum of the pupil arrays of a chunk, as a store computes it."""
         found = {f"pupil/{name}": at for name, at in self.arrays.items()}
         parts = {name: np.asarray(at[self.layouts[name].within(index)], "<f8") for name, at in found.items()}
         return crc32({}, parts)
 
     @cached_property
     def layouts(self) -> dict[str, Layout]:
-        """The arrays of its store."""
-        return layouts(self.said)
+        """Layouts of the arrays of the requested store."""
+        return layouts(self.description)
 
 
 def requested(
-    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Places] | None, chunk: int | None
+    plan: Plan, pupils: BasePupil | Sequence[BasePupil], axes: Mapping[str, Coordinates] | None, chunk: int | None
 ) -> Request:
-    """Return a checked request; see :func:`lommel.psf_to`."""
+    """Check the arguments of :func:`lommel.psf_to`."""
     stacks, listed, grid = _stacks(pupils, plan)
     stack = (len(stacks), *stacks[0].shape) if listed else stacks[0].shape
-    if not 1 <= len(stack) <= _MOST_AXES:
-        raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
-    ways = tuple(
+    if not 1 <= len(stack) <= _MAX_AXES:
+        raise ValueError(
+            f"pupils must be a stack of 1 to {_MAX_AXES} axes, got shape {stack}; use lommel.psf for a single pupil"
+        )
+    method_order = tuple(
         fixed_order(candidates(one, grid, plan.tol), one, grid) if plan.method is None else (plan.method,)
         for one in stacks
     )
-    flat = [way for each in ways for way in each]
+    flat = [way for order in method_order for way in order]
     methods = [way for k, way in enumerate(flat) if way not in flat[:k]]
     dtype = np.dtype(plan.dtype)
-    # Sums of transforms by several threads differ in their last bits, and chunks are the same wherever computed.
-    asked: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
-    asked |= {"integrate": grid.integrate, "fill": grid.fill}
-    prepare = partial(Plan, grid.shape, grid.pixel, **asked)
-    fit = max(1, DEFAULT // (dtype.itemsize * math.prod(grid.shape)))
-    most = fit if chunk is None else validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
+    # One thread for each chunk: sums by several threads may differ in their last bits from one computer to another.
+    keywords: PSFKeywords = {"normalize": plan.normalize, "dtype": dtype, "blur": plan.blur, "threads": 1}
+    keywords |= {"integrate": grid.integrate, "fill": grid.fill}
+    prepare = partial(Plan, grid.shape, grid.pixel, **keywords)
+    most = max(1, DEFAULT_CHUNK_BYTES // (dtype.itemsize * math.prod(grid.shape)))
+    if chunk is not None:
+        most = validation.integer("chunk", chunk, least=1, most=validation.MAX_VALUES)
     shared, arrays = _differences(stacks, listed)
     if grid.stack:
         arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
-    places, units = _axes(axes, stack, arrays, stacks[0].unit)
-    said = {
+    coordinates, units = _axes(axes, stack, arrays, stacks[0].unit)
+    description = {
         "software": f"lommel {version()}",
         "format": FORMAT,
         "stack": list(stack),
         "axes": units,
-        "coordinates": crc32({}, dict(places)),
+        "coordinates": crc32({}, dict(coordinates)),
         "window": list(grid.shape),
         "pixel": grid.pixel,
         "unit": stacks[0].unit,
@@ -664,15 +708,15 @@ def requested(
         "methods": [way.to_dict() for way in methods],
         "normalize": plan.normalize,
         "dtype": dtype.name,
-        "chunks": [1, *cut(stack[1:], most)] if listed else cut(stack, most),
+        "chunks": [1, *chunk_shape(stack[1:], most)] if listed else chunk_shape(stack, most),
         "pupils": shared,
         "arrays": {name: [list(at.shape[len(stack) :]), crc32({}, {name: at})] for name, at in arrays.items()},
     }
-    return Request(stacks, listed, prepare, ways, grid, places, methods, plain(said), arrays)
+    return Request(stacks, listed, prepare, method_order, grid, coordinates, methods, plain(description), arrays)
 
 
 def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[BasePupil, ...], bool, Grid]:
-    """Return the pupils as one stack, or as one for each of the first axis, whether they are that, and the grid."""
+    """Return the pupils as one or several stacks, True if several (one for each first index), and the grid."""
     listed = isinstance(pupils, Sequence)
     stacks: tuple[BasePupil, ...] = tuple(
         imaged(one) for one in (pupils if isinstance(pupils, Sequence) else [pupils])
@@ -681,64 +725,68 @@ def _stacks(pupils: BasePupil | Sequence[BasePupil], plan: Plan) -> tuple[tuple[
         raise ValueError("pupils must not be an empty list")
     grid = plan.grid(stacks[0])
     for k, one in enumerate(stacks[1:], 1):
-        for name, mine, first in (("shape", one.shape, stacks[0].shape), ("unit", one.unit, stacks[0].unit)):
-            if mine != first:
-                raise ValueError(f"pupils must all have the {name} of the first, {first}, got {mine} of pupils[{k}]")
+        for name, value, first in (("shape", one.shape, stacks[0].shape), ("unit", one.unit, stacks[0].unit)):
+            if value != first:
+                raise ValueError(
+                    f"pupils must all have the {name} of the first, {first}, got {value} for pupils[{k}]"
+                )
     if listed:
         shared, arrays = _differences(stacks, listed)
         if len(shared) == 1:  # only their phases differ
             stacks, listed = (join_pupils(shared[0], arrays),), False
     if grid.stack:
         if listed:
-            raise ValueError("center must be one (row, column) for listed pupils of several wavelengths or apertures")
+            raise ValueError(
+                "center must be one (row, column) if the pupils of a list differ in more than the phase, got arrays"
+            )
         stacks = (for_axes(stacks[0], grid.stack),)
         grid = grid.broadcast(stacks[0].shape)
     return stacks, listed, grid
 
 
 def _differences(stacks: tuple[BasePupil, ...], listed: bool) -> tuple[list[Description], dict[str, Array]]:
-    """Return what pupils share, once if it is the same for all, and the arrays that differ."""
+    """Return the shared parameters of each stack of pupils, only once if all are equal, and the varying arrays."""
     parts = [split_pupils(one) for one in stacks]
-    shared = [said for said, _ in parts]
+    shared = [description for description, _ in parts]
     if not listed:
         return shared, parts[0][1]
     first = parts[0][1]
     for k, (_, other) in enumerate(parts):
         if {name: at.shape for name, at in other.items()} != {name: at.shape for name, at in first.items()}:
             raise ValueError(
-                f"pupils must all be held in the same terms, got others of pupils[{k}] than of the first"
+                f"pupils must all have the same wavefront terms, got other terms for pupils[{k}] than for the first"
             )
     arrays = {name: np.stack([other[name] for _, other in parts]) for name in first}
-    return (shared[:1] if all(said == shared[0] for said in shared) else shared), arrays
+    return (shared[:1] if all(description == shared[0] for description in shared) else shared), arrays
 
 
 def _axes(
-    given: Mapping[str, Places] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
+    axes: Mapping[str, Coordinates] | None, stack: tuple[int, ...], arrays: Mapping[str, Array], unit: str
 ) -> tuple[dict[str, Array], dict[str, str]]:
-    """Return the coordinates of each axis of the stack, by name, and their units."""
-    if given is None:
-        given = _default_axes(stack, arrays)
-    if not isinstance(given, Mapping) or not all(isinstance(name, str) and name.isidentifier() for name in given):
-        raise TypeError(f"axes must map names to coordinates, got {validation.shown(given)}")
-    if len(given) != len(stack):
-        raise ValueError(f"axes must name the {len(stack)} axes of a stack of shape {stack}, got {list(given)}")
-    places, units = {}, {}
-    for (name, value), count in zip(given.items(), stack, strict=True):
-        if name in _TAKEN or name.endswith("_chunk"):
-            raise ValueError(f"axes must not be called {', '.join(_TAKEN)} or ..._chunk, got {name}")
-        known = "m" if name in _METRES else unit if name.startswith("field") else "1"
+    """Return the coordinates along each axis of the stack, by the name of the axis, and their units."""
+    if axes is None:
+        axes = _default_axes(stack, arrays)
+    if not isinstance(axes, Mapping) or not all(isinstance(name, str) and name.isidentifier() for name in axes):
+        raise TypeError(f"axes must map names to coordinates, got {validation.shown(axes)}")
+    if len(axes) != len(stack):
+        raise ValueError(f"axes must name the {len(stack)} axes of a stack of shape {stack}, got {list(axes)}")
+    coordinates, units = {}, {}
+    for (name, value), count in zip(axes.items(), stack, strict=True):
+        if name in _RESERVED_NAMES or name.endswith("_chunk"):
+            raise ValueError(f"axes must not be called {', '.join(_RESERVED_NAMES)} or ..._chunk, got {name}")
+        axis_unit = "m" if name in _AXES_IN_METRES else unit if name.startswith("field") else "1"
         if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
-            value, known = value
-        # An object may be at infinity.
+            value, axis_unit = value
+        # Infinite coordinates are allowed, since an object may be at infinity.
         at = np.array(validation.number_array(f"axes[{name!r}]", value), dtype=np.float64)
         if at.shape != (count,) or np.isnan(at).any():
             raise ValueError(f"axes[{name!r}] must be {count} numbers, got {validation.shown(value)}")
-        places[name], units[name] = at, known
-    return places, units
+        coordinates[name], units[name] = at, axis_unit
+    return coordinates, units
 
 
 def _default_axes(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays:
-    """Return the default axes: distances, depths and z that change along one axis only, else indices."""
+    """Return for each axis the object distance, depth or z if it varies along this axis only, else indices."""
     names: dict[int, tuple[str, Array]] = {}
     for name in ("object_distance", "depth", "z"):
         if name in arrays:
@@ -747,8 +795,8 @@ def _default_axes(stack: tuple[int, ...], arrays: Mapping[str, Array]) -> Arrays
                 if axis not in names and count > 1 and np.all(along == along[:, :1]):
                     names[axis] = name, along[:, 0]
                     break
-    left = {axis: (f"axis_{axis}", np.arange(count)) for axis, count in enumerate(stack)}
-    return dict((left | names)[axis] for axis in range(len(stack)))
+    indices = {axis: (f"axis_{axis}", np.arange(count)) for axis, count in enumerate(stack)}
+    return dict((indices | names)[axis] for axis in range(len(stack)))
 
 
 def psf_to(
@@ -757,7 +805,7 @@ def psf_to(
     shape: int | tuple[int, int],
     pixel: float | tuple[float, float],
     *,
-    axes: Mapping[str, Places] | None = None,
+    axes: Mapping[str, Coordinates] | None = None,
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
     client: object = None,
@@ -765,49 +813,52 @@ def psf_to(
 ) -> PSFStack:
     """Compute a stack of PSFs that may exceed memory, chunk by chunk, into a Zarr store.
 
-    Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the missing
-    chunks. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit for bit, independent
-    of the order of computation.
+    If the computation ends early (error, Ctrl-C, killed process), a further call with the same arguments computes the
+    missing chunks. The values of a chunk equal those of ``lommel.psf(pupils[chunk], ..., threads=1)`` bit for bit,
+    independent of the order of computation.
 
     Parameters
     ----------
     store : path
-        ``.zarr``, a folder (Zarr version 3).
+        Zarr folder (version 3) to create or complete, ending in ``.zarr``.
     pupils : Pupil or ObjectivePupil, or sequence of these
-        A stack. A sequence of stacks of one shape forms the first axis, such as one for each wavelength; if they
-        differ in more than the phase, no chunk holds two of them, and all have one center.
+        A stack of pupils. A sequence of stacks of equal shape forms the first axis, for example one stack for each
+        wavelength. If the stacks differ in more than the phase, each chunk belongs to one of them, and `center` must
+        be a single position.
     shape, pixel
         As of :func:`lommel.psf`.
     axes : mapping of str to array_like or (array_like, str), optional
-        Names of the axes of the stack, in order, each with its coordinates and optionally their unit. By default the
-        object distances, or depths and z, of the pupils, if these change along one axis only, else ``axis_0`` and so
-        on. ``object_distance, depth, z, wavelength`` are in metres; names that begin with ``field`` have the unit of
-        the pupils.
+        Coordinates, or coordinates and unit, by the name of the axis, in the order of the axes of the stack. By
+        default an axis is ``object_distance``, ``depth`` or ``z`` if this parameter of the pupils varies along that
+        axis only, else ``axis_0`` and so on. Default units: metres for ``object_distance``, ``depth``, ``z`` and
+        ``wavelength``, the unit of the pupils for names that begin with ``field``, else 1.
     chunk : int, optional
-        Maximum number of PSFs in a chunk; by default as many as fit in 16 MiB, or that of an existing store. Values
-        depend on it within their error bounds.
+        Maximum number of PSFs in a chunk. By default the number of an existing store, or as many PSFs as fit in
+        16 MiB. Another number may change the values within their error bounds.
     progress : callable, optional
         Called as ``progress(done, chunks)`` after each computed chunk.
     client : distributed.Client or concurrent.futures.Executor, optional
-        Executor of the chunks; by default threads of this process. Workers write into the store under the same path.
+        Executor that computes the chunks; by default threads of this process. Its workers must reach the store under
+        the same path.
     **options
         ``method``, ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill`` and ``blur`` as of
-        :func:`lommel.psf`; ``threads``, by default one for each processor, each of which computes a chunk, not with a
-        client.
+        :func:`lommel.psf`; ``threads``, the number of chunks computed in parallel, by default the number of
+        processors; not allowed with a `client`.
 
     Returns
     -------
     PSFStack
-        As :func:`lommel.open_stack` reads it.
+        The store, opened as by :func:`lommel.open_stack`.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the store holds PSFs of another request, or another call computes these.
+        If an argument is out of range, if the store holds PSFs for other arguments, or if another call is replacing
+        the store.
     FileError
-        If the path holds something else, or if the store is damaged, removed or replaced.
+        If the path holds anything else, or if the store is damaged, removed or replaced.
     ToleranceError
-        If the tolerance cannot be met; chunks that were computed before stay.
+        If the tolerance cannot be met; chunks computed before remain in the store.
     OSError
         If the store cannot be written, or does not fit on the disk.
 
@@ -824,96 +875,102 @@ def psf_to(
     validation.function("progress", progress, required=False)
     plan, (pool, slots) = Plan(shape, pixel, **options), _pool(client)
     if pool is not None and plan.threads:
-        raise ValueError(f"threads must be left out with a client, which has its own, got {plan.threads}")
-    there = Store.open(path) if path.exists() else None
+        raise ValueError(f"threads must be left out with a client, whose workers are used, got {plan.threads}")
+    existing = Store.open(path) if path.exists() else None
     request = requested(plan, pupils, axes, chunk)
-    if there is not None and chunk is None:
-        same = replace(request, said=request.said | {"chunks": there.said["chunks"]})
-        request = request if _difference(there.said, same.said) else same
-    opened = _existing_or_new(path, there, request)
-    marks = opened.marks()
-    todo = [tuple(int(i) for i in index) for index in np.argwhere(~marks)]
+    if existing is not None and chunk is None:
+        with_its_chunks = replace(
+            request, description=request.description | {"chunks": existing.description["chunks"]}
+        )
+        request = request if _difference(existing.description, with_its_chunks.description) else with_its_chunks
+    opened = _existing_or_new(path, existing, request)
+    computed = opened.computed()
+    todo = [tuple(int(i) for i in index) for index in np.argwhere(~computed)]
     if pool is None:
         slots = min(plan.threads or os.cpu_count() or 1, max(1, len(todo)))
     with _locked(opened) if todo else nullcontext():
-        _require_room(opened, len(todo))
-        work = partial(_work, opened, request.methods, request.prepare)
-        tasks = ((index, request.seal(index), *request.part(index)) for index in todo)
-        with closing(_computed(pool, slots, work, tasks)) as found:
-            for done, _ in enumerate(found, marks.size - len(todo) + 1):
+        _require_space(opened, len(todo))
+        work = partial(_compute_chunk, opened, request.methods, request.prepare)
+        tasks = ((index, request.pupil_checksum(index), *request.part(index)) for index in todo)
+        with closing(_run(pool, slots, work, tasks)) as results:
+            for done, _ in enumerate(results, computed.size - len(todo) + 1):
                 if progress is not None:
-                    progress(done, marks.size)
-    _require_there(opened)
+                    progress(done, computed.size)
+    _require_not_replaced(opened)
     return PSFStack(opened)
 
 
-def _existing_or_new(path: Path, there: Store | None, request: Request) -> Store:
-    """Return the store of the request, new if there is none, or in place of an empty one of another request."""
-    other = "" if there is None else _difference(there.said, request.said)
-    if there is not None and not other:
-        return there
-    said = request.said | {IDENTITY: secrets.token_hex(16)}
+def _existing_or_new(path: Path, existing: Store | None, request: Request) -> Store:
+    """Return the existing store if it matches the request, else a new one, in place of any store without chunks."""
+    other = "" if existing is None else _difference(existing.description, request.description)
+    if existing is not None and not other:
+        return existing
+    description = request.description | {IDENTITY: secrets.token_hex(16)}
     arrays: Arrays = {f"pupil/{name}": at for name, at in request.arrays.items()}
     if not request.grid.stack:
         arrays |= {"y": request.grid.y, "x": request.grid.x}
-    with nullcontext() if there is None else _locked(there, alone=True):
-        if there is not None and there.marks().any():
+    with nullcontext() if existing is None else _locked(existing, alone=True):
+        if existing is not None and existing.computed().any():
             raise _other_request(path, other)
-        with suppress(FileExistsError):  # another call may have created it at the same time
-            Store.create(path, said, arrays | request.axes, new=there is None)
-    made = _opened(path)
-    if other := _difference(made.said, request.said):
+        with suppress(FileExistsError):  # another call may have created the store at the same time
+            Store.create(path, description, arrays | request.axes, new=existing is None)
+    created = _opened(path)
+    if other := _difference(created.description, request.description):
         raise _other_request(path, other)
-    return made
+    return created
 
 
 def _other_request(path: Path, other: str) -> ValueError:
+    """Return the error for a store that was computed with other arguments."""
     return ValueError(
-        f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another request ({other})"
+        f"{validation.line(path)} holds PSFs computed with other arguments ({other}); "
+        "repeat those arguments or choose a new store"
     )
 
 
 @contextmanager
 def _locked(store: Store, *, alone: bool = False) -> Iterator[None]:
-    """Hold a store, with others to compute into it, or alone to replace it; ValueError if that cannot be."""
+    """Lock a store: shared with other calls to compute chunks, or `alone` to replace it; ValueError if in use."""
     with ExitStack() as held:
         try:
-            known = held.enter_context(atomic.locked(store.mark, store.path, alone=alone))
+            lockable = held.enter_context(atomic.locked(store.lock_file, store.path, alone=alone))
         except FileNotFoundError:
             raise replaced(store.path) from None
-        if alone and not known:
+        if alone and not lockable:
             raise atomic.unknown_use(store.path)
-        # Without locks, every write still checks that the store was not replaced.
-        _require_there(store)
+        # On a file system without locks, every write still checks that the store was not replaced.
+        _require_not_replaced(store)
         yield
 
 
 def _opened(path: Path) -> Store:
-    """Return the store that is at the path now; FileError if it is gone."""
+    """Open the store that is now at the path; FileError if it was removed."""
     try:
         return Store.open(path)
     except FileNotFoundError:
         raise replaced(path) from None
 
 
-def _require_there(store: Store) -> None:
-    """Raise FileError if the store was replaced since it was opened."""
-    if _opened(store.path).said != store.said:
+def _require_not_replaced(store: Store) -> None:
+    """Raise FileError if the store was removed or replaced since it was opened."""
+    if _opened(store.path).description != store.description:
         raise replaced(store.path)
 
 
-def _difference(there: Description, asked: Description) -> str:
-    """Return the first difference of two descriptions in words, chunks last; "" if there is none."""
-    for name in sorted(asked, key=lambda name: (name == "chunks", name not in ("software", "stack", "window"))):
-        if there.get(name) != asked[name]:
+def _difference(stored: Description, requested: Description) -> str:
+    """Return the first difference of two descriptions in words, with `chunks` compared last; "" if they are equal."""
+    for name in sorted(requested, key=lambda name: (name == "chunks", name not in ("software", "stack", "window"))):
+        if stored.get(name) != requested[name]:
             if name in ("arrays", "pupils", "coordinates"):
-                return "the coordinates are others" if name == "coordinates" else "the pupils are others"
-            return f"{name}: {validation.shown(there.get(name))} there, {validation.shown(asked[name])} asked for"
+                return "the coordinates differ" if name == "coordinates" else "the pupils differ"
+            return (
+                f"{name}: {validation.shown(stored.get(name))} in the store, now {validation.shown(requested[name])}"
+            )
     return ""
 
 
-def _require_room(store: Store, chunks: int) -> None:
-    """Raise OSError if the disk has no space for so many chunks."""
+def _require_space(store: Store, chunks: int) -> None:
+    """Raise OSError if the disk has too little free space for the values of `chunks` chunks."""
     values = store.layouts["values"]
     needed = chunks * values.nbytes // max(1, int(np.prod(values.grid)))
     free = shutil.disk_usage(store.path.parent).free
@@ -924,7 +981,7 @@ def _require_room(store: Store, chunks: int) -> None:
 
 
 def _pool(client: Any) -> tuple[futures.Executor | None, int]:
-    """Return the executor of a client, and how many chunks to submit at a time."""
+    """Return the executor of a client (None for threads of this process), and the number of chunks to queue."""
     if client is None:
         return None, 0
     if isinstance(client, futures.Executor):
@@ -934,10 +991,10 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-def _computed(
+def _run(
     pool: futures.Executor | None, slots: int, work: Callable[..., None], tasks: Iterator[tuple[object, ...]]
 ) -> Generator[None]:
-    """Yield as chunks are done, a few of them at a time; after an error no other is begun."""
+    """Call `work` for each task, about `slots` at a time, and yield after each; an error cancels waiting tasks."""
     under_way: set[futures.Future[None]] = set()
     with futures.ThreadPoolExecutor(slots) if pool is None else nullcontext(pool) as executor:
         try:
@@ -952,23 +1009,23 @@ def _computed(
                 one.cancel()
 
 
-def _work(
+def _compute_chunk(
     store: Store,
     methods: list[Method],
     prepare: partial[Plan],
     index: Index,
-    seal: int,
+    pupil_checksum: int,
     pupil: BasePupil,
     center: Center,
-    ways: tuple[Method, ...],
+    method_order: tuple[Method, ...],
 ) -> None:
-    """Compute a chunk, and write it."""
-    _, made = first_within_tolerance(ways, lambda way: prepare(method=way, center=center)(pupil))
-    bound = np.nan if made.error_bound is None else made.error_bound
+    """Compute a chunk by the first method that meets the tolerance, and write it to the store."""
+    _, psf = first_within_tolerance(method_order, lambda way: prepare(method=way, center=center)(pupil))
+    bound = np.nan if psf.error_bound is None else psf.error_bound
     parts: Arrays = {
-        "values": made.values,
+        "values": psf.values,
         "error_bound": np.full(pupil.shape, bound),
-        "scale": np.asarray(made.scale),
-        "method": np.full(pupil.shape, methods.index(made.method), np.uint8),
+        "scale": np.asarray(psf.scale),
+        "method": np.full(pupil.shape, methods.index(psf.method), np.uint8),
     }
-    store.keep(index, parts, seal)
+    store.write_chunk(index, parts, pupil_checksum)

@@ -110,7 +110,7 @@ def test_other_programs_read_a_store_that_is_computed(first, tmp_path):
     stack = lm.open_stack(tmp_path / "a.zarr")
     np.testing.assert_array_equal(group["values"][...], stack[:].values)
     # Where chunks are written is an array without any, so that nobody who lists the group stumbles.
-    assert {name for name, _ in group["chunks"].members()} == {"checksum", stack._store.said["identity"]}
+    assert {name for name, _ in group["chunks"].members()} == {"checksum", stack._store.description["identity"]}
 
 
 @OTHER
@@ -180,7 +180,7 @@ def test_of_two_calls_that_begin_a_store_one_gives_way(side, when, begun, tmp_pa
     verify(*good[0])
     verify(lm.open_stack(path), *good[0][1:])
     (bad,) = (each[0] for each in answers if each[0] is not good[0][0])
-    assert any(words in str(bad) for words in ("another call", "another request"))
+    assert any(words in str(bad) for words in ("another call", "other arguments"))
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
 
 
@@ -188,7 +188,7 @@ def test_a_chunk_of_another_store_of_the_same_request_is_damaged(tmp_path):
     made = [ask(tmp_path / f"{name}.zarr", ONE) for name in "ab"]
     parts = {name: made[0]._store.require(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
     made[1]._store.put(parts | {"chunks/checksum": made[0]._store.require("chunks/checksum", (1,))}, (1,))
-    with pytest.raises(FileError, match="damaged: its checksum is another"):
+    with pytest.raises(FileError, match="wrong checksum"):
         lm.open_stack(tmp_path / "b.zarr")[2]
     assert made[1][0].pupil == made[0][0].pupil
 
@@ -200,7 +200,7 @@ def test_pupils_that_are_others_than_those_computed_are_damage(tmp_path, first):
     store.put({"pupil/edge": store.require("pupil/edge", (0,)) + 1.0}, (0, 0))
     first.go()
     stack = one.result(60)
-    with pytest.raises(FileError, match="damaged: its checksum is another"):
+    with pytest.raises(FileError, match="wrong checksum"):
         stack[0]
     assert stack[2].values.max() > 0.0
 
@@ -282,7 +282,7 @@ OWNER = """
         print(child, flush=True)
         time.sleep(60)
 
-    stacks._require_room = computing
+    stacks._require_space = computing
     test.ask(Path(sys.argv[2]), test.ONE)
 """
 

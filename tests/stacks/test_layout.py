@@ -10,14 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lommel.io.zarr_folders import Layout
-from lommel.stacks import cut, layouts
+from lommel.stacks import chunk_shape, layouts
 
 SHAPES = st.lists(st.integers(1, 9), min_size=1, max_size=4).map(tuple)
 
 
 @given(SHAPES, st.integers(1, 300))
 def test_chunks_cover_the_stack_once_in_order_and_none_is_too_large(shape, most):
-    chunks = cut(shape, most)
+    chunks = chunk_shape(shape, most)
     assert math.prod(chunks) <= most
     layout = Layout(shape, chunks, "<f8", ())
     members = np.arange(math.prod(shape)).reshape(shape)
@@ -30,7 +30,7 @@ def test_chunks_cover_the_stack_once_in_order_and_none_is_too_large(shape, most)
 
 @given(SHAPES, st.integers(1, 300))
 def test_chunks_are_as_large_as_they_may_be_but_for_an_even_cut(shape, most):
-    chunks = cut(shape, most)
+    chunks = chunk_shape(shape, most)
     axis = next((k for k, c in enumerate(chunks) if c > 1), len(shape) - 1)
     # One part less along that axis would be too much.
     fewer = -(-shape[axis] // chunks[axis]) - 1

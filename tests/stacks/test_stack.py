@@ -68,7 +68,7 @@ def test_what_is_not_there_or_nothing_is_told(fields):
     stack = lm.open_stack(fields)
     with pytest.raises(IndexError):
         stack[4]
-    with pytest.raises(ValueError, match="0 PSFs of"):
+    with pytest.raises(ValueError, match="got 0 PSFs of"):
         stack[4:]
 
 
@@ -108,7 +108,9 @@ def test_colours_are_listed_and_taken_one_by_one(tmp_path):
     for k, pupil in enumerate(pupils):
         np.testing.assert_array_equal(stack[k].values, lm.psf(pupil, 7, 3e-6).values)
         assert stack[k].pupil == pupil
-    with pytest.raises(ValueError, match=r"pupils of the first axis differ in more than phase; take one: stack\[k\]"):
+    with pytest.raises(
+        ValueError, match=r"pupils of the first axis differ in more than phase; choose one by stack\[k\]"
+    ):
         stack[:, 0]
     assert stack.to_xarray()["values"].sel(wavelength=450e-9).shape == (3, 7, 7)
 
@@ -128,7 +130,9 @@ def test_listed_pupils_that_do_not_fit_are_told(tmp_path):
     blue = LENS.pupil(2.0).in_light(450e-9)
     with pytest.raises(ValueError, match="center must be one"):
         lm.psf_to(tmp_path / "a.zarr", [LENS.pupil(2.0), blue], 7, 3e-6, center=([3.0, 3.5], 3.0))
-    with pytest.raises(ValueError, match=r"pupils must all be held in the same terms, got others of pupils\[1\]"):
+    with pytest.raises(
+        ValueError, match=r"pupils must all be have the same wavefront terms, got other terms for pupils\[1\]"
+    ):
         lm.psf_to(tmp_path / "a.zarr", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], 7, 0.5)
     with pytest.raises(ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N"):
         lm.psf_to(tmp_path / "a.zarr", [blue, lm.Pupil()], 7, 0.5)
@@ -188,7 +192,7 @@ def test_chunks_of_other_methods_are_taken_apart(tmp_path):
         asked = lm.psf(lm.Pupil(tilted)[part], 3, 0.5, tol=1e-9)
         np.testing.assert_array_equal(stack[part].values, asked.values)
         assert stack[part].method == asked.method
-    with pytest.raises(ValueError, match=r"these were computed by ChordalGauss and NijboerZernike; take them apart"):
+    with pytest.raises(ValueError, match=r"these PSFs were computed by ChordalGauss and NijboerZernike; choose"):
         stack[:]
     assert stack.dask.compute().shape == (4, 3, 3)
 
@@ -216,7 +220,7 @@ def test_a_damaged_chunk_is_told_and_the_others_are_read(damage, fields, tmp_pat
     damage(path)
     stack = lm.open_stack(path)
     assert stack[0].values.max() > 0.0
-    with pytest.raises(FileError, match=r"damaged: its checksum is another|is not a stack of PSFs"):
+    with pytest.raises(FileError, match=r"damaged .wrong checksum|is not a stack of PSFs"):
         stack[1]
 
 

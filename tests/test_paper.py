@@ -177,7 +177,7 @@ def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
     assert len(facts["files"]) == 6
 
 
-TINY = paper._Plan("tiny", lambda: paper.bessel_forms(51), paper.draw_bessel_forms)
+TINY = paper._FigurePlan("tiny", lambda: paper.bessel_forms(51), paper.draw_bessel_forms)
 
 
 def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp_path, monkeypatch):
@@ -199,7 +199,7 @@ def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp
 
 
 def test_a_figure_that_does_not_exist_is_refused_before_a_folder_is_made(tmp_path):
-    with pytest.raises(ValueError, match="there is no figure 9; there are 1, 2, 3, 4, 5, 6, 7, eq17, validity"):
+    with pytest.raises(ValueError, match="there is no figure 9; choose from 1, 2, 3, 4, 5, 6, 7, eq17, validity"):
         paper.reproduce(tmp_path / "out", ["9"])
     assert not list(tmp_path.iterdir())
 

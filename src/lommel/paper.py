@@ -1,4 +1,8 @@
-"""Reproduction of the figures and numbers of the paper that this package started from."""
+"""Reproduction of figures and numbers of the paper that this package started from, cited in `docs/paper.md`.
+
+The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed; "corrected"
+has the missing factor sqrt(2 / pi). The equation numbers in this file are those of the paper.
+"""
 
 from __future__ import annotations
 
@@ -41,23 +45,23 @@ if TYPE_CHECKING:
 Arrays: TypeAlias = dict[str, Values]
 Facts: TypeAlias = Json
 
-_Answer = TypeVar("_Answer")
+_Result = TypeVar("_Result")
 
 VARIANTS = ("printed", "corrected")
-# The reference of every error, with a proven bound; `Hankel` agrees with it.
+# Reference from which all errors are computed; its error bound is proven. `Hankel` agrees with this reference.
 REFERENCE = methods.NijboerZernike(tol=1e-9)
 
 
 @dataclass(frozen=True)
 class Setting:
-    """One PSF of the paper."""
+    """Parameters of one PSF of the paper."""
 
     shape: int = 512  # side of the image, pixels
-    # v = pi r / (lambda N) at the edge of the image. The paper does not state it; at 145 the rings of Fig. 4 lie
-    # where they do in the paper, and its first MSE comes out.
+    # v = pi r / (lambda N) at the edge of the image. The paper does not state this value; 145 reproduces the radii of
+    # the rings in Fig. 4 and the paper's first mean squared error (MSE).
     window: float = 145.0
     defocus: float = 10.0  # C_d, radians
-    tangent: float = 100.0  # tangent-line centre alpha of Eq. (9), "TLC"
+    tangent: float = 100.0  # tangent-line centre (TLC), alpha of Eq. (9)
     terms: int | None = 30  # N of Eq. (14); None for the exact error function
 
     @property
@@ -67,28 +71,29 @@ class Setting:
 
     @property
     def v(self) -> NDArray[np.float64]:
-        """Optical coordinate along the slice from the centre to the right."""
+        """Optical coordinate v of the pixels from the centre of the image to its right edge."""
         return np.arange(self.shape - self.shape // 2, dtype=np.float64) * (self.window / (self.shape // 2))
 
     def closed_form(self, variant: str) -> methods.ClosedForm:
-        """Return the paper's method with these parameters."""
+        """Return the paper's closed form with these parameters."""
         erf = FresnelErf() if self.terms is None else AbramowitzErf(self.terms)
         return methods.ClosedForm(tangent=self.tangent, erf=erf, variant=variant)
 
     def fft(self) -> methods.Fraunhofer:
-        """Return the FFT that the paper compares with: one transform as large as the image, without more padding."""
-        # The pupil has a radius R of window / pi samples: n samples reach n/2 pixels of 2 pi R / n in v.
+        """Return the FFT method of the paper's comparison: one transform of the size of the image."""
+        # With a pupil radius of R samples, a transform of n samples has pixels of 2 pi R / n in v, and its n / 2
+        # pixels from the centre to the edge span pi R = window.
         return methods.Fraunhofer(samples=math.floor(2.0 * self.window / math.pi), padding=1.0)
 
     def image(self, method: methods.Method) -> NDArray[np.float64]:
-        """Return the intensity on the pixels, 1 being the peak of the unaberrated aperture."""
+        """Return the intensity at the pixels, relative to the peak of the aperture without aberration."""
         pupil = Pupil(Wavefront(self.defocus))
         return np.asarray(
             psf(pupil, self.shape, self.pixel, method=method, normalize="strehl", dtype="float64").values
         )
 
     def images(self) -> dict[str, NDArray[np.float64]]:
-        """Return the exact image, the FFT's and those of both variants by their names, over the exact peak."""
+        """Return the images "exact", "fft", "printed" and "corrected", each divided by the peak of "exact"."""
         methods = {"exact": REFERENCE, "fft": self.fft()} | {name: self.closed_form(name) for name in VARIANTS}
         images = {name: self.image(method) for name, method in methods.items()}
         peak = images["exact"].max()
@@ -104,18 +109,18 @@ class FigureData:
     """The data of a figure."""
 
     title: str
-    arrays: Arrays  # all data, images included
-    columns: Arrays  # one-dimensional data of one length, for a spreadsheet
+    arrays: Arrays  # all data, including images
+    columns: Arrays  # one-dimensional data of equal length, for a spreadsheet
     facts: Facts = field(default_factory=dict)  # settings and errors, in plain types
 
 
 def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the slice from the centre to the right."""
+    """Return the pixels of an image from its centre to its right edge."""
     return image[image.shape[0] // 2, image.shape[1] // 2 :]
 
 
 def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, Facts]:
-    """Return MSE and peak error of each of :meth:`Setting.images`, and of the variants against the FFT."""
+    """Return the errors of :meth:`Setting.images` from "exact", and of both variants also the MSE from "fft"."""
     truth = images["exact"]
     found: dict[str, Facts] = {
         name: {"mse": mse(image, truth), "peak_error": peak_error(image, truth)}
@@ -139,30 +144,30 @@ _LABELS = {
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """Return a figure of that many inches."""
+    """Return an empty figure of `width` by `height` inches."""
     from matplotlib.figure import Figure as NewFigure
 
     return NewFigure(figsize=(width, height), layout="constrained")
 
 
 def panels(figure: Figure, count: int, **properties: object) -> NDArray[np.object_]:
-    """Return that many axes beside each other, with a grid and the properties that all have."""
-    made: NDArray[np.object_] = figure.subplots(1, count, squeeze=False)[0]
-    for axes in made:
+    """Add `count` axes in a row, each with grid lines and the same properties, and return them."""
+    row: NDArray[np.object_] = figure.subplots(1, count, squeeze=False)[0]
+    for axes in row:
         axes.set(**properties)
         axes.grid(alpha=0.3)
-    return made
+    return row
 
 
 def _intensity_norm(top: float) -> Normalize:
-    """Return a square-root scale, on which faint rings are seen beside the peak."""
+    """Return a square-root colour scale from 0 to `top`, on which faint rings remain visible beside the peak."""
     from matplotlib.colors import PowerNorm
 
     return PowerNorm(0.5, 0.0, top)
 
 
 def _picture(axes: Axes, values: NDArray[np.float64], window: float, norm: Normalize, title: str) -> AxesImage:
-    """Draw an image over v, from -window to window."""
+    """Draw an image with axes in v, which is 0 at the middle pixel and `window` at the edge."""
     side = values.shape[0]
     step = window / (side // 2)
     low, high = -(side // 2 + 0.5) * step, (side - side // 2 - 0.5) * step
@@ -180,9 +185,9 @@ def _picture(axes: Axes, values: NDArray[np.float64], window: float, norm: Norma
     return drawn
 
 
-_PITCH = 145.0 / 256.0  # of the pixels in v, as in the other figures
-_DEFOCUS = 10.0
-_LONG_ENOUGH = 0.1  # seconds: shorter runs are repeated, and the best is taken
+_PITCH = 145.0 / 256.0  # pixel pitch in v, as in the other figures
+_DEFOCUS = 10.0  # C_d, radians
+_MIN_TOTAL_SECONDS = 0.1  # a run is repeated until all runs together take this long
 
 _STYLES = {
     "Huygens, every pixel": ("tab:brown", "v"),
@@ -201,54 +206,56 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
     Parameters
     ----------
     sizes : sequence of int
-        The n, rising. Pixels keep their pitch, so that the window grows with n; C_d = 10.
+        Values of n, increasing. The pixel pitch is fixed, so that the window grows with n; C_d = 10.
     budget : float
-        Seconds: a method whose next n would take longer is left out from there on.
+        Maximum estimated time of one image, in seconds. Once the estimate exceeds it, a method is not timed further.
 
     Returns
     -------
     FigureData
-        NaN where nothing was measured. Times are ratios to one complex FFT of n x n; errors, relative to the peak,
-        are those of the same image against the exact one.
+        Times, divided by the time of one complex FFT of n x n, and largest errors of the images, relative to the
+        exact peak. NaN for methods that were not timed at this n.
     """
     from scipy.fft import fft2
 
     ratios, errors = np.full((2, len(_STYLES), len(sizes)), np.nan)
-    unit = np.empty(len(sizes))
-    last = dict.fromkeys(_STYLES, 0.0)
+    fft_seconds = np.empty(len(sizes))
+    last_seconds = dict.fromkeys(_STYLES, 0.0)
     for k, n in enumerate(sizes):
         plain = np.random.default_rng(n).normal(size=(n, n)) + 0j
-        unit[k] = _seconds(partial(fft2, plain))[1]
+        fft_seconds[k] = _time(partial(fft2, plain))[1]
         for i, (name, (method, pupil)) in enumerate(_methods(n).items()):
-            # Four times the pixels; where each asks the whole aperture, four times the sources too.
+            # If n doubles, there are 4 times as many pixels; "every pixel" also has 4 times as many sources.
             growth = 16.0 if name == "Huygens, every pixel" else 4.0
-            if growth * last[name] > budget:
-                last[name] = math.inf
+            if growth * last_seconds[name] > budget:
+                last_seconds[name] = math.inf
                 continue
             pixel = _PITCH / math.pi * pupil.scale
             work = partial(psf, pupil, n, pixel, method=method, normalize="strehl", dtype="float64", threads=1)
-            answer, last[name] = _seconds(work)
-            ratios[i, k] = last[name] / unit[k]
+            image, last_seconds[name] = _time(work)
+            ratios[i, k] = last_seconds[name] / fft_seconds[k]
             truth = psf(Pupil(Wavefront(_DEFOCUS)), n, _PITCH / math.pi, method=REFERENCE, normalize="strehl")
-            errors[i, k] = peak_error(answer, truth)
+            errors[i, k] = peak_error(image, truth)
     side = np.asarray(sizes)
-    columns = {"n": side, "FFT (s)": unit}
+    columns = {"n": side, "FFT (s)": fft_seconds}
     columns |= {f"{name}: time / FFT": values for name, values in zip(_STYLES, ratios, strict=True)}
     columns |= {f"{name}: peak error": values for name, values in zip(_STYLES, errors, strict=True)}
     names = np.array(list(_STYLES))
-    arrays = {"n": side, "fft_seconds": unit, "methods": names, "ratio": ratios, "peak_error": errors}
+    arrays = {"n": side, "fft_seconds": fft_seconds, "methods": names, "ratio": ratios, "peak_error": errors}
     facts = {"pitch": _PITCH, "defocus": _DEFOCUS, "threads": 1, "unit": "one complex FFT of n x n, measured here"}
     return FigureData("Methods and cost against n", arrays, columns, facts)
 
 
 def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
-    """Return each method with a pupil that it supports; Huygens needs the distances of a lens."""
+    """Return each method with its pupil; HuygensFresnel needs a lens, since it sums over physical distances."""
     pupil = Pupil(Wavefront(_DEFOCUS))
-    # R_max = 0.0015 m as in the paper, focused at infinity; the object's distance makes the defocus.
+    # The paper's aperture radius, R_max = 0.0015 m. The lens is focused at infinity, and the distance of the object is
+    # chosen to give the defocus.
     wavelength, radius = 550e-9, 1.5e-3
     lens = Lens(focal_length=30e-3, aperture_diameter=2 * radius, focus_distance=math.inf, wavelength=wavelength)
     near = lens.pupil(math.pi * radius**2 / (2.0 * _DEFOCUS * wavelength))
     blur, window = float(pupil.v(pupil.geometric_radius())), (n / 2 + 0.5) * _PITCH
+    # Enough samples that the blur disc of the next period of the discrete transform does not enter the window.
     fewest = max(8, math.ceil((blur + window) / math.pi) + 1)
     return {
         "Huygens, every pixel": (methods.HuygensFresnel(symmetry=False), near),
@@ -261,28 +268,28 @@ def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
     }
 
 
-def _seconds(work: Callable[[], _Answer]) -> tuple[_Answer, float]:
-    """Return an answer and the seconds of the best of several runs, the first of which fills the caches."""
-    passed = list[float]()
+def _time(work: Callable[[], _Result]) -> tuple[_Result, float]:
+    """Call `work` 2 to 8 times, which fills the caches first; return its result and the shortest time in seconds."""
+    seconds = list[float]()
     while True:
         start = time.perf_counter()
-        answer = work()
-        passed.append(time.perf_counter() - start)
-        if len(passed) == 8 or (len(passed) > 1 and sum(passed) > _LONG_ENOUGH):
-            return answer, min(passed)
+        result = work()
+        seconds.append(time.perf_counter() - start)
+        if len(seconds) == 8 or (len(seconds) > 1 and sum(seconds) > _MIN_TOTAL_SECONDS):
+            return result, min(seconds)
 
 
 def draw_methods_cost(data: FigureData) -> Figure:
-    """Draw cost against n, and error against cost at the largest n of each method."""
+    """Draw the time against n, and the error against the time at the largest timed n <= 512 of each method."""
     figure = new_figure(10.5, 4.4)
     left, right = panels(figure, 2, xlabel="time / one complex FFT of n × n")
     n, names = data.arrays["n"], [str(name) for name in data.arrays["methods"]]
     for name, ratio, error in zip(names, data.arrays["ratio"], data.arrays["peak_error"], strict=True):
         color, marker = _STYLES[name]
         left.loglog(n, ratio, marker=marker, color=color, label=name)
-        known = np.flatnonzero(np.isfinite(ratio) & (n <= 512))
-        if known.size:
-            k = known[-1]
+        timed = np.flatnonzero(np.isfinite(ratio) & (n <= 512))
+        if timed.size:
+            k = timed[-1]
             right.loglog(ratio[k], max(float(error[k]), 1e-17), marker=marker, color=color, markersize=9)
             if n[k] != 512:
                 right.annotate(
@@ -295,9 +302,9 @@ def draw_methods_cost(data: FigureData) -> Figure:
     left.legend(fontsize=7)
     left.set_title("Cost of an image of n × n pixels", fontsize=10)
     right.set_ylabel("largest difference from the exact PSF / peak")
-    note = "Huygens differs by what the\nFresnel approximation leaves out"
+    note = "Huygens differs by the error\nof the Fresnel approximation"
     right.annotate(note, (0.97, 0.5), xycoords="axes fraction", ha="right", fontsize=7, color="tab:brown")
-    right.set_title("Error against cost, n = 512 where nothing else is said", fontsize=10)
+    right.set_title("Error against cost, n = 512 unless labelled", fontsize=10)
     right.margins(0.15, 0.1)
     return figure
 
@@ -314,8 +321,8 @@ _BESSEL = {
 def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0) -> FigureData:
     """Evaluate J0 and its approximations at arguments a from 0.05 to `far`, evenly spaced in log a.
 
-    "printed" and "corrected" are what Eq. (12) has in the place of J0: the three terms of (6) up to a = 1, beyond it
-    (7) with (9) for the square root, without and with the factor sqrt(2/pi).
+    "printed" and "corrected" are the approximation of J0 in Eq. (12): for a <= 1 the three terms of Eq. (6); for a > 1
+    Eq. (7) with Eq. (9) in place of the square root, "printed" without and "corrected" with the factor sqrt(2 / pi).
     """
     from scipy.special import j0
 
@@ -343,7 +350,7 @@ def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0
 
 
 def draw_bessel_forms(data: FigureData) -> Figure:
-    """Draw the forms up to a = 15, and their errors over the whole range."""
+    """Draw J0 and its approximations up to a = 15, and the errors of the approximations over the whole range of a."""
     figure = new_figure(10.5, 4.2)
     left, right = panels(figure, 2, xlabel="a = 2πkR")
     c = data.columns
@@ -356,13 +363,13 @@ def draw_bessel_forms(data: FigureData) -> Figure:
     right.set(xlim=(float(c["a"][0]), float(c["a"][-1])), ylim=(1e-7, 3.0), ylabel="absolute error")
     for axes in (left, right):
         axes.axvline(1.0, color="grey", linewidth=0.8, linestyle=":")
-    left.set_title("forms of J0; dotted: the transition a = 1", fontsize=10)
-    right.set_title("their errors", fontsize=10)
+    left.set_title("J0 and its approximations; dotted: a = 1", fontsize=10)
+    right.set_title("errors of the approximations", fontsize=10)
     return figure
 
 
 def compare_with_fft(setting: Setting = Setting()) -> FigureData:
-    """Compute one PSF by the FFT, by both variants of the closed form, and exactly; 1 is the exact peak."""
+    """Compute one PSF by the FFT, by both variants of the closed form, and exactly, relative to the exact peak."""
     images = setting.images()
     facts = setting.facts() | measures(images)
     facts["fft"]["method"] = repr(setting.fft())
@@ -372,7 +379,7 @@ def compare_with_fft(setting: Setting = Setting()) -> FigureData:
 
 
 def draw_comparison(data: FigureData) -> Figure:
-    """Draw the four images with one scale, and below them their slices and errors."""
+    """Draw the four images on one colour scale, and below them their slices and the errors of the slices."""
     figure = new_figure(11.0, 7.0)
     facts = data.facts
     figure.suptitle(
@@ -401,7 +408,7 @@ def draw_comparison(data: FigureData) -> Figure:
 
 
 class Variation(NamedTuple):
-    """A parameter that a figure varies: its name, its values, and the settings that differ."""
+    """A parameter that a figure varies: its label, its values, and other settings that differ from the default."""
 
     label: str
     values: tuple[float, ...]
@@ -411,7 +418,7 @@ class Variation(NamedTuple):
 VARIED = {
     "terms": Variation("N", (10, 20, 30, 40)),
     "defocus": Variation("C_d", (5.0, 10.0, 20.0, 30.0)),
-    # C_d and window of Fig. 7, which the paper leaves out: where its errors come closest, see `numbers`.
+    # The paper does not state C_d and window of Fig. 7; these reproduce its errors best, see `tangent_search`.
     "tangent": Variation("TLC", (100.0, 150.0, 200.0, 250.0), {"defocus": 22.0, "window": 185.0}),
 }
 
@@ -434,7 +441,7 @@ def vary(parameter: str, setting: Setting = Setting(), values: Sequence[float] =
 
 
 def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
-    """Draw the images of both variants or, if `errors`, what they are off by, with one scale and one colour bar."""
+    """Draw the images of both variants (their errors if `errors`) on one colour scale with one colour bar."""
     from matplotlib.colors import SymLogNorm
 
     varies, cases = data.facts["varies"], data.facts["panels"]
@@ -445,11 +452,11 @@ def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
     images = {v: [image(v, case) - (image("exact", case) if errors else 0.0) for case in cases] for v in VARIANTS}
     top = max(float(np.abs(values).max()) for row in images.values() for values in row)
     norm: Normalize = _intensity_norm(top)
-    if errors:  # linear up to a hundredth of the peak and logarithmic beyond
+    if errors:  # linear up to 0.01 of the peak, logarithmic above
         norm = SymLogNorm(0.01, vmin=-top, vmax=top, base=10)
     figure = new_figure(2.35 * len(cases) + 1.3, 2.5 * len(VARIANTS) + 0.6)
     fixed = ", ".join(f"{one.label} = {data.facts[key]:g}" for key, one in VARIED.items() if key != varies)
-    figure.suptitle(f"{'CFIS less the exact PSF' if errors else 'CFIS'}, {fixed}; {_V_AXIS}", fontsize=10)
+    figure.suptitle(f"{'CFIS minus exact PSF' if errors else 'CFIS'}, {fixed}; {_V_AXIS}", fontsize=10)
     grid = figure.subplots(len(VARIANTS), len(cases), squeeze=False, sharex=True, sharey=True)
     for variant, axes_row in zip(VARIANTS, grid, strict=True):
         for axes, values, case in zip(axes_row, images[variant], cases, strict=True):
@@ -470,20 +477,24 @@ def draw_varied(data: FigureData, *, errors: bool = False) -> Figure:
     return figure
 
 
-SPHERICAL = 10.0
-PIECES = 5
+SPHERICAL = 10.0  # C_s, radians
+PIECES = 5  # number of quadratics of Eq. (17)
 _SPLIT_COLORS = {"linear": "tab:red", "sqrt": "tab:orange", "log": "tab:green", "optimal": "tab:blue"}
 
 
 def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str = "") -> PiecewiseQuadratic:
-    """Return the least-squares fit of Eq. (17), "corrected" with the constants gamma_i that it leaves out."""
+    """Return the least-squares fit of Eq. (17); "corrected" also fits constants gamma_i, which the paper omits."""
     corrected = variant == "corrected"
     split = split or ("optimal" if corrected else "linear")
     return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=corrected)
 
 
 def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
-    """Fit exp(i C_s rho^4) with five quadratics, and with 1 to `most`, in every split, with and without constants."""
+    """Fit exp(i C_s rho^4) by exponentials of quadratics in rho, one for each of several intervals ("pieces").
+
+    One fit has :data:`PIECES` intervals. Further fits have 1 to `most` intervals, for each way to split 0 <= rho <= 1,
+    with and without constants gamma_i.
+    """
     rho = (np.arange(samples) + 0.5) / samples
     phase = spherical * rho**4
     fits = {kind: fit_quartic(kind, spherical) for kind in VARIANTS}
@@ -512,7 +523,7 @@ def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERI
 
 
 def draw_quartic_phase(data: FigureData) -> Figure:
-    """Draw the phase and its pieces, the error of both fits, and the mean squared error against their number."""
+    """Draw the phase with its fitted quadratics, the errors of both fits, and the MSE against the number of pieces."""
     figure = new_figure(13.0, 4.2)
     left, middle, right = panels(figure, 3, xlabel="ρ = R / R_max")
     a, facts = data.arrays, data.facts
@@ -520,11 +531,11 @@ def draw_quartic_phase(data: FigureData) -> Figure:
     edges = a["printed_edges"]
     for i in range(facts["pieces"]):
         inside = (a["rho"] >= edges[i]) & (a["rho"] < edges[i + 1])
-        # Whole turns change nothing; each piece is drawn where the phase is.
+        # A multiple of 2 pi does not change exp(i phase); it moves the drawn piece close to the phase.
         turns = np.round(np.mean(a["printed fit"][inside] - a["phase"][inside]) / (2.0 * np.pi))
         left.plot(a["rho"][inside], a["printed fit"][inside] - 2.0 * np.pi * turns, linewidth=1.6,
                   label=f"{a['printed_alpha'][i]:.2f} ρ² {a['printed_beta'][i]:+.2f} ρ")  # fmt: skip
-    left.set_ylabel("phase (rad), less whole turns")
+    left.set_ylabel("phase (rad), pieces modulo 2π")
     left.legend(fontsize=7, title="as printed, linear split", title_fontsize=7)
     for name, color in (("printed", "tab:red"), ("corrected", "tab:blue")):
         split = "linear split, no constant" if name == "printed" else "optimal split, constants γ"
@@ -553,7 +564,7 @@ _FORMS: dict[str, methods.RadialMethod] = {
 
 
 def validity(count: int = 61, radii: int = 301) -> FigureData:
-    """Compute the error of the forms, over the peak of each PSF, for C_d from 0 to 60 and v from 0 to 300."""
+    """Compute the errors of the closed forms, relative to the peak of each PSF, for C_d up to 60 and v up to 300."""
     defocus, v = np.linspace(0.0, 60.0, count), np.linspace(0.0, 300.0, radii)
     pupil = Pupil(Wavefront(defocus))
     exact = REFERENCE.profile(pupil, v).values
@@ -571,7 +582,7 @@ def validity(count: int = 61, radii: int = 301) -> FigureData:
 
 
 def draw_validity(data: FigureData) -> Figure:
-    """Draw the error of each form over C_d and v, with the edge of the geometric shadow."""
+    """Draw the error of each closed form as a function of C_d and v, with the edge of the geometric blur disc."""
     from matplotlib.colors import LogNorm
 
     figure = new_figure(2.9 * len(_FORMS) + 1.2, 4.2)
@@ -593,21 +604,26 @@ def draw_validity(data: FigureData) -> Figure:
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 FIRST = Setting()
-# Where both errors of the tangent-line comparison come closest to the paper's; see :func:`tangent_search`.
+# Setting whose errors are closest to both errors of the paper's tangent-line comparison; see :func:`tangent_search`.
 SECOND = replace(FIRST, **VARIED["tangent"].fixed)  # type: ignore[arg-type]
 
+# Values of the searches for parameters that the paper does not state: window (v), C_d, C_s; TANGENTS are the paper's.
 WINDOWS = np.arange(100.0, 301.0, 1.0)
 DEFOCI = np.arange(11.0, 41.0, 1.0)
 TANGENTS = (100.0, 200.0)
 SPHERICALS = np.arange(1.0, 20.05, 0.1)
 
+# Errors that the paper states: MSE and peak error of Fig. 3, MSE for each of TANGENTS, and MSE of Eq. (17).
 PAPER_MSE, PAPER_PEAK = 0.0009, 0.368
 PAPER_TANGENT = (0.0196, 0.00199)
 PAPER_PIECES = 0.000137
 
 
 def rows(first: Setting = FIRST, second: Setting = SECOND) -> list[Facts]:
-    """Return the table: for each number of the paper the computed ones, the settings, and the closest of a search."""
+    """Return the rows of the table: a number of the paper, the computed numbers, the settings, and a search.
+
+    The search is over parameters that the paper does not state; the row has its closest number to the paper's.
+    """
     return [*_first_rows(first), *_tangent_rows(second), _pieces_row()]
 
 
@@ -629,20 +645,20 @@ def _first_rows(setting: Setting) -> list[Facts]:
             "settings": text,
             "searched": searched,
             "closest": {v: _closest("window", WINDOWS, means[v], PAPER_MSE) for v in VARIANTS},
-            "remark": f"Comes out with Eq. (12) as printed, {_deviation(found['printed']['mse'], PAPER_MSE)}.",
+            "remark": f"Reproduced by Eq. (12) as printed, {_deviation(found['printed']['mse'], PAPER_MSE)}.",
         },
         {
             "quantity": "peak error of the slice",
             "paper": PAPER_PEAK,
             **{variant: own_peak_error(images[variant], images["exact"]) for variant in VARIANTS},
             "against_fft": own_peak_error(images["printed"], images["fft"]),
-            "settings": f"{text}; each PSF divided by its own peak. Over the exact peak: "
+            "settings": f"{text}; each PSF divided by its own peak. Divided by the exact peak, the errors are "
             + ", ".join(f"{found[variant]['peak_error_of_slice']:.3f} ({variant})" for variant in VARIANTS),
             "searched": searched,
             "closest": {v: _closest("window", WINDOWS, slices[v], PAPER_PEAK) for v in VARIANTS},
-            "remark": "Does not come out at the window of the first number. The printed form oscillates next to the "
-            f"axis (v = 1 to 3), so that the number depends on where pixels fall; {near} of the {len(WINDOWS)} "
-            "windows tried give it within 1 %. It is of the paper's size, and tells nothing about its window.",
+            "remark": "Not reproduced at the window of the first number. The printed form oscillates near the "
+            "axis (v = 1 to 3), so that the error depends on the positions of the pixels. It is within 1 % of the "
+            f"paper's number at {near} of the {len(WINDOWS)} windows tried, and does not determine the window.",
         },
     ]
 
@@ -651,12 +667,13 @@ def _tangent_rows(setting: Setting) -> list[Facts]:
     found = {tangent: measures(replace(setting, tangent=tangent).images()) for tangent in TANGENTS}
     searched = f"C_d from {DEFOCI[0]:g} to {DEFOCI[-1]:g}, window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
     best = {variant: tangent_search(variant, setting.terms) for variant in VARIANTS}
-    apart = [_deviation(value, paper) for value, paper in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
+    deviations = [_deviation(a, b) for a, b in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
     remark = (
-        "The two do not come out together: no C_d and window of the range gives both within 10 %. Closest, as "
-        f"printed, the one for TLC = {TANGENTS[0]:g} is {apart[0]} and the one for {TANGENTS[1]:g} {apart[1]}. "
-        "That the error falls so much does come out. With the factor restored it rises, unless the window is so "
-        "large that the rings of Eq. (14) make up the error, as they do where that variant is closest."
+        "No C_d and window of the searched range reproduces both numbers within 10 %. At the closest pair, the "
+        f"MSE of the printed form is {deviations[0]} for TLC = {TANGENTS[0]:g} and {deviations[1]} for TLC = "
+        f"{TANGENTS[1]:g}. The large decrease of the error from TLC = {TANGENTS[0]:g} to {TANGENTS[1]:g} is "
+        "reproduced. With the restored factor the error increases instead, unless the window is so large that the "
+        "rings of Eq. (14) dominate the error, as at the closest pair of that variant."
     )
     return [
         {
@@ -675,46 +692,46 @@ def _tangent_rows(setting: Setting) -> list[Facts]:
 
 
 def _pieces_row() -> Facts:
-    def missed(variant: str, c: float) -> float:
+    def fit_mse(variant: str, c: float) -> float:
         return fit_quartic(variant, c).mse((0.0, c))
 
     return {
         "quantity": "MSE of 5 quadratic exponentials",
         "paper": PAPER_PIECES,
-        **{variant: missed(variant, SPHERICAL) for variant in VARIANTS},
+        **{variant: fit_mse(variant, SPHERICAL) for variant in VARIANTS},
         "against_fft": None,
         "settings": f"C_s = {SPHERICAL:g} (not in the paper), C_d = 0; printed: linear split, no constant; "
         "corrected: optimal split, constants gamma_i",
         "searched": f"C_s from {SPHERICALS[0]:g} to {SPHERICALS[-1]:g}",
         "closest": {
-            v: _closest("spherical", SPHERICALS, [missed(v, float(c)) for c in SPHERICALS], PAPER_PIECES)
+            v: _closest("spherical", SPHERICALS, [fit_mse(v, float(c)) for c in SPHERICALS], PAPER_PIECES)
             for v in VARIANTS
         },
-        "remark": "Comes out with the linear split and the best alpha_i and beta_i, without a constant. C_d adds to "
-        "alpha_i exactly and changes nothing, as long as the constant -C_d of Eq. (16), which only turns U, is "
-        "left out.",
+        "remark": "Reproduced with the linear split and the best alpha_i and beta_i, without constants. Defocus adds "
+        "C_d to every alpha_i and leaves the MSE unchanged, if the constant phase -C_d of Eq. (16) is omitted.",
     }
 
 
 def squared_errors(setting: Setting, variant: str, step: float = 0.15) -> Errors:
-    """Return v to the corner of the window, and the squared error of the closed form over the exact peak there."""
+    """Return v up to the corner of the window, and ((I - I_exact) / max I_exact)^2 of the closed form at these v."""
     v = np.arange(0.5, math.sqrt(2.0) * setting.window / step + 1.0) * step
     truth, image = _intensities(setting, variant, v)
     return v, ((image - truth) / truth.max()) ** 2
 
 
 def mean_over_window(errors: Errors, window: float) -> float:
-    """Return the mean of a radial function over the square from -window to window; v evenly spaced."""
+    """Return the mean of a radial function, at evenly spaced v, over the square from -window to window."""
     v, values = errors
+    # Fraction of the circle of radius v that is outside the square, at most 1.
     outside = np.arccos(np.minimum(1.0, window / v)) * (4.0 / math.pi)
     weight = v * np.maximum(0.0, 1.0 - outside)
     return float(weight @ values / weight.sum())
 
 
 def tangent_search(variant: str, terms: int | None = 30) -> Facts:
-    """Return the C_d and the window at which both errors of the tangent-line comparison come closest to the paper's.
+    """Return C_d and window whose errors are closest to both errors of the paper's tangent-line comparison.
 
-    Closest is the least sum of the two logarithms of computed over printed, each without its sign.
+    The distance is the sum of abs(log(computed / paper)) over both errors.
     """
     tried = []
     for defocus in DEFOCI:
@@ -733,30 +750,30 @@ def tangent_search(variant: str, terms: int | None = 30) -> Facts:
 
 
 def own_peak_error(image: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
-    """Return the largest error along the slice where each PSF is divided by its own peak."""
+    """Return the largest difference of the middle rows, each image divided by its own peak."""
     return float(np.abs(middle_row(image) / image.max() - middle_row(truth) / truth.max()).max())
 
 
 def _slice_error(setting: Setting, variant: str) -> float:
-    """Return :func:`own_peak_error` of a window from the slice alone."""
+    """Return :func:`own_peak_error` of a setting, computed from the middle rows only."""
     truth, image = _intensities(setting, variant, setting.v)
     return float(np.abs(image / image.max() - truth / truth.max()).max())
 
 
 def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Return the exact intensity at v, and that of the closed form."""
+    """Return the exact intensity and the intensity of the closed form at v."""
     pupil = Pupil(Wavefront(setting.defocus))
     return [np.abs(method.field(pupil, v)) ** 2 for method in (REFERENCE, setting.closed_form(variant))]
 
 
-def _closest(name: str, places: NDArray[np.float64], values: Sequence[float], wanted: float) -> Facts:
-    """Return the value that comes closest, and at which place of those tried."""
-    value, at = min(zip(values, places.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / wanted)))
+def _closest(name: str, tried: NDArray[np.float64], values: Sequence[float], target: float) -> Facts:
+    """Return the value with the least abs(log(value / target)), and the parameter `name` that it was computed for."""
+    value, at = min(zip(values, tried.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / target)))
     return {"value": value, "at": {name: at}}
 
 
-def _deviation(value: float, wanted: float) -> str:
-    return f"{percent(abs(value / wanted - 1.0))} too {'large' if value > wanted else 'small'}"
+def _deviation(value: float, target: float) -> str:
+    return f"{percent(abs(value / target - 1.0))} too {'large' if value > target else 'small'}"
 
 
 def _text(setting: Setting) -> str:
@@ -779,7 +796,7 @@ def markdown(table: list[Facts]) -> str:
         cells = [row["quantity"], *(closest_text(row["closest"][variant]) for variant in VARIANTS)]
         lines.append("| " + " | ".join(cells) + " |")
     lines.append("")
-    # Numbers that were searched together share a remark.
+    # Consecutive rows with the same search and remark share one item.
     for (searched, remark), rows in groupby(table, key=itemgetter("searched", "remark")):
         settings = " ".join(f"**{row['quantity']}.** Settings: {row['settings']}." for row in rows)
         lines += textwrap.wrap(f"- {settings} Searched: {searched}. {remark}", 118, subsequent_indent="  ")
@@ -787,18 +804,20 @@ def markdown(table: list[Facts]) -> str:
 
 
 def number(value: float | None) -> str:
-    """Return a number as the table shows it."""
+    """Return a number with three digits, "-" for None."""
     return "-" if value is None else f"{value:.3g}"
 
 
 def closest_text(closest: Facts) -> str:
-    """Return the closest value and where it is."""
+    """Return the closest value and its parameters in words."""
     names = {"window": "v <=", "defocus": "C_d =", "spherical": "C_s ="}
     return f"{number(closest['value'])} at " + ", ".join(f"{names[key]} {x:g}" for key, x in closest["at"].items())
 
 
 @dataclass(frozen=True)
-class _Plan:
+class _FigurePlan:
+    """Caption of a figure, and the functions that compute its data and draw it."""
+
     caption: str
     compute: Callable[[], FigureData]
     draw: Callable[[FigureData], Figure]
@@ -806,65 +825,68 @@ class _Plan:
 
 _draw_errors = partial(draw_varied, errors=True)
 FIGURES = {
-    "1": _Plan("Methods and cost against n", methods_cost, draw_methods_cost),
-    "2": _Plan("Comparison of various forms of J0(a)", bessel_forms, draw_bessel_forms),
-    "3": _Plan("PSF comparison between FFT and CFIS", compare_with_fft, draw_comparison),
-    "4": _Plan("CFIS PSF for varying N", partial(vary, "terms"), draw_varied),
-    "5": _Plan("Error of the CFIS PSF for varying N", partial(vary, "terms"), _draw_errors),
-    "6": _Plan("Error of the CFIS PSF for varying defocus", partial(vary, "defocus"), _draw_errors),
-    "7": _Plan(
+    "1": _FigurePlan("Methods and cost against n", methods_cost, draw_methods_cost),
+    "2": _FigurePlan("Comparison of various forms of J0(a)", bessel_forms, draw_bessel_forms),
+    "3": _FigurePlan("PSF comparison between FFT and CFIS", compare_with_fft, draw_comparison),
+    "4": _FigurePlan("CFIS PSF for varying N", partial(vary, "terms"), draw_varied),
+    "5": _FigurePlan("Error of the CFIS PSF for varying N", partial(vary, "terms"), _draw_errors),
+    "6": _FigurePlan("Error of the CFIS PSF for varying defocus", partial(vary, "defocus"), _draw_errors),
+    "7": _FigurePlan(
         "Error of the CFIS PSF for varying tangent-line centres (TLC)", partial(vary, "tangent"), _draw_errors
     ),
-    "eq17": _Plan("The piecewise quadratic phase of Eq. (17)", quartic_phase, draw_quartic_phase),
-    "validity": _Plan("Where the closed forms hold, over C_d and v", validity, draw_validity),
+    "eq17": _FigurePlan("The piecewise quadratic phase of Eq. (17)", quartic_phase, draw_quartic_phase),
+    "validity": _FigurePlan("Where the closed forms hold, over C_d and v", validity, draw_validity),
 }
-"""Figures by their numbers in the paper; eq17 is of Eq. (17), validity is not in the paper."""
+"""Figures by their numbers in the paper; "eq17" illustrates Eq. (17), and "validity" is not in the paper."""
 
 TABLE = ("table.md", "table.json")
 
 
 def names(figure: str) -> tuple[str, str, str]:
-    """Return the file names of a figure: picture, all data, one-dimensional data."""
+    """Return the file names of a figure: picture, arrays, columns."""
     return f"figure-{figure}.png", f"figure-{figure}.npz", f"figure-{figure}.csv"
 
 
 def reproduce(
     folder: Path, chosen: Iterable[str] | None = None, started: Callable[[str], object] = str, *, dpi: float = 130.0
 ) -> Facts:
-    """Write figures by their names, or all of them and the table; return files, facts of figures, and the table."""
-    wanted = list(FIGURES) if chosen is None else list(dict.fromkeys(chosen))
-    for figure in wanted:
+    """Write the `chosen` figures, or all figures and the table; return the written files, figure facts and the table.
+
+    `started` is called with a description before each computation.
+    """
+    figures = list(FIGURES) if chosen is None else list(dict.fromkeys(chosen))
+    for figure in figures:
         if figure not in FIGURES:
-            raise ValueError(f"there is no figure {figure}; there are {', '.join(FIGURES)}")
-    targets = [name for figure in wanted for name in names(figure)] + ([*TABLE] if chosen is None else [])
+            raise ValueError(f"there is no figure {figure}; choose from {', '.join(FIGURES)}")
+    targets = [name for figure in figures for name in names(figure)] + ([*TABLE] if chosen is None else [])
     _prepare(folder, targets)
     files: list[str] = []
 
-    def keep(name: str, data: bytes) -> None:
+    def write(name: str, data: bytes) -> None:
         atomic.write(folder / name, data)
         files.append(str(folder / name))
 
     facts = {}
-    for figure in wanted:
+    for figure in figures:
         started(f"figure {figure}: {FIGURES[figure].caption}")
         data = FIGURES[figure].compute()
-        # All three are made before the first is written.
-        made = (picture(FIGURES[figure].draw(data), dpi), archive(data), spreadsheet(data))
-        for name, content in zip(names(figure), made, strict=True):
-            keep(name, content)
+        # All three files are encoded before the first is written.
+        contents = (picture(FIGURES[figure].draw(data), dpi), archive(data), spreadsheet(data))
+        for name, content in zip(names(figure), contents, strict=True):
+            write(name, content)
         facts[figure] = {"caption": FIGURES[figure].caption} | data.facts
     table = None
     if chosen is None:
         started("the numbers")
         table = rows()
-        keep(TABLE[0], markdown(table).encode())
-        keep(TABLE[1], (json.dumps({"rows": table}, indent=2, allow_nan=False) + "\n").encode())
+        write(TABLE[0], markdown(table).encode())
+        write(TABLE[1], (json.dumps({"rows": table}, indent=2, allow_nan=False) + "\n").encode())
     return {"files": files, "figures": facts, "table": table}
 
 
 def _prepare(folder: Path, targets: Iterable[str]) -> None:
-    """Make the folder and check that it can be written, before the figures take minutes."""
-    made = [part for part in (folder, *folder.parents) if not part.exists()]
+    """Create the folder and check that it is writable, before the long computation; after an error, remove it."""
+    created = [part for part in (folder, *folder.parents) if not part.exists()]
     try:
         if folder.exists() and not folder.is_dir():
             raise NotADirectoryError(errno.ENOTDIR, "Not a directory", str(folder))
@@ -878,25 +900,25 @@ def _prepare(folder: Path, targets: Iterable[str]) -> None:
             if (folder / name).is_dir():
                 raise IsADirectoryError(errno.EISDIR, "Is a directory", str(folder / name))
     except OSError:
-        for part in made:
+        for part in created:
             if part.is_dir():
                 part.rmdir()
         raise
 
 
 def picture(figure: Figure, dpi: float) -> bytes:
-    """Return a figure as a PNG."""
+    """Return a figure as PNG bytes."""
     return atomic.contents(figure.savefig, format="png", dpi=dpi)
 
 
 def archive(data: FigureData) -> bytes:
-    """Return the arrays as an .npz, with the facts as JSON in "description"."""
+    """Return the arrays as .npz bytes, with title and facts as JSON in the array "description"."""
     description = json.dumps({"title": data.title} | data.facts, allow_nan=False)
     return atomic.contents(np.savez_compressed, description=np.array(description), **data.arrays)
 
 
 def spreadsheet(data: FigureData) -> bytes:
-    """Return the columns as a .csv, names in the first line; NaN is an empty cell."""
+    """Return the columns as .csv bytes, with their names in the first line; NaN is an empty cell."""
     lines = [",".join(f'"{name}"' if "," in name else name for name in data.columns)]
     lines += [
         ",".join("" if np.isnan(value) else f"{value:.9g}" for value in row)

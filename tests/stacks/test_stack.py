@@ -131,7 +131,7 @@ def test_listed_pupils_that_do_not_fit_are_told(tmp_path):
     with pytest.raises(ValueError, match="center must be one"):
         lm.psf_to(tmp_path / "a.zarr", [LENS.pupil(2.0), blue], 7, 3e-6, center=([3.0, 3.5], 3.0))
     with pytest.raises(
-        ValueError, match=r"pupils must all be have the same wavefront terms, got other terms for pupils\[1\]"
+        ValueError, match=r"pupils must all have the same wavefront terms, got other terms for pupils\[1\]"
     ):
         lm.psf_to(tmp_path / "a.zarr", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], 7, 0.5)
     with pytest.raises(ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N"):

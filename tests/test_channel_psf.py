@@ -136,7 +136,7 @@ def test_blocks_of_a_stack_are_those_of_the_whole(monkeypatch):
         return together(sums, pupil, *rest, **more)
 
     monkeypatch.setattr(module, "together", counted)
-    monkeypatch.setattr(module, "_AT_ONCE", 200)
+    monkeypatch.setattr(module, "_BLOCK_VALUES", 200)
     parts = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
     assert np.abs(whole.values - parts.values).max() <= 1e-6 * whole.values.max()
     assert counts == [(2,)] * 3  # of 81 values each
@@ -193,7 +193,7 @@ def test_a_picture_has_the_channels_as_red_green_and_blue(tmp_path):
 def test_what_cannot_be_is_refused_with_the_way_out():
     with pytest.raises(TypeError, match=r"colour_psf\(\) has no option 'out'; known are method, tol"):
         lm.colour_psf(LENS.pupil(), 9, 3e-6, out=np.empty((3, 9, 9)))
-    with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
+    with pytest.raises(ValueError, match="pupil must have a reference wavelength"):
         lm.colour_psf(lm.Pupil(), 9, 0.5)
     with pytest.raises(TypeError, match=r"Channels.rgb\(\), or wavelengths"):
         lm.colour_psf(LENS.pupil(), 9, 3e-6, "rgb")
@@ -202,7 +202,7 @@ def test_what_cannot_be_is_refused_with_the_way_out():
     with pytest.raises(TypeError, match=r"lens\.pupil"):
         lm.colour_psf(LENS, 9, 3e-6)
     answer = lm.colour_psf(LENS.pupil(), 9, 3e-6)
-    with pytest.raises(KeyError, match="there are red, green, blue"):
+    with pytest.raises(KeyError, match="choose from red, green, blue"):
         answer["infrared"]
     with pytest.raises(TypeError, match=r"part\(index\)"):
         answer[0, 1]
@@ -226,7 +226,9 @@ def test_pixels_of_two_sides_and_what_spreads_the_light_are_those_of_each_channe
 
 def test_a_pupil_without_a_wavelength_is_refused_by_name():
     for derivatives in ((), ("defocus",)):
-        with pytest.raises(ValueError, match=r"^pupil must have a wavelength, .* such as that of a Lens$"):
+        with pytest.raises(
+            ValueError, match=r"^pupil must have a reference wavelength .* with wavelength and f_number$"
+        ):
             lm.colour_psf(lm.Pupil(lm.Wavefront(1.0)), 9, 0.5, lm.Channels.rgb(), derivatives=derivatives)
 
 

@@ -129,8 +129,8 @@ def test_the_shortcut_of_a_plan_leads_where_the_method_does(name, asked, normali
     pupil = lm.Pupil(**({"wavefront": lm.Wavefront(7.0, 1.0)} | SHORT[name]))
     plan = lm.Plan((9, 8), 0.7, normalize=normalize, **asked)
     answer = plan(pupil)
-    scale, bound = plan._asked.shortcut(pupil, values := np.empty_like(answer.values))
-    method, images, _ = plan._asked.images(pupil)
+    scale, bound = plan._prepared.shortcut(pupil, values := np.empty_like(answer.values))
+    method, images, _ = plan._prepared.images(pupil)
     assert answer.method == method
     assert answer.values.tobytes() == images.values.tobytes() == values.tobytes()
     assert answer.scale.shape == pupil.shape
@@ -150,10 +150,10 @@ def test_the_shortcut_of_a_plan_leads_where_the_method_does(name, asked, normali
 def test_what_has_no_shortcut_is_asked_of_the_method(pupil, center, there):
     plan = lm.Plan(9, 0.5, center=center, method=lm.NijboerZernike())
     answer = plan(pupil)
-    shortcut = plan._asked.shortcut
+    shortcut = plan._prepared.shortcut
     assert (shortcut is not None) == there
     assert not there or shortcut(pupil, np.empty_like(answer.values)) is None
-    images = plan._asked.images(pupil, ())[1]
+    images = plan._prepared.images(pupil, ())[1]
     assert answer.values.tobytes() == images.values.tobytes()
     assert answer.error_bound == images.error.max()
 
@@ -164,7 +164,7 @@ def test_a_plan_that_was_asked_says_that_a_tolerance_is_not_met_as_one_that_was_
     with pytest.raises(lm.ToleranceError) as short:
         plan(pupil)
     with pytest.raises(lm.ToleranceError) as full:
-        plan._asked.images(pupil, ())
+        plan._prepared.images(pupil, ())
     assert str(short.value) == str(full.value)
 
 
@@ -248,7 +248,7 @@ def test_an_out_that_cannot_hold_the_answer_is_refused(out, error, message):
 def test_derivatives_of_what_has_none_are_refused():
     with pytest.raises(ValueError, match="derivatives are not available from Hankel"):
         lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), method=lm.Hankel())
-    with pytest.raises(ValueError, match='not "peak"'):
+    with pytest.raises(ValueError, match='got "peak"'):
         lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), normalize="peak")
 
 

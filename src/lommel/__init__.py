@@ -13,12 +13,12 @@ imports.guard()
 
 
 @cache
-def _homes() -> dict[str, str]:
-    """Return where each name lives, as the stub has it."""
-    # pathlib takes longer to import than this takes to read.
+def _modules() -> dict[str, str]:
+    """Return the module of each public name, read from the type stub `__init__.pyi`."""
+    # Without pathlib, whose import takes longer than reading the file.
     with open(f"{os.path.splitext(__file__)[0]}.pyi", encoding="utf-8") as stub:  # noqa: PTH122, PTH123
         found = re.findall(r"^from (\S+) import (\([^)]*\)|.*)$", stub.read(), re.MULTILINE)
-    return {name: home for home, names in found for name in re.findall(r"(\w+) as \1", names)}
+    return {name: module for module, names in found for name in re.findall(r"(\w+) as \1", names)}
 
 
 def __getattr__(name: str) -> object:
@@ -26,23 +26,23 @@ def __getattr__(name: str) -> object:
         from lommel.base.optional import version
 
         return version()
-    homes = _homes()
+    modules = _modules()
     if name == "__all__":
-        return sorted(public for public, home in homes.items() if home != "lommel")
-    if name not in homes:
+        return sorted(public for public, module in modules.items() if module != "lommel")
+    if name not in modules:
         raise AttributeError(f"module 'lommel' has no attribute {name!r}")
-    if homes[name] == "lommel":
+    if modules[name] == "lommel":
         return import_module(f"lommel.{name}")
-    value = globals()[name] = getattr(import_module(homes[name]), name)
+    value = globals()[name] = getattr(import_module(modules[name]), name)
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
+    return sorted({*_modules(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
 
 def _register_displays(what: str) -> None:
-    """Import the modules that draw, tabulate or write PSFs, pupils, lenses and wavefronts."""
+    """Import the modules that write files if `what` is "file", else the modules that draw plots and tables."""
     if what == "file":
         from lommel.io import psf_files, zernike_tables  # noqa: F401
     else:
@@ -51,5 +51,5 @@ def _register_displays(what: str) -> None:
 
 display.load = _register_displays
 
-# Imported at once, because the function must win over the module of the same name.
+# Imported here and not on first use, so that `lommel.psf` is the function and not the module of the same name.
 from lommel.psf import psf as psf  # noqa: E402

@@ -1,4 +1,4 @@
-"""``python -m lommel`` is the command line."""
+"""Entry point of ``python -m lommel``, the same as the command ``lommel``."""
 
 from lommel.cli.main import main
 

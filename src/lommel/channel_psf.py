@@ -1,4 +1,4 @@
-"""PSFs in the colour channels of a sensor; each wavelength is computed once for all channels."""
+"""PSFs in the colour channels of a sensor: a wavelength that several channels share is computed only once."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 
     from lommel.methods.derivative_names import Name
 
-_AT_ONCE = 2**22  # values of a channel that are computed at once
+_BLOCK_VALUES = 2**22  # number of values of a channel that are computed in one block
 
 
 class SamplingKeywords(TypedDict, total=False):
-    """Options of :func:`lommel.psf` on method, tolerance and pixels."""
+    """Options of :func:`lommel.psf` for method, tolerance, positions and kind of pixel values, and threads."""
 
     method: Method | None
     tol: float | None
@@ -66,23 +66,24 @@ class ColourPSF(Measured, ColourPSFLike):
     Attributes
     ----------
     channels : Channels
-        Names, wavelengths and weights.
+        Names, wavelengths and weights of the channels.
     psfs : tuple of PSF
-        One for each channel, computed by :class:`lommel.Polychromatic`. The pupil of a channel of one wavelength is
-        at that wavelength; of a channel of several it is the one that was given, and measures use all wavelengths.
+        One PSF for each channel, computed by :class:`lommel.Polychromatic`. If a channel has a single wavelength, its
+        pupil is at this wavelength; otherwise it is the pupil passed to :func:`colour_psf`, and measures use all
+        wavelengths of the channel.
     values : ndarray, shape ``pupil.shape + (channels, height, width)``
-        Values of all channels, each normalised separately.
+        Values of all channels; each channel is normalised separately.
     pupil : Pupil or ObjectivePupil
         Pupil of the first channel.
     grid : Grid
-        The pixels.
+        Grid of pixels.
     normalize : str
         Normalisation of the values.
 
     Raises
     ------
     TypeError, ValueError
-        If there is not one PSF for each channel, or they differ in more than their wavelengths.
+        If there is not one PSF for each channel, or if the PSFs differ in shape, type, pixel, normalisation or unit.
     """
 
     channels: Channels
@@ -99,13 +100,16 @@ class ColourPSF(Measured, ColourPSFLike):
             raise TypeError(
                 f"psfs must be a PSF for each of the {len(self.channels)} channels, got {validation.shown(self.psfs)}"
             )
-        # One array of all channels needs one shape and type; plots and files one pixel and unit.
-        alike = {(p.values.shape, p.values.dtype.str, p.pixel, p.normalize, p.unit) for p in psfs}
-        if len(alike) > 1:
-            raise ValueError(f"psfs must be alike but for their light, got {validation.shown(sorted(alike))}")
-        # One array, of which those of the channels are parts.
+        # All channels share one array, which needs one shape and type. Plots and files need one pixel and unit.
+        properties = {(p.values.shape, p.values.dtype.str, p.pixel, p.normalize, p.unit) for p in psfs}
+        if len(properties) > 1:
+            raise ValueError(
+                "psfs must have the same shape, type, pixel, normalisation and unit, "
+                f"got {validation.shown(sorted(properties))}"
+            )
+        # `base` is the array of all channels; the values of each PSF are a view of it.
         base = psfs[0].values.base
-        if base is None or base.shape != (len(psfs), *psfs[0].values.shape) or not _parts(base, psfs):
+        if base is None or base.shape != (len(psfs), *psfs[0].values.shape) or not _are_views(psfs, base):
             base = np.stack([p.values for p in psfs])
             psfs = tuple(replace(p, values=base[k]) for k, p in enumerate(psfs))
         vars(self).update(psfs=psfs, values=np.moveaxis(base, 0, -3))
@@ -121,24 +125,24 @@ class ColourPSF(Measured, ColourPSFLike):
         return len(self.psfs)
 
     def __iter__(self) -> Iterator[PSF]:
-        """Yield the PSF of each channel."""
+        """Iterate over the PSFs of the channels."""
         return iter(self.psfs)
 
     def __getitem__(self, channel: str | int) -> PSF:
-        """Return the PSF, or the stack of PSFs, of a channel by its name or its number."""
+        """Return the PSF, or the stack of PSFs, of a channel, which is given by name or number."""
         if isinstance(channel, str):
             if channel not in self.names:
-                raise KeyError(f"there is no channel {channel!r}; there are {', '.join(self.names)}")
+                raise KeyError(f"there is no channel {channel!r}; choose from {', '.join(self.names)}")
             return self.psfs[self.names.index(channel)]
         if isinstance(channel, bool) or not isinstance(channel, int | np.integer):
             raise TypeError(
-                f"a channel is named by a text or a number, got {validation.shown(channel)}; part(index) is a part "
-                "of a stack"
+                f"a channel must be a name or a number, got {validation.shown(channel)}; use part(index) to select "
+                "pupils of a stack"
             )
         return self.psfs[channel]
 
     def part(self, index: Index) -> Self:
-        """Return part of a stack in all channels; `index` is that of a NumPy array of the pupils."""
+        """Return part of a stack in all channels; `index` indexes the stack of pupils as a NumPy array."""
         return type(self)(self.channels, tuple(psf[index] for psf in self.psfs))
 
     def __repr__(self) -> str:
@@ -150,11 +154,11 @@ class ColourPSF(Measured, ColourPSFLike):
         )
 
     def measured(self, measure: Callable[[PSF], Found]) -> Found:
-        """Return a `measure` of each channel, along an axis after those of the stack."""
+        """Return the result of `measure` for each channel, along an axis after the axes of the stack."""
         return cast(Found, np.stack([np.asarray(measure(psf)) for psf in self.psfs], axis=len(self.pupil.shape)))
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes | NDArray[np.object_]:
-        """Draw the PSF in colour, a stack side by side; unless there are three channels, draw each separately.
+        """Draw the PSF in colour if there are three channels, else each channel separately; a stack side by side.
 
         See :func:`lommel.show.plot.colour`.
         """
@@ -163,7 +167,7 @@ class ColourPSF(Measured, ColourPSFLike):
         return axes
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write a file of a `path` as :meth:`lommel.PSF.save`, ``.png`` in colour.
+        """Write a file in a format of :meth:`lommel.PSF.save`, or a colour picture ``.png``.
 
         See :func:`lommel.io.psf_files.save_colours`.
         """
@@ -171,15 +175,15 @@ class ColourPSF(Measured, ColourPSFLike):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> ColourPSF:
-        """Read a file, `path`, that :meth:`save` wrote, but for ``.png``; ValueError for any other file."""
+        """Read the file at `path`, written by :meth:`save` but not ``.png``; ValueError for any other file."""
         return cls(*display.named("load channels", "file")(path, PSF))
 
 
-def _parts(whole: Values, psfs: Sequence[PSF]) -> bool:
-    """Return whether the values of each PSF are its part of an array of all."""
+def _are_views(psfs: Sequence[PSF], base: Values) -> bool:
+    """Return True if the values of PSF k are the view ``base[k]``, for every k."""
     return all(
-        psf.values.base is whole and psf.values.ctypes.data == part.ctypes.data
-        for psf, part in zip(psfs, whole, strict=True)
+        psf.values.base is base and psf.values.ctypes.data == part.ctypes.data
+        for psf, part in zip(psfs, base, strict=True)
     )
 
 
@@ -195,17 +199,18 @@ def colour_psf(
     Parameters
     ----------
     pupil : Pupil or ObjectivePupil
-        With a wavelength, the reference; at others the pupil is that of :meth:`lommel.Lens.in_light`.
-    shape : int or (int, int)
-    pixel : float or (float, float)
+        Pupil at a reference wavelength, which is required. For other wavelengths the pupil is changed as by
+        :meth:`lommel.Lens.in_light`.
+    shape, pixel
         As of :func:`lommel.psf`.
     channels : Channels or sequence of float, optional
-        Spectral weights of each channel, or wavelengths in metres; by default ``Channels.rgb()``.
+        Wavelengths and spectral weights of each channel, or one wavelength in metres for each channel; by default
+        ``Channels.rgb()``.
     **options
-        ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``,
-        ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is relative to the peak of
-        each channel, and each channel is normalised separately. Derivatives are with respect to the parameters of
-        `pupil`, at its own wavelength.
+        ``method`` (monochromatic), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``, ``blur``,
+        ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance of a channel is relative to its peak,
+        and each channel is normalised separately. Derivatives are with respect to the parameters of `pupil` at its
+        reference wavelength.
 
     Returns
     -------
@@ -232,70 +237,73 @@ def colour_psf(
     light = Channels.rgb() if channels is None else checked(channels)
     if imaged(pupil).wavelength is None:
         raise ValueError(
-            "pupil must have a wavelength, to which those of the channels are related; colour needs a pupil with a "
-            "wavelength and an f_number, such as that of a Lens"
+            "pupil must have a reference wavelength for colour, got none; use the pupil of a Lens, or a Pupil with "
+            "wavelength and f_number"
         )
-    rest: dict[str, Any] = {**options}
-    derivatives = rest.pop("derivatives", ())
-    plan = Plan(shape, pixel, **rest)
-    # A channel is an incoherent sum; all channels share the wavelengths, and so the fields at each.
+    plan_options: dict[str, Any] = {**options}
+    derivatives = plan_options.pop("derivatives", ())
+    plan = Plan(shape, pixel, **plan_options)
+    # A channel is an incoherent sum over its wavelengths.
     sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
-    # Derivatives, blur and pixels that are not square are computed channel by channel.
+    # Derivatives, blur, fill factors and pixels that are not square are computed channel by channel.
     if derivatives or not plan.plain:
-        rest |= {"tol": None}
-        made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
-        return ColourPSF(light, tuple(_in_own_light(one) for one in made))
-    if places := plan.grid(pupil).stack:
-        pupil = question.for_axes(pupil, places)
-    return ColourPSF(light, tuple(_in_own_light(one) for one in _psfs(pupil, sums, plan)))
+        plan_options |= {"tol": None}
+        psfs = [
+            Plan(shape, pixel, **plan_options | {"method": each})(pupil, derivatives=derivatives) for each in sums
+        ]
+        return ColourPSF(light, tuple(_at_single_wavelength(one) for one in psfs))
+    if center_shape := plan.grid(pupil).stack:
+        pupil = question.for_axes(pupil, center_shape)
+    return ColourPSF(light, tuple(_at_single_wavelength(one) for one in _psfs(pupil, sums, plan)))
 
 
-def _in_own_light(psf: PSF) -> PSF:
-    """Return a PSF with the pupil in its own light, where that is of one wavelength."""
+def _at_single_wavelength(psf: PSF) -> PSF:
+    """Return the PSF of a channel with the pupil at the wavelength of the channel, if it has only one."""
     method, wavelength = psf.method, psf.pupil.wavelength
     if not isinstance(method, Polychromatic) or wavelength is None or len(method.wavelengths) > 1:
         return psf
-    # A channel of one wavelength is a plain PSF, with measures at that wavelength.
-    (own,) = method.wavelengths
-    # Intensities relate to the peak at the wavelength of the pupil, which is brighter in shorter light.
-    return replace(psf, pupil=psf.pupil.in_light(own), scale=psf.scale * (wavelength / own) ** 2)
+    # Measures of the PSF are then computed at this wavelength.
+    (single,) = method.wavelengths
+    # `scale` is relative to the unaberrated peak at the pupil's wavelength; this peak is proportional to lambda^-2.
+    return replace(psf, pupil=psf.pupil.in_light(single), scale=psf.scale * (wavelength / single) ** 2)
 
 
 def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:
-    asked = prepare(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
-    count, sides = math.prod(pupil.shape), asked.grid.shape
+    """Compute the PSFs of all channels in blocks of pupils, with each wavelength computed once."""
+    prepared = prepare(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
+    count, sides = math.prod(pupil.shape), prepared.grid.shape
     if len(sums) * count * math.prod(sides) > validation.MAX_VALUES:
         raise ValueError(
-            f"shape {sides} for {count} pupils in {len(sums)} channels makes more than the limit of "
-            f"{validation.MAX_VALUES} values"
+            f"shape {sides} for {count} pupils in {len(sums)} channels exceeds the limit of "
+            f"{validation.MAX_VALUES} values; compute part of the pupils or a smaller window"
         )
     values = np.empty((len(sums), *pupil.shape, *sides), plan.dtype)
     scales = np.empty((len(sums), count))
     errors: list[list[NDArray[np.float64] | None]] = [[] for _ in sums]
-    # Intensities of all channels are held in double precision before they are stored.
-    step = max(1, _AT_ONCE // math.prod(sides))
+    # Blocks limit memory, since intensities of all channels are in double precision before they are stored.
+    step = max(1, _BLOCK_VALUES // math.prod(sides))
     for first in range(0, count, step):
         block = slice(first, min(first + step, count))
-        part, grid = pupil, asked.grid
+        part, grid = pupil, prepared.grid
         if step < count:
             index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
             part, grid = pupil[index], grid[index] if grid.stack else grid
-        normalized = asked.wanted.scale is None
-        # Values divided by their own largest one are off by twice as much.
+        normalized = prepared.wanted.scale is None
+        # Division by the largest value, which has an error too, about doubles the error relative to the peak.
         aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
         found = together(sums, part, grid, plan.threads, aim, window=normalized)
         for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):
             out = values[c].reshape(count, *sides)[block]
-            question = Wanted(
-                _scale(each, part, plan, asked.wanted.scale, block), plan.dtype, out, threads=plan.threads
+            request = Wanted(
+                _scale(each, part, plan, prepared.wanted.scale, block), plan.dtype, out, threads=plan.threads
             )
-            images = with_model_error(to_images(intensities, grid, question), part, each, normalized=normalized)
+            images = with_model_error(to_images(intensities, grid, request), part, each, normalized=normalized)
             scales[c, block] = images.scale
             errors[c].append(images.error)
     return tuple(
         PSF(
             values=values[c],
-            grid=asked.grid,
+            grid=prepared.grid,
             pupil=pupil,
             method=each,
             normalize=plan.normalize,
@@ -311,7 +319,7 @@ def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF,
 def _scale(
     each: Polychromatic, pupil: BasePupil, plan: Plan, scale: float | Array | None, block: slice
 ) -> float | Array | None:
-    """Return what intensities of a block are multiplied by: the light of a channel decides where it is the peak."""
+    """Return the factor of the intensities of a block of pupils; for "strehl" it depends on the channel."""
     if plan.normalize == "strehl":
         return 1.0 / each.unaberrated_peak(pupil)
     return scale[block] if isinstance(scale, np.ndarray) and scale.ndim else scale

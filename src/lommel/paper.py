@@ -1,7 +1,7 @@
 """Reproduction of figures and numbers of the paper that this package started from, cited in `docs/paper.md`.
 
-The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed; "corrected"
-has the missing factor sqrt(2 / pi). The equation numbers in this file are those of the paper.
+The paper's closed form (CFIS) is :class:`lommel.methods.ClosedForm`. Its variant "printed" is Eq. (12) as printed;
+"corrected" has the missing factor sqrt(2 / pi). The equation numbers in this file are those of the paper.
 """
 
 from __future__ import annotations
@@ -249,8 +249,8 @@ def methods_cost(sizes: Sequence[int] = (32, 64, 128, 256, 512, 1024), budget: f
 def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
     """Return each method with its pupil; HuygensFresnel needs a lens, since it sums over physical distances."""
     pupil = Pupil(Wavefront(_DEFOCUS))
-    # The paper's aperture radius, R_max = 0.0015 m. The lens is focused at infinity, and the distance of the object is
-    # chosen to give the defocus.
+    # The paper's aperture radius is R_max = 0.0015 m. The lens is focused at infinity, and the object is at the
+    # distance that gives the defocus.
     wavelength, radius = 550e-9, 1.5e-3
     lens = Lens(focal_length=30e-3, aperture_diameter=2 * radius, focus_distance=math.inf, wavelength=wavelength)
     near = lens.pupil(math.pi * radius**2 / (2.0 * _DEFOCUS * wavelength))
@@ -269,7 +269,7 @@ def _methods(n: int) -> dict[str, tuple[methods.Method, Pupil]]:
 
 
 def _time(work: Callable[[], _Result]) -> tuple[_Result, float]:
-    """Call `work` 2 to 8 times, which fills the caches first; return its result and the shortest time in seconds."""
+    """Call `work` 2 to 8 times, since the first call fills caches; return its result and the shortest time (s)."""
     seconds = list[float]()
     while True:
         start = time.perf_counter()
@@ -321,8 +321,8 @@ _BESSEL = {
 def bessel_forms(samples: int = 2001, far: float = 200.0, tangent: float = 100.0) -> FigureData:
     """Evaluate J0 and its approximations at arguments a from 0.05 to `far`, evenly spaced in log a.
 
-    "printed" and "corrected" are the approximation of J0 in Eq. (12): for a <= 1 the three terms of Eq. (6); for a > 1
-    Eq. (7) with Eq. (9) in place of the square root, "printed" without and "corrected" with the factor sqrt(2 / pi).
+    "printed" and "corrected" are the approximation of J0 in Eq. (12): for a <= 1 three terms of Eq. (6); for a > 1
+    Eq. (7) with Eq. (9) in place of the square root. Only "corrected" has the factor sqrt(2 / pi).
     """
     from scipy.special import j0
 
@@ -490,10 +490,10 @@ def fit_quartic(variant: str, spherical: float, pieces: int = PIECES, split: str
 
 
 def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
-    """Fit exp(i C_s rho^4) by exponentials of quadratics in rho, one for each of several intervals ("pieces").
+    """Fit exp(i C_s rho^4) by exponentials of quadratics in rho, one for each of several intervals (pieces).
 
-    One fit has :data:`PIECES` intervals. Further fits have 1 to `most` intervals, for each way to split 0 <= rho <= 1,
-    with and without constants gamma_i.
+    One fit has :data:`PIECES` intervals. Further fits have 1 to `most` intervals, for each way of :data:`SPLITS` to
+    split 0 <= rho <= 1, with and without constants gamma_i.
     """
     rho = (np.arange(samples) + 0.5) / samples
     phase = spherical * rho**4
@@ -523,7 +523,7 @@ def quartic_phase(samples: int = 1000, most: int = 12, spherical: float = SPHERI
 
 
 def draw_quartic_phase(data: FigureData) -> Figure:
-    """Draw the phase with its fitted quadratics, the errors of both fits, and the MSE against the number of pieces."""
+    """Draw the phase with its fitted quadratics, the errors of both fits, and the MSE over the number of pieces."""
     figure = new_figure(13.0, 4.2)
     left, middle, right = panels(figure, 3, xlabel="ρ = R / R_max")
     a, facts = data.arrays, data.facts

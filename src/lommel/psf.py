@@ -1,4 +1,4 @@
-"""Point spread functions: :func:`psf` computes one, :class:`Plan` many alike, and :class:`PSF` holds the result."""
+"""Point spread functions: `psf` computes one, `Plan` many with the same options, and `PSF` is the result of both."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def psf(
     Parameters
     ----------
     pupil : Pupil or ObjectivePupil
-        Pupil of a lens, or of a microscope (:meth:`lommel.Objective.pupil`). A stack gives a stack of images.
+        Pupil of a lens, or of a microscope (:meth:`lommel.Objective.pupil`). A stack of pupils gives a stack of PSFs.
     shape : int or (int, int)
         Side of a square, or height and width, in pixels. The centre is the middle of pixel
         ``(height // 2, width // 2)``.
@@ -65,47 +65,51 @@ def psf(
         Pixel pitch, or height and width of pixels that are not square, in metres if the pupil has a wavelength, else
         in units of lambda*N.
     method : Method, optional
-        How to evaluate the diffraction integral; by default chosen by pupil and window: NijboerZernike for
-        circular apertures, ChordalGauss instead where it is likely to take less time for wavefronts that depend on
-        the direction, NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is what was used.
+        Method that evaluates the diffraction integral. By default it is chosen for pupil and window: NijboerZernike
+        for circular apertures; ChordalGauss instead if the wavefront is not radially symmetric and ChordalGauss is
+        likely to be faster; NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the
+        method used.
     tol : float, optional
-        Tolerance relative to the peak of the PSF, in the window or not, or to the largest value in the window if
-        `normalize` is "peak"; by default that of the method, or 1e-6 if no method is given.
+        Tolerance relative to the peak of the PSF, which may lie outside the window; if `normalize` is "peak",
+        relative to the largest value in the window. By default the tolerance of the method, or 1e-6 without a method.
     normalize : {"energy", "emitted", "strehl", "peak"}, default "energy"
-        "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
-        samples of pixels no larger than lambda*N. "emitted", of an Objective: the same over the light that it would
-        collect of the emitter far from the glass. "strehl": 1 is the peak of the same aperture without aberration.
-        "peak": the largest value in the window is 1.
+        "energy": a value is the fraction of all light per pixel. Pixel averages over an infinite window sum to 1, and
+        so do point samples if the pixels are no larger than lambda*N. "emitted", for an Objective: as "energy", but
+        relative to the light that the objective would collect if the emitter were far from the glass. "strehl": the
+        peak of the same aperture without aberration is 1. "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
-        Type of the values; by default that of `out`, else float64 for tolerances below 1e-6 and float32 otherwise.
+        Type of the values; by default that of `out`, or float64 for tolerances below 1e-6 and float32 otherwise.
     center : (float, float) or (array_like, array_like), optional
-        Row and column of the optical axis, in pixels from the middle of the first; by default the middle of pixel
-        ``(height // 2, width // 2)``. Arrays of rows and columns, broadcast with the stack of pupils, give each pupil
-        its own axis (`NijboerZernike`, `ChordalGauss`, a `Polychromatic` of these; of objectives `Stratified`,
-        `DebyeRings` and `ChordalDebye`).
+        Row and column of the optical axis, in pixels from the centre of the first pixel; by default the centre of
+        pixel ``(height // 2, width // 2)``. Arrays of rows and columns, broadcast with the stack of pupils, give each
+        pupil its own axis; supported by `NijboerZernike`, `ChordalGauss`, a `Polychromatic` of these, and for
+        objectives by `Stratified`, `DebyeRings` and `ChordalDebye`.
     integrate : bool, optional
         True for pixel-integrated values (averages over the area of each pixel), False for point samples at pixel
-        centres. By default pixels in metres integrate and pixels in units of lambda*N sample; `Geometric`, which has
-        no point values, always integrates. `PSF.sampling` says which.
+        centres. By default values are pixel-integrated if pixels are in metres, and point-sampled if pixels are in
+        units of lambda*N. `Geometric` has no point values and always integrates. See `PSF.sampling`.
     fill : float or (float, float), default 1
-        Fill factor: the active fraction of the area of a pixel, or of its height and width. Below 1 pixels integrate.
+        Fill factor: the active fraction of the area of a pixel, or of its height and width. Values are always
+        pixel-integrated if it is below 1.
     blur : Blur or sequence of Blur, default ()
         Further blur of lenses, such as :class:`lommel.Seeing` or :class:`lommel.Jitter`; :doc:`/sensor` lists all.
-        Without derivatives.
+        Not supported with derivatives.
     derivatives : sequence, default ()
-        Parameters with respect to which derivatives are computed, for ``PSF.derivatives``. Per radian: "defocus"
-        (C_d), "spherical" (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or
-        "fringe 7". Per pixel: "row", "column" of the axis. Per metre: "wavelength", of all light in proportion, path
-        differences kept; "object_distance", and "focus_distance", for which the sensor moves, of a pupil by
-        :meth:`Lens.pupil`. Per 1: "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by
-        `ChordalGauss`, of radially symmetric pupils all but other terms and the obscuration by `NijboerZernike`; of
-        any aperture all but the obscuration, and the wavelength where segments have phases, by `NonuniformFFT`; or
-        by a `Polychromatic` of these; and not of "peak". Of an Objective, by `Stratified`, `ChordalDebye` or, with
-        aberrations, `DebyeRings`: per metre "z" (of the stage), "depth" (the stage at rest) and "wavelength" (the
-        stage, all indices, the pixel in metres and path differences of aberrations as they are); "row", "column"; and
-        Zernike terms. The last, and with aberrations the wavelength, by `ChordalDebye` in small windows only. `tol`
-        is that of the values, which may differ from those without derivatives within their bound;
-        ``PSF.derivative_bounds`` says what derivatives are off by.
+        Parameters with respect to which derivatives are computed, returned as ``PSF.derivatives``.
+        For lenses, per radian: "defocus" (C_d), "spherical" (C_s), "rho^6", "rho^8", and Zernike coefficients
+        at the pupil edge as (n, m), "noll 8", "ansi 8" or "fringe 7"; per pixel: "row" and "column" of the axis; per
+        metre: "wavelength" (all wavelengths scale in proportion, optical path differences are fixed), and for a pupil
+        of :meth:`Lens.pupil` "object_distance" and "focus_distance" (the sensor moves); per 1: "f_number" (phases are
+        fixed) and "obscuration". `ChordalGauss` supports all for circular apertures; `NijboerZernike`, for radially
+        symmetric pupils, all but the obscuration and terms that are not radially symmetric; `NonuniformFFT`, for any
+        aperture, all but the obscuration, and the wavelength unless segments have phases. A `Polychromatic` supports
+        the same parameters as these methods.
+        For objectives, per metre: "z" of the stage, "depth" (the stage is fixed) and "wavelength" (the stage, all
+        refractive indices, pixels in metres and optical path differences of aberrations are fixed); per pixel: "row",
+        "column"; per radian: Zernike terms. `Stratified`, `ChordalDebye` and, with aberrations, `DebyeRings` support
+        them; Zernike terms, and with aberrations the wavelength, require `ChordalDebye` and a small window.
+        Not supported for ``normalize="peak"``. `tol` applies to the values, which may differ from the values without
+        derivatives within their error bound; ``PSF.derivative_bounds`` bounds the errors of the derivatives.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         C-contiguous, writable array for the values.
     threads : int, optional
@@ -114,14 +118,14 @@ def psf(
     Returns
     -------
     PSF
-        With ``values`` of shape ``pupil.shape + (height, width)``, the stack broadcast with the places in `center`.
+        With ``values`` of shape ``pupil.shape + (height, width)``, where the stack is broadcast with `center`.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the method does not support the pupil or has no tolerance to be named, if
-        the answer would exceed 2^31 values, or if float32 is asked for with a tolerance that it cannot hold (below
-        2.4e-7).
+        If an argument is out of range, if the method does not support the pupil, if `tol` is given for a method
+        without an error bound, if the result would exceed 2^31 values, or if float32 is requested with a tolerance
+        below 2.4e-7, which rounding to float32 would exceed.
     ToleranceError
         If the method cannot meet its tolerance.
 
@@ -132,39 +136,39 @@ def psf(
     >>> answer.values.shape
     (512, 512)
     """
-    # The type of the array that values go to decides, so that callers need not give it twice.
+    # `dtype` defaults to the type of `out`, so that callers need not pass it twice.
     if out is not None and dtype is None:
         dtype = question.array("out", out).dtype
         if dtype != np.float32 and dtype != np.float64:
-            validation.kind("out.dtype", dtype, np.float32, np.float64)  # says so by the name that was given
-    imaged(pupil)  # first, for whoever mixes up the order
-    # Plans of the last calls are kept: calls with the same options pay for checks and tables once.
+            validation.kind("out.dtype", dtype, np.float32, np.float64)  # its error names out.dtype
+    imaged(pupil)  # checked first, in case the caller passes arguments in the wrong order
+    # Recent plans are cached, so that calls with the same options check them and build tables only once.
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
     prepared = None
-    usual = type(fill) is float and fill == 1.0 and isinstance(blur, tuple) and not blur
-    # 1 and True are equal, and only one is a number: of what is within a tuple, keys do not tell.
-    plain = center is None or (type(center) is tuple and all(type(part) in _NUMBERS for part in center))
-    if usual and plain and type(shape) is int:
-        with suppress(TypeError):  # what cannot be a key, or is refused: by the line below, with its own words
-            prepared = _kept(shape, pixel, center=center, **options)
+    no_blur = type(fill) is float and fill == 1.0 and isinstance(blur, tuple) and not blur
+    # The cache ignores types inside tuples, so that (True, True), which must be refused, would equal (1, 1).
+    hashable = center is None or (type(center) is tuple and all(type(part) in _NUMBERS for part in center))
+    if no_blur and hashable and type(shape) is int:
+        with suppress(TypeError):  # for an unhashable or invalid option, the call below raises the proper error
+            prepared = _cached_plan(shape, pixel, center=center, **options)
     if prepared is None:
         prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
     return prepared(pupil, derivatives=derivatives, out=out)
 
 
 class Plan:
-    """A prepared computation of PSFs for many pupils, one after the other; the options are checked once.
+    """A prepared computation of PSFs for many pupils, one after the other; the options are checked only once.
 
-    Called with a pupil, it returns the same as :func:`psf`. After the first call with `out` no image is allocated,
-    and no table is built while the caches hold those of the last calls.
+    A call with a pupil returns the same as :func:`psf`. With `out`, calls after the first allocate no image, and
+    build no table that is still in the caches.
 
     Parameters
     ----------
     shape, pixel, method, tol, normalize, center, integrate, fill, blur, threads
         As of :func:`psf`.
     dtype : float32 or float64, optional
-        Type of the values, which `out` must have; by default float64 for tolerances below 1e-6 and float32 otherwise.
+        Type of the values and of `out`; by default float64 for tolerances below 1e-6 and float32 otherwise.
 
     Raises
     ------
@@ -200,57 +204,62 @@ class Plan:
         self.integrate = integrate
         self.blur: tuple[Blur, ...] = ()
         if not isinstance(blur, tuple) or blur:
-            from lommel.blur.blurs import blurs  # few images have any
+            from lommel.blur.blurs import blurs  # imported only here, since most PSFs have no blur
 
             self.blur = blurs(blur)
-        # Which of the two a pupil is recorded on, its unit decides.
-        self._averaged = Grid(shape, pixel, center=center, integrate=True, fill=fill)
-        # Pixels with a fill factor below 1 always average.
-        self._sampled = self._averaged if self._averaged.partly else self._averaged.sampled
-        if integrate is False and self._averaged.partly:
-            raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
-        self._places = self._sampled.stack
-        # Whether methods take pixels and light as they are.
-        self.plain = self._averaged.square and not self.blur
+        # Grids with pixel-integrated and with point-sampled values; :meth:`grid` chooses one of them for each pupil.
+        self._integrated_grid = Grid(shape, pixel, center=center, integrate=True, fill=fill)
+        # With a fill factor below 1, values are always pixel-integrated.
+        partly = self._integrated_grid.partly
+        self._sampled_grid = self._integrated_grid if partly else self._integrated_grid.sampled
+        if integrate is False and partly:
+            raise ValueError(
+                f"integrate must not be False with fill={validation.shown(fill)}: point samples have no fill factor"
+            )
+        self._center_shape = self._sampled_grid.stack
+        # True if a method computes the values directly: square pixels without fill factor and blur.
+        self.plain = self._integrated_grid.square and not self.blur
         self.method, self.tol = method, tol
         self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
         self.dtype = question.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._asked: Prepared | None = None
+        self._prepared: Prepared | None = None
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: Values | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         pupil = imaged(pupil)
         if not pupil.one_aperture:
-            return self._one_by_one(cast("FieldPupil", pupil), derivatives, out)
-        if self._places:
-            pupil = question.for_axes(pupil, self._places)
+            return self._aperture_by_aperture(cast("FieldPupil", pupil), derivatives, out)
+        if self._center_shape:
+            pupil = question.for_axes(pupil, self._center_shape)
         if not self.plain:
-            return self._spread(pupil, derivatives, out)
-        # What checks, methods and tables depend on; pupils of a fit or a stack differ in their phase alone.
+            return self._blurred(pupil, derivatives, out)
+        # All that checks, methods and tables depend on. Successive pupils often differ only in their phase.
         light = pupil.aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
-        asked = self._asked
-        if asked is None or asked.light != light:
-            asked = self._asked = prepare(
+        prepared = self._prepared
+        if prepared is None or prepared.light != light:
+            prepared = self._prepared = prepare(
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
-        _, grid, ways, _, _, _, shape, _, shortcut = asked
+        _, grid, candidates, _, _, _, shape, _, shortcut = prepared
         names = () if isinstance(derivatives, tuple) and not derivatives else question.names(derivatives)
         if names and self.normalize == "peak":
-            raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
-        found = None
+            raise ValueError(
+                'derivatives need normalize="energy" or "strehl", got "peak", since a maximum over pixels has kinks'
+            )
+        result = None
         if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
             try:
-                found = shortcut(pupil, values)
+                result = shortcut(pupil, values)
             except (Declined, ToleranceError):
-                if len(ways) == 1:
+                if len(candidates) == 1:
                     raise
-                asked = asked._replace(methods=ways[1:])  # which the next method answers
-        if found is None:
-            return self._computed(asked, pupil, names, out)
-        (scale, error), method = found, ways[0].reported
-        # The parts have been checked: the initializer would take a tenth of the time of a small image.
+                prepared = prepared._replace(methods=candidates[1:])  # try the next method
+        if result is None:
+            return self._compute(prepared, pupil, names, out)
+        (scale, error), method = result, candidates[0].reported
+        # The attributes are valid already; the checks of PSF() would take a tenth of the time of a small image.
         psf = object.__new__(PSF)
         parts = psf.__dict__
         parts["values"], parts["grid"], parts["pupil"], parts["method"] = values, grid, pupil, method
@@ -258,68 +267,72 @@ class Plan:
         parts["derivatives"], parts["derivative_bounds"], parts["blur"] = {}, {}, ()
         return psf
 
-    def _computed(self, asked: Prepared, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
-        """Return a PSF, with derivatives by checked names, where no shortcut answers."""
-        place = None if out is None else question.place(out, asked.shape, self.dtype)
-        method, made, slopes = asked.images(pupil, names, place)
-        psf = object.__new__(PSF)  # as above
+    def _compute(self, prepared: Prepared, pupil: BasePupil, names: tuple[Name, ...], out: Values | None) -> PSF:
+        """Return a PSF, with derivatives by checked `names`, computed without the shortcut of :class:`Prepared`."""
+        target = None if out is None else question.place(out, prepared.shape, self.dtype)
+        method, images, slopes = prepared.images(pupil, names, target)
+        psf = object.__new__(PSF)  # without checks, as in __call__
         psf.__dict__.update(
-            values=made.values.reshape(asked.shape) if place is None else place,
-            grid=asked.grid,
+            values=images.values.reshape(prepared.shape) if target is None else target,
+            grid=prepared.grid,
             pupil=pupil,
             method=method,
             normalize=self.normalize,
-            error_bound=None if made.error is None else largest(made.error),
-            scale=made.scale.reshape(pupil.shape),
-            derivatives={n: slope.values.reshape(asked.shape) for n, slope in zip(names, slopes, strict=True)},
+            error_bound=None if images.error is None else largest(images.error),
+            scale=images.scale.reshape(pupil.shape),
+            derivatives={n: slope.values.reshape(prepared.shape) for n, slope in zip(names, slopes, strict=True)},
             derivative_bounds={n: largest(slope.error) for n, slope in zip(names, slopes, strict=True)},
             blur=(),
         )
         return psf
 
-    def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
+    def _blurred(self, pupil: BasePupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
+        """Return a PSF with blur, with a fill factor, or on pixels that are not square."""
         from lommel.blur.recorded import recorded
 
         if question.names(derivatives):
-            raise ValueError("derivatives need square pixels without fill and blur; take differences of such images")
+            raise ValueError(
+                "derivatives need square pixels without fill and blur; compute finite differences of the PSFs instead"
+            )
         settings = self.method, self.tol, self.normalize, self.dtype, self.threads
         return PSF(**recorded(pupil, self.grid(pupil), self.blur, settings, out))
 
-    def _one_by_one(self, pupil: FieldPupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
-        """Return the stack of PSFs of pupils whose apertures differ."""
+    def _aperture_by_aperture(self, pupil: FieldPupil, derivatives: Sequence[Name], out: Values | None) -> PSF:
+        """Return the stack of PSFs of pupils whose apertures differ, such as vignetted pupils over the field."""
         if question.names(derivatives):
             raise ValueError(
-                "derivatives need one aperture: compute each position by itself where vignetting changes it"
+                "derivatives need pupils with one aperture, got different ones (vignetting); compute each pupil alone"
             )
-        if self._places:
-            raise ValueError("center must be one for a stack whose apertures differ; compute each position by itself")
-        shape = (*pupil.shape, *self._sampled.shape)
-        place = np.empty(shape, self.dtype) if out is None else question.place(out, shape, self.dtype)
-        # One plan serves them one by one, each with its own aperture.
-        windows = place.reshape(-1, *self._sampled.shape)
-        found = [self(one, out=window) for one, window in zip(pupil.pupils, windows, strict=True)]
-        # A stack has a bound if all of its images have one.
-        bounds = [one.error_bound for one in found if one.error_bound is not None]
+        if self._center_shape:
+            raise ValueError(
+                "center must be one (row, column) for pupils whose apertures differ; compute each pupil alone"
+            )
+        shape = (*pupil.shape, *self._sampled_grid.shape)
+        target = np.empty(shape, self.dtype) if out is None else question.place(out, shape, self.dtype)
+        windows = target.reshape(-1, *self._sampled_grid.shape)
+        psfs = [self(one, out=window) for one, window in zip(pupil.pupils, windows, strict=True)]
+        # The stack has an error bound only if every PSF has one.
+        bounds = [one.error_bound for one in psfs if one.error_bound is not None]
         return replace(
-            next((one for one in found if not one.pupil.circular), found[0]),  # whose method stands for all
-            values=place,
+            next((one for one in psfs if not one.pupil.circular), psfs[0]),  # its method becomes that of the stack
+            values=target,
             pupil=pupil,
-            error_bound=max(bounds) if len(bounds) == len(found) else None,
-            scale=np.reshape([float(one.scale) for one in found], pupil.shape),
+            error_bound=max(bounds) if len(bounds) == len(psfs) else None,
+            scale=np.reshape([float(one.scale) for one in psfs], pupil.shape),
         )
 
     def __getstate__(self) -> dict[str, object]:
-        # Without what is remembered of the last pupil, which the compiled core has a part in.
-        return vars(self) | {"_asked": None}
+        # `_prepared` holds objects of the compiled core, which cannot be pickled.
+        return vars(self) | {"_prepared": None}
 
     def grid(self, pupil: BasePupil) -> Grid:
         """Return the grid of pixels for `pupil`, in metres or in units of lambda*N."""
-        averages = self.integrate
-        if averages is None:
-            # Pixels in metres are those of a camera, which average.
+        integrated = self.integrate
+        if integrated is None:
+            # Pixels in metres are the pixels of a camera, which integrate over their area.
             metric = pupil.wavelength is not None
-            averages = metric or (self.method is not None and self.method.sampling == "pixel")
-        return self._averaged if averages else self._sampled
+            integrated = metric or (self.method is not None and self.method.sampling == "pixel")
+        return self._integrated_grid if integrated else self._sampled_grid
 
     def traced(
         self, pupil: Pupil, xp: ModuleType | str | None = None, *, device: object = None, precision: str = "auto"
@@ -329,21 +342,23 @@ class Plan:
         Parameters
         ----------
         pupil : Pupil
-            A stack whose coefficients define the valid range: for radially symmetric pupils the box around them; for
-            others coefficients no larger than those of a member. Aperture, amplitude and lengths are those of the
-            stack.
+            A stack whose coefficients define the valid range of coefficients. For radially symmetric pupils the range
+            is the smallest box that contains the coefficients of the stack; for other pupils it contains coefficients
+            that are no larger than those of one pupil of the stack. Aperture, amplitude, wavelength and f-number of
+            the function are those of the stack.
         xp : module or str, optional
-            ``jax.numpy``, ``torch``, ``cupy``, ``numpy`` or another of the array API, or its name; NumPy by default.
+            ``jax.numpy``, ``torch``, ``cupy``, ``numpy`` or another array API module, or its name; NumPy by default.
         device : optional
             Device of the framework for tables and coefficients.
         precision : {"auto", "float64", "float32"}, default "auto"
-            Type of the computation: by default float64 if the framework has it. In float32 no error of 1e-6 can be
-            proven.
+            Type of the computation; "auto" is float64 if the framework supports it. In float32 an error bound of 1e-6
+            cannot be proven.
 
         Returns
         -------
         TracedPSF
-            A function ``images = f(c)``; c has the shape (..., k), with a column for each of ``f.terms``, radians.
+            A function ``images = f(c)`` of coefficients c of shape (..., k), in radians, one for each of the k terms
+            ``f.terms``.
 
         Raises
         ------
@@ -369,19 +384,19 @@ class Plan:
 
         validation.choice("precision", precision, ("auto", "float64", "float32"))
         if not self.plain:
-            raise ValueError("pixel must be one number for a traced plan, and fill and blur left out")
+            raise ValueError("a traced plan needs square pixels without fill and blur; make a plan without them")
         if isinstance(pupil, BasePupil) and pupil.layered:
             raise TypeError(
-                "pupil must be that of a lens for a traced plan, got that of an Objective; PSF.pullback has the "
-                "gradient of a loss by its aberrations, stage and depth"
+                "pupil must be the pupil of a lens for a traced plan, got one of an Objective; PSF.pullback computes "
+                "the gradient of a loss with respect to its aberrations, stage and depth"
             )
         grid = self.grid(checked(pupil))
         values = self.tol, self.normalize, str(self.dtype)
         return traced_psf.traced(pupil, grid, self.method, values, (xp, device, precision))
 
 
-# Calls like the last ones take the plans of these, types and all.
-_kept = lru_cache(maxsize=64, typed=True)(Plan)
+# Plans of recent calls of `psf`. `typed` distinguishes equal options of different types, such as 1 and True.
+_cached_plan = lru_cache(maxsize=64, typed=True)(Plan)
 _NUMBERS = (float, int)
 
 
@@ -389,25 +404,26 @@ Found = TypeVar("Found")
 
 
 class Measured:
-    """Image quality measures of a PSF, of the optics with blur and pixels.
+    """Image quality measures of a PSF.
 
-    They are computed from the transfer function, and so do not depend on the window or the sampling, only on the
-    pixel as part of the image, unless ``of="optics"``. Arrays have the shape of the stack of pupils, then an axis of
-    channels, if any, then that of the argument. Errors are stated in the functions that each method links.
+    Most measures are computed from the optical transfer function and do not depend on the window. By default they are
+    measures of the image, that is with blur and averaging over pixels; with ``of="optics"``, without the pixels.
+    Results have the shape of the stack of pupils, followed by the axis of channels, if any, and by the shape of the
+    argument. The function that a method refers to documents the error of the measure.
     """
 
     def measured(self, measure: Callable[[PSF], Found]) -> Found:
-        """Return the `measure` of each PSF."""
+        """Return the result of `measure` for each PSF."""
         raise NotImplementedError
 
     @property
     def energy(self) -> Numbers:
-        """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
+        """Fraction of all light that falls inside the window, which ends at the outer edges of its pixels."""
         return self.measured(measures.energy.window_energy)
 
     @property
     def strehl(self) -> Numbers:
-        """Strehl ratio: intensity on the axis relative to that without aberration; see :func:`lommel.strehl`."""
+        """Strehl ratio: intensity on the axis divided by its value without aberration; see :func:`lommel.strehl`."""
         return self.measured(measures.spot.axis_strehl)
 
     @property
@@ -417,55 +433,55 @@ class Measured:
 
     @property
     def peak_position(self) -> NDArray[np.float64]:
-        """Position (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
+        """Position (x, y) of the peak relative to the axis; see :func:`lommel.measures.spot.peak_position`."""
         return self.measured(measures.spot.peak_position)
 
     @property
     def centroid(self) -> NDArray[np.float64]:
-        """Centroid (x, y) of all light, from the axis; see :func:`lommel.measures.energy.image_centroid`."""
+        """Centroid (x, y) of all light relative to the axis; see :func:`lommel.measures.energy.image_centroid`."""
         return self.measured(measures.energy.image_centroid)
 
     def encircled_energy(self, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
-        """Return the fraction of all light within `radius` (metres or lambda*N) of the axis, or `about` the centroid.
+        """Return the fraction of all light within `radius` (in the unit of the pixel), which may exceed the window.
 
-        Of the image, or `of` the "optics" without the pixel; also beyond the window. See
+        `about` is "axis" or "centroid", `of` is "image" or "optics" (without the pixel); see
         :func:`lommel.measures.energy.encircled_energy`.
         """
         return self.measured(lambda one: measures.energy.encircled_energy(one, radius, about=about, of=of))
 
     def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
-        """Return the fraction of all light within a square of sides ``2 half_width``.
+        """Return the fraction of all light within a square of side ``2 * half_width``.
 
-        `about` the axis or the centroid, `of` the image or the optics: see
+        `about` is "axis" or "centroid", `of` is "image" or "optics"; see
         :func:`lommel.measures.energy.ensquared_energy`.
         """
         return self.measured(lambda one: measures.energy.ensquared_energy(one, half_width, about=about, of=of))
 
     def energy_diameter(self, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
-        """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
+        """Return the diameter of the circle that contains `fraction` of all light: 0.5 for D50, 0.8 for D80.
 
-        `about` the axis or the centroid, `of` the image or the optics: see
+        `about` is "axis" or "centroid", `of` is "image" or "optics"; see
         :func:`lommel.measures.spot.energy_diameter`.
         """
         return self.measured(lambda one: measures.spot.energy_diameter(one, fraction, about=about, of=of))
 
     def fwhm(self, along: str = "mean", *, of: str = "image") -> Numbers:
-        """Return the full width at half maximum along "x", "y" or their mean, of the image or `of` the optics.
+        """Return the full width at half maximum `along` "x", along "y", or the "mean" of both.
 
-        See :func:`lommel.measures.spot.fwhm`.
+        `of` is "image" or "optics"; see :func:`lommel.measures.spot.fwhm`.
         """
         return self.measured(lambda one: measures.spot.fwhm(one, along, of=of))
 
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> NDArray[np.complex128] | np.complex128:
-        """Return the optical transfer function of the image, or `of` the optics, at frequencies `fx`, `fy`.
+        """Return the optical transfer function of the image, or `of` the "optics", at frequencies `fx`, `fy`.
 
-        For lenses from the wavefront, also beyond the Nyquist frequency of the pixels: see :func:`lommel.otf`. The
-        transform of the values themselves is :func:`lommel.measures.transfer.sampled_otf`.
+        For lenses it is computed from the wavefront, also beyond the Nyquist frequency of the pixels; see
+        :func:`lommel.otf`. :func:`lommel.measures.transfer.sampled_otf` transforms the values instead.
         """
         return self.measured(lambda one: measures.transfer.image_otf(one, fx, fy, of=of))
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, of: str = "image") -> Numbers:
-        """Return the modulation transfer function, the modulus of :meth:`otf`, at `fx`, `fy`, `of` the same."""
+        """Return the modulation transfer function, the modulus of :meth:`otf`, for the same arguments."""
         return np.abs(self.otf(fx, fy, of=of))
 
 
@@ -478,32 +494,33 @@ class PSF(Measured, PSFLike, display.Shown):
     values : ndarray, shape ``pupil.shape + (height, width)``
         float32 or float64; see :attr:`sampling`.
     grid : Grid
-        The pixels.
-    pupil : Pupil
+        Grid of pixels.
+    pupil : Pupil or ObjectivePupil
     method : Method
     normalize : str
         "energy", "emitted", "strehl" or "peak", as of :func:`psf`.
     error_bound : float or None
-        Bound on the largest error relative to the peak of the PSF, in the window or not ("peak": to the largest value
-        in the window), the largest of the stack; None if the method has none. The peak of a pixel-integrated PSF is
-        the largest average over a pixel of this size anywhere, which may exceed all pixels of the image (up to 3.8
-        times for coarse pixels with the axis at a corner).
+        Bound on the largest error of the values relative to the peak of the PSF, which may lie outside the window; if
+        `normalize` is "peak", relative to the largest value in the window. Of a stack, the maximum over its PSFs.
+        None if the method has no bound. The peak of a pixel-integrated PSF is the largest average over a pixel at any
+        position, which exceeds the largest pixel by up to 3.8 times if pixels are coarse and the axis is at a corner.
     scale : ndarray, shape ``pupil.shape``
-        Factor by which the intensity was multiplied, which is 1 at the peak without obscuration and aberration.
+        Factor that the intensity was multiplied by, if the peak without obscuration and aberration has intensity 1.
     derivatives : dict of (str or (int, int)) to ndarray
         Derivatives of the values with respect to the requested parameters, each of the shape of the values.
     derivative_bounds : dict of (str or (int, int)) to float
-        Bounds on their errors relative to the peak of the values, the largest of the stack, in the unit of each.
+        Bounds on the errors of the derivatives relative to the peak of the values, per unit of the parameter. Of a
+        stack, the maximum over its PSFs.
     blur : tuple of Blur
-        Blur besides the diffraction of the pupil.
+        Blur in addition to the diffraction by the pupil.
 
     Raises
     ------
     TypeError, ValueError
-        If a part is of another type, or the values are not of its shape.
+        If an attribute has the wrong type, or if the values do not have the shape ``pupil.shape + grid.shape``.
     """
 
-    pupil_hint = "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image"
+    pupil_hint = "a PSF; its pupil is psf.pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are measures of the image"
     values: Values
     grid: Grid
     pupil: BasePupil
@@ -523,21 +540,21 @@ class PSF(Measured, PSFLike, display.Shown):
                 f"grid must have one center, or one for each pupil of a stack of shape {self.pupil.shape}, "
                 f"got {self.grid.stack}"
             )
-        # Files make PSFs too, so that all parts are checked.
-        wanted = self.pupil.shape + self.grid.shape
+        # All attributes are checked, since they may come from a file.
+        expected = self.pupil.shape + self.grid.shape
         if not isinstance(self.values, np.ndarray) or self.values.dtype not in (np.float32, np.float64):
             raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
-        if self.values.shape != wanted:
-            raise ValueError(f"values must have the shape {wanted}, got {self.values.shape}")
+        if self.values.shape != expected:
+            raise ValueError(f"values must have the shape {expected}, got {self.values.shape}")
 
     def __len__(self) -> int:
-        """Return how many PSFs, or stacks of them, the first axis of a stack holds."""
+        """Return the length of the first axis of a stack."""
         if self.pupil.shape == ():
             raise TypeError("a single PSF has no length; its pixels are in `values`")
         return self.pupil.shape[0]
 
     def __bool__(self) -> bool:
-        """Return True, whether it has a length or not."""
+        """Return True, also for a single PSF, which has no length."""
         return True
 
     def __repr__(self) -> str:
@@ -545,7 +562,7 @@ class PSF(Measured, PSFLike, display.Shown):
         pixel = pitch_in_words(self.grid.pixel) if self.unit == "m" else f"{self.grid.named} {self.unit}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
         how += "".join(f", {type(blur).__name__}" for blur in self.blur)
-        # Samples farther apart than lambda*N do not sum to the light.
+        # Point samples more than lambda*N apart do not sum to the total light, so that their sum is shown.
         if not self.sum_is_light:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
             how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
@@ -556,7 +573,7 @@ class PSF(Measured, PSFLike, display.Shown):
         )
 
     def measured(self, measure: Callable[[PSF], Found]) -> Found:
-        """Return the `measure` of this PSF."""
+        """Return the result of `measure` for this PSF."""
         return measure(self)
 
     @property
@@ -565,53 +582,54 @@ class PSF(Measured, PSFLike, display.Shown):
         return measures.spot.stage(self)
 
     def axial_fwhm(self, *, of: str = "image") -> Numbers:
-        """Return the full width at half maximum along z, metres of the stage, `of` the image or of the "optics".
+        """Return the full width at half maximum along z, in metres of stage travel, `of` the "image" or the "optics".
 
         See :func:`lommel.measures.spot.axial_fwhm`.
         """
         return measures.spot.axial_fwhm(self, of=of)
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
-        """Return the gradient of a loss from its derivative with respect to the values (reverse mode).
+        """Return the gradient of a loss from its derivative `g` with respect to the values (reverse mode).
 
-        ``sum g * derivative`` over pixels. Derivatives by phase coefficients and shifts are computed in reverse mode,
-        by a transform to the pupil: they cost about two images, for any number of parameters. So are those of an
-        Objective with aberrations by the stage and the depth, in windows that :class:`lommel.ChordalDebye` takes; all
-        others, and those of radially symmetric pupils, are computed in forward mode.
+        The gradient with respect to a parameter p is the sum of ``g * d values / dp`` over the pixels. For phase
+        coefficients and shifts of pupils that are not radially symmetric, it is computed in reverse mode, by a
+        transform to the pupil, in the time of about two images for any number of parameters. The same holds for the
+        stage and the depth of an Objective with aberrations, in windows that :class:`lommel.ChordalDebye` supports.
+        All other derivatives are computed in forward mode.
 
         Parameters
         ----------
         g : array_like
-            Of the shape of the values.
+            Derivative of the loss, with the shape of the values.
         of : sequence, optional
-            As `derivatives` of :func:`psf`; by default the names of `derivatives`, or the terms of the
-            wavefront.
+            Parameters, as `derivatives` of :func:`psf`; by default the keys of :attr:`derivatives`, or the terms of
+            the wavefront if there are none.
 
         Returns
         -------
         dict of name to ndarray
-            Of the shape of the pupil.
+            Gradient by the parameter, with the shape of the pupil.
 
         Raises
         ------
         TypeError, ValueError
-            If `g` is not real and finite or of another shape, or where there are no such derivatives.
+            If `g` is not real and finite or has the wrong shape, or if a derivative is not supported.
         ToleranceError
             If the tolerance of the method cannot be met.
         """
         if self.blur or not self.grid.square:
-            raise ValueError("psf must have square pixels without fill and blur for its derivatives, got others")
+            raise ValueError("derivatives need square pixels without fill and blur; compute the PSF without them")
         names = tuple(self.derivatives) or None if of is None else question.names(of, "of")
         weights = validation.real_array("g", g)
         if weights.shape != self.shape:
             raise ValueError(f"g must have the shape of the values, {self.shape}, got {weights.shape}")
         if self.normalize == "peak":
             raise ValueError(
-                'of a PSF with normalize="peak" there are no derivatives, since it has kinks; use "energy"'
+                'derivatives need normalize="energy" or "strehl", got "peak", since a maximum over pixels has kinks'
             )
         images, scale = weights.reshape(-1, *self.grid.shape), np.asarray(self.scale).ravel()
-        found = question.gradient(self.method, self.pupil, self.grid, names, images, scale, self.normalize)
-        return {name: slope.reshape(self.pupil.shape) for name, slope in found.items()}
+        gradient = question.gradient(self.method, self.pupil, self.grid, names, images, scale, self.normalize)
+        return {name: slope.reshape(self.pupil.shape) for name, slope in gradient.items()}
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.raw``, ...; see :func:`lommel.io.psf_files.save`."""
@@ -619,12 +637,12 @@ class PSF(Measured, PSFLike, display.Shown):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
-        """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or not such a file."""
-        found: PSF = display.named("load PSF", "file")(path, cls)
-        return found
+        """Read the file at `path`, written by :meth:`save`; ValueError if it is damaged or has another content."""
+        psf: PSF = display.named("load PSF", "file")(path, cls)
+        return psf
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes | NDArray[np.object_]:
-        """Draw the PSF with matplotlib and return the axes, an array of them for a stack; sections for a z stack.
+        """Draw the PSF with matplotlib (sections of a z stack); return the axes, for a stack an array of axes.
 
         See :func:`lommel.show.plot.plot`.
         """
@@ -633,7 +651,7 @@ class PSF(Measured, PSFLike, display.Shown):
         return axes
 
     def plot_mtf(self, ax: Axes | None = None) -> Axes:
-        """Draw the modulation transfer function along x and y, beside that of the aperture without aberration.
+        """Draw the modulation transfer functions along x and y, with that of the aperture without aberration.
 
         See :func:`lommel.show.curves.mtf`.
         """

@@ -1,7 +1,7 @@
 """Apertures of telescopes from published dimensions: ELT, Hubble, James Webb, Keck, Subaru, VLT.
 
-Each function returns a stop for :class:`lommel.Pupil` or :class:`lommel.Lens`, over the radius of its telescope's
-aperture; :data:`DIAMETERS` has that aperture in metres.
+Each function returns an aperture for :class:`lommel.Pupil` or :class:`lommel.Lens`, in units of the radius of the
+telescope's aperture. :data:`DIAMETERS` lists the diameters of the apertures in metres.
 """
 
 from __future__ import annotations
@@ -14,22 +14,24 @@ from lommel.base import validation
 from lommel.optics.aperture.shapes import Disc, Polygon, Segments, Shape
 
 DIAMETERS = {"elt": 40.1758, "hst": 2.4, "jwst": 6.603464, "keck": 10.9668, "subaru": 7.92, "vlt": 8.0}
-"""Diameter of the circle of each aperture, metres; of segmented mirrors that through their farthest corners."""
+"""Diameter of each aperture in metres; for segmented mirrors, of the circle through the farthest corners."""
 
 
 def elt(*, vanes: bool = True) -> Segments:
-    """Return the aperture of the Extremely Large Telescope: 798 hexagons, corners cut, behind six vanes.
+    """Return the aperture of the Extremely Large Telescope: 798 hexagonal segments behind six vanes.
+
+    The segments fill a hexagon whose six corners are cut off.
 
     Parameters
     ----------
     vanes : bool, default True
-        Whether there are the vanes, 0.4 m wide, towards the corners that are cut.
+        Include the vanes, which are 0.4 m wide and point towards the cut corners.
 
     Returns
     -------
     Segments
-        Over a radius of 20.09 m, that of the farthest corners; across the sides that are cut it is 39.05 m. Sides of
-        segments are parallel to x, 0.725 m long, 4 mm apart.
+        In units of 20.09 m, the distance of the farthest corners. The aperture is 39.05 m wide across opposite cuts.
+        Segments have sides of 0.725 m, two of them parallel to x, and gaps of 4 mm.
 
     Raises
     ------
@@ -43,32 +45,32 @@ def elt(*, vanes: bool = True) -> Segments:
     round stop at the secondary mirror.
     """
     radius = 0.5 * DIAMETERS["elt"]
-    # Sides of 0.725 m, 4 mm apart across their common edge.
-    pitch, size = (0.725 * math.sqrt(3.0) + 0.004) / radius, 0.725 / radius
-    # Rings 5 to 17, of which the corners are cut 15 rows from the axis.
-    places = [(a * math.sqrt(0.75), b + 0.5 * a, max(abs(a), abs(b), abs(a + b)))
-              for a in range(-17, 18) for b in range(-17, 18)]  # fmt: skip
-    rows = [(math.cos(t), math.sin(t)) for t in (math.pi / 6.0, math.pi / 2.0, 5.0 * math.pi / 6.0)]
-    kept = [(pitch * x, pitch * y) for x, y, ring in places
-            if 5 <= ring <= 17 and all(abs(x * c + y * s) < 15.25 for c, s in rows)]  # fmt: skip
-    segments = Segments(tuple(Polygon.regular(6, size, place) for place in kept))
+    pitch, side = (0.725 * math.sqrt(3.0) + 0.004) / radius, 0.725 / radius
+    # A ring is the set of segments a number of steps from the axis; the mirror has rings 5 to 17. Corners of the
+    # hexagon farther than 15.25 pitches from the axis are cut off.
+    hexagons = [(a * math.sqrt(0.75), b + 0.5 * a, max(abs(a), abs(b), abs(a + b)))
+                for a in range(-17, 18) for b in range(-17, 18)]  # fmt: skip
+    corners = [(math.cos(t), math.sin(t)) for t in (math.pi / 6.0, math.pi / 2.0, 5.0 * math.pi / 6.0)]
+    centers = [(pitch * x, pitch * y) for x, y, ring in hexagons
+               if 5 <= ring <= 17 and all(abs(x * c + y * s) < 15.25 for c, s in corners)]  # fmt: skip
+    segments = Segments(tuple(Polygon.regular(6, side, center) for center in centers))
     return segments - _spokes(6, 0.4 / radius, math.pi / 6.0) if validation.truth("vanes", vanes) else segments
 
 
 def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
-    """Return the aperture of the Hubble Space Telescope: obscuration 0.33, four vanes, the pads of its mirror.
+    """Return the aperture of the Hubble Space Telescope: obscuration 0.33, four vanes, three pads of the mirror.
 
     Parameters
     ----------
     vanes : bool, default True
-        Whether there are vanes, at right angles along x and y.
+        Include the vanes, which lie along x and y.
     pads : bool, default True
-        Whether there are the three pads that hold the primary mirror, discs near its edge.
+        Include the three pads that hold the primary mirror, discs near its edge.
 
     Returns
     -------
     Shape
-        Over a radius of 1.2 m.
+        In units of the radius, 1.2 m.
 
     Raises
     ------
@@ -79,9 +81,9 @@ def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
     ----------
     J. E. Krist, R. N. Hook and F. Stoehr, "20 years of Hubble Space Telescope optical modeling using Tiny Tim",
     Proc. SPIE 8127, 81270J (2011), doi:10.1117/12.892762: radii, widths and positions of the file wfpcwf4.pup of
-    Tiny Tim, July 2000. x and y are its V3 and V2. Cameras have obscurations of their own besides.
+    Tiny Tim, July 2000. x and y are the telescope's axes V3 and V2. Obscurations inside the cameras are not included.
     """
-    # Radii, widths and places of the file wfpcwf4.pup of Tiny Tim, over the radius of the mirror.
+    # Numbers from the file wfpcwf4.pup, in units of the radius of the mirror.
     blocked: list[Shape] = [Disc(0.33)]
     if validation.truth("vanes", vanes):
         blocked += [Polygon.strip((-2.0, 0.0), (2.0, 0.0), 0.022), Polygon.strip((0.0, -2.0), (0.0, 2.0), 0.022)]
@@ -90,7 +92,8 @@ def hst(*, vanes: bool = True, pads: bool = True) -> Shape:
     return Disc() - reduce(or_, blocked)
 
 
-# Corners of the segments A1, B1 and C1, V2 and V3 in metres; the others are these turned by multiples of 60 degrees.
+# Corners (V2, V3) of the segments A1, B1 and C1 in metres. Rotation by multiples of 60 degrees gives the other
+# segments.
 _JWST = (
     ((-0.38101, 0.667604), (-0.758826, 1.321999), (-0.38101, 1.976407),
      (0.38101, 1.976407), (0.758826, 1.321999), (0.38101, 0.667604)),
@@ -102,18 +105,18 @@ _JWST = (
 
 
 def jwst(*, vanes: bool = True) -> Segments:
-    """Return the aperture of the James Webb Space Telescope: 18 segments behind the three struts of the secondary.
+    """Return the aperture of the James Webb Space Telescope: 18 segments behind three struts.
 
     Parameters
     ----------
     vanes : bool, default True
-        Whether there are the struts.
+        Include the struts, which hold the secondary mirror.
 
     Returns
     -------
     Segments
-        Over a radius of 3.301732 m, in the order A1 to A6, B1 to B6, C1 to C6; give them phases with
-        :meth:`lommel.Segments.phased`.
+        In units of 3.301732 m, in the order A1 to A6, B1 to B6, C1 to C6; :meth:`lommel.Segments.phased` sets the
+        phase of each segment.
 
     Raises
     ------
@@ -124,7 +127,7 @@ def jwst(*, vanes: bool = True) -> Segments:
     ----------
     P. A. Lightsey et al., "James Webb Space Telescope: large deployable cryogenic telescope in space", Opt. Eng. 51,
     011003 (2012), doi:10.1117/1.OE.51.1.011003. Corners in the coordinates V2, V3 from the transmission budget of
-    Ball Aerospace (16 March 2010), as WebbPSF has them; x is V2, y is V3.
+    Ball Aerospace (16 March 2010), as in WebbPSF; x is V2, y is V3.
     """
     radius = 0.5 * DIAMETERS["jwst"]
     shapes = [
@@ -142,18 +145,18 @@ def jwst(*, vanes: bool = True) -> Segments:
 
 
 def keck(*, vanes: bool = True) -> Segments:
-    """Return the aperture of the Keck telescopes: 36 hexagons behind a secondary and six vanes.
+    """Return the aperture of the Keck telescopes: 36 hexagonal segments behind a central obscuration and six vanes.
 
     Parameters
     ----------
     vanes : bool, default True
-        Whether there are the vanes, 25.4 mm wide.
+        Include the vanes, which are 25.4 mm wide.
 
     Returns
     -------
     Segments
-        Over a radius of 5.4834 m, sides of segments parallel to x; 0.9 m long, 3 mm apart. The obscuration is a disc
-        of 2.65 m.
+        In units of 5.4834 m, the distance of the farthest corners. Segments have sides of 0.9 m, two of them parallel
+        to x, and gaps of 3 mm. The obscuration is a disc 2.65 m in diameter.
 
     Raises
     ------
@@ -163,29 +166,28 @@ def keck(*, vanes: bool = True) -> Segments:
     References
     ----------
     J. Nelson, "Optical parameters of the Keck telescope", Keck Observatory Technical Note 163, rev. 3 (1991):
-    segments of a = 0.9 m, a diameter of 10.949 m, here with the gaps besides. Secondary and vanes: notes on the Keck
-    pupil of the Next Generation Adaptive Optics project (0.266 of 9.96 m; 25.4 mm); directions of the vanes as in
-    HCIPy, E. Por et al., Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407.
+    segments of a = 0.9 m, a diameter of 10.949 m, to which the gaps are added here. Secondary mirror and vanes: notes
+    on the Keck pupil of the Next Generation Adaptive Optics project (0.266 of 9.96 m; 25.4 mm); directions of the
+    vanes as in HCIPy, E. Por et al., Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407.
     """
     radius = 0.5 * DIAMETERS["keck"]
-    # Sides of 0.9 m, and a secondary of 0.266 of 9.96 m, 2.65 m.
     segments = Segments.hexagonal(rings=3, gap=0.003 / radius) - Disc(0.5 * 2.65 / radius)
     return segments - _spokes(6, 0.0254 / radius) if validation.truth("vanes", vanes) else segments
 
 
 def subaru(*, vanes: bool = True) -> Shape:
-    """Return the aperture of the Subaru telescope: an obscuration of 2.3 m and four vanes that miss its centre.
+    """Return the aperture of the Subaru telescope: an obscuration of 2.3 m and four vanes.
 
     Parameters
     ----------
     vanes : bool, default True
-        Whether there are the vanes: 0.1735 m wide as the light sees them, at 51.75 degrees from x, from two points
-        0.639 m from the axis.
+        Include the vanes: 0.1735 m wide in projection, at 51.75 degrees to the x axis, two vanes from each of two
+        points on the x axis 0.639 m from the centre.
 
     Returns
     -------
     Shape
-        Over a radius of 3.96 m.
+        In units of the radius, 3.96 m.
 
     Raises
     ------
@@ -195,24 +197,24 @@ def subaru(*, vanes: bool = True) -> Shape:
     References
     ----------
     N. Jovanovic et al., "The Subaru Coronagraphic Extreme Adaptive Optics system: enabling high-contrast imaging on
-    solar-system scales", Publ. Astron. Soc. Pac. 127, 890 (2015), doi:10.1086/682989; dimensions as of the pupil of
-    that instrument in the programs of F. Martinache (diameters, angle, offset) and M. Lucas (width of the vanes).
+    solar-system scales", Publ. Astron. Soc. Pac. 127, 890 (2015), doi:10.1086/682989; dimensions of this instrument's
+    pupil from the programs of F. Martinache (diameters, angle, offset) and M. Lucas (width of the vanes).
     """
     return _vaned(3.96, 1.15, ((0.639, 0.0), (-0.639, 0.0)), math.radians(51.75), 0.1735, vanes)
 
 
 def vlt(*, vanes: bool = True) -> Shape:
-    """Return the aperture of the Very Large Telescope (UT1 to UT3): its secondary and four tangential vanes.
+    """Return the aperture of the Very Large Telescope (UT1 to UT3): a central obscuration and four tangential vanes.
 
     Parameters
     ----------
     vanes : bool, default True
-        Whether there are the vanes, 40 mm wide: two from each of two points beside the axis, 101 degrees apart.
+        Include the vanes, which are 40 mm wide: two vanes, 101 degrees apart, from each of two points on the x axis.
 
     Returns
     -------
     Shape
-        Over a radius of 4 m, which the secondary mirror limits; the obscuration is 1.116 m wide.
+        In units of the radius, 4 m, which the secondary mirror determines. The obscuration is 1.116 m in diameter.
 
     Raises
     ------
@@ -222,38 +224,45 @@ def vlt(*, vanes: bool = True) -> Shape:
     References
     ----------
     ERIS pupil documentation VLT-SPE-AES-11310-0006, European Southern Observatory, as quoted by HCIPy, E. Por et al.,
-    Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407; the same within 3 % as in G. Guerri et al., Exp. Astron.
-    30, 59 (2011), doi:10.1007/s10686-011-9220-y. Turned here by 45 degrees: the two points lie on x.
+    Proc. SPIE 10703, 1070342 (2018), doi:10.1117/12.2314407; equal within 3 % to the dimensions of G. Guerri et al.,
+    Exp. Astron. 30, 59 (2011), doi:10.1007/s10686-011-9220-y. The pupil is rotated by 45 degrees here, so that the
+    two points lie on the x axis.
     """
-    beside = 0.4045 / math.cos(math.radians(45.0 - 5.5))
-    return _vaned(4.0, 0.558, ((beside, 0.0), (-beside, 0.0)), math.radians(50.5), 0.040, vanes)
+    offset = 0.4045 / math.cos(math.radians(45.0 - 5.5))
+    return _vaned(4.0, 0.558, ((offset, 0.0), (-offset, 0.0)), math.radians(50.5), 0.040, vanes)
 
 
 def _vaned(
     radius: float,
-    hole: float,
+    obscuration: float,
     points: tuple[tuple[float, float], ...],
     angle: float,
     width: float,
     vanes: bool,
 ) -> Shape:
-    """Return a disc less an obscuration and two vanes from each point, at this angle above and below x outwards."""
-    blocked: list[Shape] = [Disc(hole / radius)]
+    """Return a disc without a central obscuration and without two vanes from each point.
+
+    The vanes run outwards from the point, at `angle` above and below the x axis. Lengths are in metres; `obscuration`
+    is a radius.
+    """
+    blocked: list[Shape] = [Disc(obscuration / radius)]
     if validation.truth("vanes", vanes):
         for x, y in points:
-            # Vanes end beyond the rim, which cuts them.
-            away = math.copysign(2.0 * radius, x)
-            ends = ((x + away * math.cos(angle), y + side * 2.0 * radius * math.sin(angle)) for side in (1.0, -1.0))
+            # Vanes end outside the disc, whose rim cuts them off.
+            outwards = math.copysign(2.0 * radius, x)
+            ends = (
+                (x + outwards * math.cos(angle), y + side * 2.0 * radius * math.sin(angle)) for side in (1.0, -1.0)
+            )
             blocked += [_scaled(Polygon.strip((x, y), end, width), radius) for end in ends]
     return Disc() - reduce(or_, blocked)
 
 
 def _spokes(count: int, width: float, first: float = 0.0) -> Shape:
-    """Return so many vanes of a width from the axis, the first at an angle."""
-    # From the axis to beyond the rim; each is one half of a bar across the aperture.
-    turns = (first + 2.0 * math.pi * k / count for k in range(count))
-    return reduce(or_, (Polygon.strip((0.0, 0.0), (2.0 * math.cos(t), 2.0 * math.sin(t)), width) for t in turns))
+    """Return `count` vanes from the axis to outside the aperture, at equal angles beginning with `first` (rad)."""
+    angles = (first + 2.0 * math.pi * k / count for k in range(count))
+    return reduce(or_, (Polygon.strip((0.0, 0.0), (2.0 * math.cos(t), 2.0 * math.sin(t)), width) for t in angles))
 
 
 def _scaled(part: Polygon, radius: float) -> Shape:
+    """Return a polygon with its corners divided by `radius`."""
     return Polygon(tuple((x / radius, y / radius) for x, y in part.corners))

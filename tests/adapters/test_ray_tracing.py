@@ -102,13 +102,13 @@ def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
         (lambda: single(lens(), (0, 0), degree=21), ValueError, "degree must be from 2 to 20, got 21"),
         (lambda: single(lens(), (0, 0), tol=0.0), ValueError, "tol must be > 0, got 0"),
         (lambda: single(lens(), 5), TypeError, r"field must be a pair \(hx, hy\), got 5"),
-        (lambda: single(lens(), (0, 2)), ValueError, "field must be fractions of the edge of the field"),
+        (lambda: single(lens(), (0, 2)), ValueError, "field must be fractions of the largest field"),
         (lambda: single(lens(), (0, math.nan)), ValueError, r"field\[1\] must be finite"),
         (lambda: single(lens(slower=-1.0), (0, 0)), ValueError, "do not converge towards an image"),
         (lambda: tracing.field_map(lens(), 1, None, WAVELENGTH, 6, 1), ValueError, "heights must be from 2 to 1000"),
         (lambda: tracing.field_map(lens(), 2, 5, WAVELENGTH, 6, 1), TypeError, "fields must be a sequence of pairs"),
         (lambda: tracing.field_map(lens(), 2, [(0, 0), 1], WAVELENGTH, 6, 1), TypeError, r"fields\[1\] must be"),
-        (lambda: tracing.field_map(lens(image=0.0), 3, None, WAVELENGTH, 6, 1), ValueError, "imaged onto the axis"),
+        (lambda: tracing.field_map(lens(image=0.0), 3, None, WAVELENGTH, 6, 1), ValueError, "image is on the axis"),
     ],
 )  # fmt: skip
 def test_what_makes_no_sense_is_refused_by_name(call, error, what):

@@ -149,7 +149,7 @@ def test_wavefronts_refuse_tensors_and_name_what_takes_them():
 
 @pytest.mark.parametrize("given", [{"pixel": (0.5, 0.6)}, {"fill": 0.5, "integrate": True}, {"blur": lm.Jitter(0.5)}])
 def test_pixels_and_blur_that_cannot_be_traced_are_refused(given):
-    with pytest.raises(ValueError, match="one number for a traced plan, and fill and blur left out"):
+    with pytest.raises(ValueError, match="a traced plan needs square pixels"):
         lm.Plan(**{"shape": 9, "pixel": 0.5} | given).traced(lm.Pupil(lm.Wavefront([0.0, 1.0])))
 
 

@@ -1,4 +1,4 @@
-"""Other packages, imported on first use: lenses of ray tracing packages, physics and PSFs of DeepInverse."""
+"""Conversion of lenses of ray tracing packages, and of PSFs for DeepInverse; the packages are imported on use."""
 
 from typing import TYPE_CHECKING
 

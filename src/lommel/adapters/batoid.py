@@ -2,13 +2,13 @@
 
 Conversions:
 
-- batoid's wavefronts are in waves and positive where a ray's path is *shorter* than the chief ray's; the phase is
-  ``-2 pi`` times that. The reference sphere is theirs, of radius ``optic.sphereRadius``.
-- Points of the pupil are fractions of ``optic.pupilSize`` on the stop surface, y upwards, which is mirrored; see
-  :mod:`lommel.adapters.ray_tracing`. Where light arrives along -z, x is mirrored, too: seen from behind the sensor.
-- Directions are radians (theta_x, theta_y), positions and wavelengths metres, as here.
-- The obscuration is ``optic.pupilObscuration``. Rays that batoid marks as vignetted are traced through the full
-  aperture: vignetting at the edge of the field and spiders are not carried over.
+- batoid's wavefronts are in waves, and positive if the path of a ray is *shorter* than that of the chief ray; the
+  phase here is ``-2 pi`` times the wavefront. The reference sphere is the same, with radius ``optic.sphereRadius``.
+- Pupil points are fractions of ``optic.pupilSize`` on the stop surface. batoid's y points up and is mirrored; see
+  :mod:`lommel.adapters.ray_tracing`. If light arrives along -z, x is mirrored too, for a view from behind the sensor.
+- Field angles (theta_x, theta_y) are in radians, positions and wavelengths in metres, as in lommel.
+- The obscuration is ``optic.pupilObscuration``. Rays that batoid marks as vignetted are used like all others, so that
+  vignetting at the edge of the field and spiders are ignored.
 
 batoid is optional, and none of it is imported before a function is called.
 """
@@ -37,19 +37,21 @@ def pupil(
     degree: int = 12,
     tol: float = 0.01,
 ) -> Pupil:
-    """Return the pupil of a telescope in one direction.
+    """Return the pupil of a telescope for one field direction.
 
     Parameters
     ----------
     optic : batoid.Optic
+        Telescope.
     field : (float, float)
         Field angles theta_x and theta_y, radians.
     wavelength : float
-        Metres.
+        Wavelength, metres.
     circular : bool, default False
-        Whether the pupil is an annulus of the geometric mean f-number, as in :func:`field_map`; by default it is what
-        the image sees, off the axis an elliptical one. At the edge of the field of SDSS, annuli are 9 % of the peak
-        off Huygens' sum over the traced rays. Phase retrieval and gradients by frameworks take annuli only.
+        True for a circular annulus with the geometric mean f-number, as in :func:`field_map`. False for the pupil
+        seen from the image, off the axis an elliptical annulus. At the edge of the field of SDSS, PSFs of circular
+        annuli differ by 9 % of the peak from Huygens' sum over the traced rays. Phase retrieval and gradients in JAX
+        or PyTorch support circular annuli only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -58,8 +60,8 @@ def pupil(
     Returns
     -------
     Pupil
-        With the obscuration of the telescope and the f-number in this direction; of an ellipse, that of its major
-        axis, the ellipse as `vignetting` and the obscuration as `stop`.
+        Pupil with the obscuration of the telescope and the f-number for this direction. An elliptical pupil has the
+        f-number of its major axis, the ellipse as `vignetting` and the obscuration as `stop`.
 
     Raises
     ------
@@ -83,34 +85,35 @@ def field_map(
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
-    """Return the map of a telescope over its field.
+    """Return the field map of a telescope: wavefront and pupil as functions of the position on the sensor.
 
     Parameters
     ----------
     optic : batoid.Optic
+        Telescope.
     radius : float
-        Edge of the field, radians from the axis.
+        Largest field angle, radians from the axis.
     heights : int, default 9
-        Number of directions traced, from the axis to the edge; the telescope must be rotationally symmetric.
+        Number of directions traced, from the axis to `radius`; the telescope must be rotationally symmetric.
     fields : sequence of (float, float), optional
-        Directions to trace instead, as fractions of `radius`, for a telescope without that symmetry.
+        Directions to trace instead, as fractions of `radius`, for a telescope without rotational symmetry.
     circular : bool, default True
-        Whether all pupils are annuli of the f-number on the axis, which blurs over the field require. At the edge of
-        Rubin's field, PSFs are then 2.4 % of the peak off Huygens' sum over the traced rays. False gives each
-        direction the elliptical annulus that the image sees, as :func:`pupil` does: 0.02 % off. Not with `fields`.
+        True for circular annuli with the f-number on the axis, which blurs over the field require. At the edge of
+        Rubin's field their PSFs differ by 2.4 % of the peak from Huygens' sum over the traced rays. False for the
+        elliptical annuli of :func:`pupil`, whose PSFs differ by 0.02 %; not supported with `fields`.
     wavelength, degree, tol
         As of :func:`pupil`.
 
     Returns
     -------
     FieldMap
-        With the obscuration, and the f-number on the axis; of ellipses, that of the longest of their axes, and
-        ellipses as `vignetting` (:class:`lommel.Foreshortening`).
+        Map with the obscuration and the f-number on the axis. If pupils are elliptical, the f-number is that of the
+        longest axis of all ellipses, and the ellipses are `vignetting` (:class:`lommel.Foreshortening`).
 
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the telescope lacks the symmetry and no `fields` are given.
+        As of :func:`pupil`; also if the telescope is not rotationally symmetric and no `fields` are given.
     """
     edge = validation.real("radius", radius, above=0.0)
     trace, metres, obscuration = _tracer(optic, wavelength, edge)
@@ -118,7 +121,7 @@ def field_map(
 
 
 def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.Trace, float, float]:
-    """Return the tracer of a direction, given as fractions of `edge`; the wavelength; and the obscuration."""
+    """Return the function that traces a direction (fractions of `edge`), the wavelength, and the obscuration."""
     batoid = library("batoid", "this needs", "")
     if not isinstance(optic, batoid.Optic):
         raise TypeError(f"optic must be a batoid Optic, got {validation.shown(optic)}")
@@ -128,7 +131,7 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
     def trace(hx: float, hy: float, x: Array, y: Array) -> ray_tracing.TracedField:
         half = 0.5 * optic.pupilSize
         rays = batoid.RayVector.fromStop(
-            half * np.append(x, 0.0),  # the last is the chief ray
+            half * np.append(x, 0.0),  # the last ray is the chief ray
             half * np.append(y, 0.0),
             optic=optic,
             wavelength=metres,
@@ -136,27 +139,27 @@ def _tracer(optic: object, wavelength: float, edge: float) -> tuple[ray_tracing.
             theta_y=hy * edge,
         )
         optic.trace(rays)
-        place = np.array(rays.r[-1])
-        missed = np.array(rays.r[:-1]) - place
+        image_point = np.array(rays.r[-1])
+        missed = np.array(rays.r[:-1]) - image_point
         failed = np.array(rays.failed[:-1])
-        # |v| is the speed, 1 over the index.
+        # v is the velocity, with modulus 1 / index, so that v / v^2 is the direction times the index.
         direction = rays.v / np.square(rays.v).sum(axis=1, keepdims=True)
-        towards = direction[:-1] - direction[-1]
-        # Light along -z is seen mirrored from behind the sensor.
-        side = math.copysign(1.0, direction[-1, 2])
-        # As batoid.wavefront has it.
-        rays.toCoordSys(rays.coordSys.shiftLocal(place + np.array([0.0, 0.0, radius])))
+        relative = direction[:-1] - direction[-1]
+        # Light that travels along -z appears mirrored from behind the sensor.
+        sign = math.copysign(1.0, direction[-1, 2])
+        # The reference sphere, as in batoid.wavefront.
+        rays.toCoordSys(rays.coordSys.shiftLocal(image_point + np.array([0.0, 0.0, radius])))
         batoid.Sphere(-radius).intersect(rays)
         phase = 2.0 * math.pi / metres * (rays.t[:-1] - rays.t[-1])
         return ray_tracing.TracedField(
-            side * x,
+            sign * x,
             y,
             np.where(failed, np.nan, phase),
-            side * towards[:, 0],
-            towards[:, 1],
-            side * missed[:, 0],
+            sign * relative[:, 0],
+            relative[:, 1],
+            sign * missed[:, 0],
             missed[:, 1],
-            (side * float(place[0]), float(place[1])),
+            (sign * float(image_point[0]), float(image_point[1])),
         )
 
     return trace, metres, float(optic.pupilObscuration)

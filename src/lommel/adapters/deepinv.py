@@ -1,6 +1,6 @@
-"""Blurs and PSFs in DeepInverse (https://deepinv.github.io): linear physics with exact adjoints, and a PSF generator.
+"""Blurs and PSFs for DeepInverse (https://deepinv.github.io): linear physics with exact adjoints; a PSF generator.
 
-deepinv and PyTorch are optional, and none of them is imported before a function is called.
+deepinv and PyTorch are optional, and neither is imported before a function is called.
 """
 
 from __future__ import annotations
@@ -26,76 +26,76 @@ if TYPE_CHECKING:
 
     from lommel.base.arrays import Values
 
-    _Way = Callable[[Values], Values]
+    _ImageFunction = Callable[[Values], Values]
 
 
 def blur_physics(blur: LinearBlur, **options: object) -> LinearPhysics:
     """Return a blur as a ``deepinv.physics.LinearPhysics``.
 
-    `A` and `A_adjoint` are computed by the compiled core, on a CPU, and each is the gradient of the other, so that
-    PyTorch differentiates through both with respect to the image.
+    `A` and `A_adjoint` are computed by the compiled core on a CPU. PyTorch can differentiate both with respect to the
+    image, since the gradient of each is an application of the other.
 
     Parameters
     ----------
     blur : LinearBlur
         :class:`lommel.imaging.DepthBlur`, :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.FieldBlur` or
-        another; the depth and the lens are constants.
+        another linear blur; depth and lens are constants.
     **options
-        Of ``LinearPhysics``, such as `noise_model`.
+        Options of ``LinearPhysics``, such as `noise_model`.
 
     Returns
     -------
     deepinv.physics.LinearPhysics
-        For tensors of shape (batch, channels, height, width), on any device and of any floating type.
+        Physics for tensors of shape (batch, channels, height, width), on any device and of any floating-point type.
 
     Raises
     ------
     ImportError
         If deepinv is not installed.
     TypeError, ValueError
-        If `blur` is not a blur; from the physics, if images are not of the shape of the blur.
+        If `blur` is not a linear blur. `A` and `A_adjoint` raise ValueError if images do not have the shape of the
+        blur.
     """
     library("deepinv", "this needs", "")
     from deepinv.physics import LinearPhysics
 
     validation.instance("blur", blur, LinearBlur)
-    act = _linear_function()
+    apply = _linear_function()
 
     def checked(images: Tensor) -> Tensor:
-        wanted = blur.channels, *blur.shape
-        if images.ndim != 4 or tuple(images.shape[1:]) != wanted:
-            raise ValueError(f"images must have the shape (batch, {wanted}), got {tuple(images.shape)}")
+        expected = blur.channels, *blur.shape
+        if images.ndim != 4 or tuple(images.shape[1:]) != expected:
+            raise ValueError(f"images must have the shape (batch, *{expected}), got {tuple(images.shape)}")
         return images
 
     return LinearPhysics(
-        A=lambda x, **_: act(checked(x), blur.forward, blur.adjoint),
-        A_adjoint=lambda y, **_: act(checked(y), blur.adjoint, blur.forward),
+        A=lambda x, **_: apply(checked(x), blur.forward, blur.adjoint),
+        A_adjoint=lambda y, **_: apply(checked(y), blur.adjoint, blur.forward),
         img_size=(blur.channels, *blur.shape),
         **options,
     )
 
 
 @cache
-def _linear_function() -> Callable[[Tensor, _Way, _Way], Tensor]:
-    """Return a function that applies a NumPy function to a batch, with another one as its gradient."""
+def _linear_function() -> Callable[[Tensor, _ImageFunction, _ImageFunction], Tensor]:
+    """Return a differentiable function (images, f, adjoint): f, a linear NumPy function, of each image of a batch."""
     import torch
 
-    def mapped(images: Tensor, way: _Way) -> Tensor:
-        made = [np.moveaxis(way(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
-        return torch.from_numpy(np.ascontiguousarray(np.stack(made))).to(images)
+    def mapped(images: Tensor, f: _ImageFunction) -> Tensor:
+        results = [np.moveaxis(f(np.moveaxis(one, 0, -1)), -1, 0) for one in images.detach().cpu().numpy()]
+        return torch.from_numpy(np.ascontiguousarray(np.stack(results))).to(images)
 
     class Linear(torch.autograd.Function):  # type: ignore[misc]
         @staticmethod
-        def forward(ctx: Any, images: Tensor, way: _Way, back: _Way) -> Tensor:
-            ctx.ways = way, back
-            return mapped(images, way)
+        def forward(ctx: Any, images: Tensor, f: _ImageFunction, adjoint: _ImageFunction) -> Tensor:
+            ctx.functions = f, adjoint
+            return mapped(images, f)
 
         @staticmethod
         def backward(ctx: Any, gradient: Tensor) -> Tensor:
-            way, back = ctx.ways
-            # The gradient of a linear map is its adjoint; applied through the class, so that it can be differentiated
-            # again.
-            return Linear.apply(gradient, back, way), None, None
+            f, adjoint = ctx.functions
+            # The gradient of a linear map is its adjoint. It is applied as a Linear too, for second derivatives.
+            return Linear.apply(gradient, adjoint, f), None, None
 
     return Linear.apply  # type: ignore[no-any-return]
 
@@ -112,30 +112,31 @@ def psf_generator(
 ) -> PSFGenerator:
     """Return a generator of random PSFs with the signature of ``deepinv.physics.generator.DiffractionBlurGenerator``.
 
-    The PSFs err by at most `tol` of their peak, instead of 1 to 6 percent, and take about a thousandth of the time.
+    The error of the PSFs is at most `tol` of their peak (1 to 6 % for ``DiffractionBlurGenerator``); computing them
+    takes about a thousandth of the time.
 
     Parameters
     ----------
     psf_size : (int, int)
-        Height and width, pixels.
+        Height and width in pixels.
     zernike_index : sequence, default 4 to 11
         Indices of Zernike terms by `index_convention`, or pairs (n, m).
     fc : float, default 0.2
-        Cutoff frequency: numerical aperture times the pixel over the wavelength, up to 0.25.
+        Cutoff frequency, ``numerical aperture * pixel / wavelength``, at most 0.25.
     max_zernike_amplitude : float, default 0.15
-        Width of the uniform distribution of coefficients around 0, waves rms.
+        Full width of the uniform distribution of the coefficients around 0, waves rms.
     index_convention : {"noll", "ansi"}, default "noll"
-        Of indices that are not pairs.
+        Convention of indices that are not pairs.
     tol : float, default 1e-4
-        Tolerance, relative to the peak.
+        Tolerance relative to the peak.
     **options
         `device`, `dtype` and `rng` of ``deepinv.physics.generator.PSFGenerator``.
 
     Returns
     -------
     deepinv.physics.generator.PSFGenerator
-        Its ``step(batch_size, seed=None, coeff=None)`` returns a dict: `filter`, of shape (batch, 1, height, width)
-        and sum 1, and `coeff`, of shape (batch, terms).
+        Its ``step(batch_size, seed=None, coeff=None)`` returns a dict with `filter`, PSFs of shape
+        (batch, 1, height, width) that each sum to 1, and `coeff`, coefficients of shape (batch, terms).
 
     Raises
     ------
@@ -166,7 +167,7 @@ def psf_generator(
                 coeff = torch.rand((batch_size, len(indices)), generator=self.rng, **self.factory_kwargs)
                 coeff = (coeff - 0.5) * width
             values = coeff.detach().cpu().numpy().astype(np.float64)
-            # The phase is -2 pi times the sum there.
+            # DeepInverse's coefficients are in waves, with the opposite sign: the phase is -2 pi times their sum.
             terms = dict(zip(indices, -2.0 * math.pi * values.T, strict=True))
             images = psf(Pupil(Wavefront.zernike(terms, order=order)), shape, pixel, tol=tol).values
             filters = torch.as_tensor(np.array(images), **self.factory_kwargs)[:, None]

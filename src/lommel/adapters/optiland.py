@@ -2,12 +2,12 @@
 
 Conversions:
 
-- ``Wavefront.data.opd`` is in waves and positive where a ray's path is *shorter* than the chief ray's; the phase is
-  ``-2 pi opd``. Their FFT PSF takes the same sign.
-- Points of the pupil are fractions (Px, Py) of the entrance pupil, y upwards, which is mirrored; see
-  :mod:`lommel.adapters.ray_tracing`. Positions are those of the chief ray on the image surface, in metres.
-- Wavelengths are micrometres there, metres here.
-- The amplitude is taken as uniform: optiland's absorption is not carried over, and coatings by
+- ``Wavefront.data.opd`` is in waves, and positive if the path of a ray is *shorter* than that of the chief ray; the
+  phase is ``-2 pi opd``. optiland's FFT PSF has the same sign.
+- Pupil points are fractions (Px, Py) of the entrance pupil. optiland's y points upwards and is mirrored; see
+  :mod:`lommel.adapters.ray_tracing`. Positions are intersections of chief rays with the image surface, in metres.
+- Wavelengths are in micrometres in optiland, in metres here.
+- The amplitude is assumed uniform: optiland's absorption is ignored, and coatings are used by
   :func:`polarized_pupils` only.
 
 optiland is optional, and none of it is imported before a function is called.
@@ -46,15 +46,16 @@ def pupil(
     Parameters
     ----------
     optic : optiland.optic.Optic
+        Lens.
     field : (float, float)
         Hx and Hy, fractions of the largest field.
     wavelength : float, optional
-        Metres; by default the primary one of the lens.
+        Wavelength, metres; by default the primary wavelength of the lens.
     circular : bool, default False
-        Whether the pupil is a circle of the geometric mean f-number, as in :func:`field_map` and in optiland's FFT
-        PSF. By default it is what the image sees, off the axis an ellipse. Of six lenses, PSFs are then within 1.5 %
-        of Huygens' sum over the traced rays, those of circles up to 32 % off (:doc:`/optiland-checked`). Phase
-        retrieval and gradients by frameworks take circles only.
+        True for a circle with the geometric mean f-number, as in :func:`field_map` and in optiland's FFT PSF. False
+        for the pupil seen from the image, off the axis an ellipse. For six lenses, PSFs of ellipses differ by up to
+        1.5 % of the peak from Huygens' sum over the traced rays, PSFs of circles by up to 32 %
+        (:doc:`/optiland-checked`). Phase retrieval and gradients in JAX or PyTorch support circles only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -63,15 +64,16 @@ def pupil(
     Returns
     -------
     Pupil
-        With the f-number at this point; of an ellipse, that of its major axis, and the ellipse as `vignetting`.
+        Pupil with the f-number at this point. An elliptical pupil has the f-number of its major axis, and the ellipse
+        as `vignetting`.
 
     Raises
     ------
     ImportError
         If optiland is not installed.
     TypeError, ValueError
-        If an argument is out of range, if rays are blocked or fields are vignetted, or if `degree` does not reach
-        `tol`.
+        If an argument is out of range, if rays are blocked, if the field has vignetting factors, or if the residual
+        of the fit of this `degree` exceeds `tol`.
     """
     trace, metres = _tracer(optic, wavelength)
     return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=circular)
@@ -87,38 +89,39 @@ def polarized_pupils(
     degree: int = 12,
     tol: float = 0.01,
 ) -> list[Pupil]:
-    """Return a pupil of each component of the electric field in the image: the Jones pupil of a traced lens.
+    """Return the Jones pupil of a traced lens: one pupil for each component of the electric field in the image.
 
-    The sum of the PSFs, each by the light of its pupil, is the vectorial PSF at this point of the field. optiland
-    traces the polarisation: the rotation of the field at each surface and, of surfaces with a coating
-    (``coating="Fresnel"`` for bare glass), the transmission of both polarisations.
+    The sum of the PSFs of these pupils, each weighted by the light of its pupil, is the vectorial PSF at this point
+    of the field. optiland traces the polarisation: the rotation of the field at each surface and, for surfaces with a
+    coating (``coating="Fresnel"`` for bare glass), the transmission of both polarisations.
 
     Parameters
     ----------
     optic : optiland.optic.Optic
-        Left as it is; its own state of polarisation is not used.
+        Lens, which is not modified; its own polarisation state is ignored.
     field : (float, float)
         Hx and Hy, fractions of the largest field.
     polarization : "unpolarized" or (complex, complex), default "unpolarized"
-        Of the light from the object; a Jones vector is along x and along y upwards, of any length.
+        Polarisation of the light from the object; a Jones vector has components along x and along y (upwards), and
+        any norm.
     wavelength : float, optional
-        Metres; by default the primary one of the lens.
+        Wavelength, metres; by default the primary wavelength of the lens.
     side : int, default 256
-        Samples along each side of the masks. With 128, the PSF of a round pupil is within 5e-5 of the peak of the
-        integral, with 256 within 1e-5.
+        Number of samples along each side of the masks. The error of the PSF of a circular pupil from sampling is at
+        most 5e-5 of the peak for 128 samples, and 1e-5 for 256.
     degree : int, default 12
         Highest degree of the Zernike terms of the phase and of the amplitudes, 2 to 20.
     tol : float, default 0.01
-        Largest accepted rms residual of the fit to the traced phase, radians, and largest residual of the fits to
-        the electric field, over its largest component.
+        Largest accepted rms residual of the fit to the traced phase, radians, and largest accepted residual of the
+        fits to the electric field, relative to its largest component.
 
     Returns
     -------
     list of Pupil
-        Of the components along x, y and z, of unpolarised light for each of two states; without those
-        that are dark. Their wavefront and ellipse are that of :func:`pupil`, their amplitudes masks. Amplitudes are
-        those of the field times ``cos(angle)**-0.5`` of the angle to the normal of the image, as in the integral of
-        Richards and Wolf, and in proportion to each other.
+        One pupil for each component along x, y and z that has light; if unpolarised, for each of two orthogonal
+        polarisations. They have the wavefront and the ellipse of :func:`pupil`, and masks as amplitudes. An amplitude
+        is that of the field times ``cos(angle)**-0.5``, with the angle between ray and normal of the image, as in the
+        integral of Richards and Wolf. All masks have a common scale.
 
     Raises
     ------
@@ -129,8 +132,8 @@ def polarized_pupils(
 
     Notes
     -----
-    Transmission is optiland's product of Jones matrices, without the change of the width of ray tubes where light is
-    refracted at an angle.
+    The transmission is optiland's product of Jones matrices; it ignores that oblique refraction changes the cross
+    section of ray tubes.
 
     References
     ----------
@@ -177,66 +180,68 @@ def field_map(
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
-    """Return the map of a lens over its field.
+    """Return the field map of a lens: wavefront and pupil as functions of the position on the sensor.
 
     Parameters
     ----------
     optic : optiland.optic.Optic
+        Lens.
     heights : int, default 9
         Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
-        Points (Hx, Hy) to trace instead, as fractions of the largest field, for a lens without that symmetry.
+        Points (Hx, Hy) to trace instead, as fractions of the largest field, for a lens without rotational symmetry.
     distortion : bool, default False
-        Whether positions are those without distortion, f tan(theta) or a constant magnification, and tilts move the
-        light to where the chief rays meet the sensor, as :func:`lommel.imaging.field_photograph` needs it. Otherwise
-        positions are those of the chief rays, and the map has no distortion. The ideal scale is that of the primary
-        wavelength, so that maps of several wavelengths differ by the lateral colour of the lens.
+        False for positions at which the chief rays meet the sensor. True for ideal positions, f tan(theta) or a
+        constant magnification; tilts of the wavefronts then shift the light to the actual positions, as
+        :func:`lommel.imaging.field_photograph` requires. The ideal scale is that of the primary wavelength, so that
+        maps for different wavelengths include the lateral colour of the lens.
     circular : bool, default True
-        Whether all pupils are circles of the f-number on the axis, which blurs over the field require. At the edge of
-        the fields of four lenses, PSFs are then 3 to 61 % of the peak off Huygens' sum over the traced rays. False
-        gives each position the ellipse that the image sees, as :func:`pupil` does: up to 1.5 % off. Not with
-        `fields`.
+        True for circles with the f-number on the axis, which blurs over the field require. At the edges of the fields
+        of four lenses, their PSFs differ by 3 to 61 % of the peak from Huygens' sum over the traced rays. False for
+        the ellipses of :func:`pupil`, whose PSFs differ by up to 1.5 %; not supported with `fields`.
     wavelength, degree, tol
         As of :func:`pupil`.
 
     Returns
     -------
     FieldMap
-        With the f-number on the axis; of ellipses, that of the longest of their axes, and ellipses as `vignetting`
-        (:class:`lommel.Foreshortening`).
+        Map with the f-number on the axis. If pupils are elliptical, the f-number is that of the longest axis of all
+        ellipses, and the ellipses are `vignetting` (:class:`lommel.Foreshortening`).
 
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given, if these are given with
-        `distortion`, or if the fields of the lens are real image heights, of which it is not known.
+        As of :func:`pupil`; also if the lens is not rotationally symmetric and no `fields` are given, if `fields` are
+        given with `distortion`, or if `distortion` is requested for fields defined by real image heights.
     """
     trace, metres = _tracer(optic, wavelength)
     ideal = _ideal(optic) if validation.truth("distortion", distortion) else None
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, ideal=ideal, circular=circular)
 
 
-_PARAXIAL = 1e-3  # of the largest field: distortion is 1e-6 of that at the edge there
+_PARAXIAL = 1e-3  # fraction of the largest field, at which distortion is 1e-6 of the distortion at the edge
 
 
 def _ideal(optic: Any) -> Callable[[float], float]:
-    """Return the function from a fraction of the largest field to the ideal position (metres, upwards)."""
+    """Return the function from fractions of the largest field to image heights without distortion (m, upwards)."""
     kind = type(optic.fields.field_definition).__name__
     if kind not in ("AngleField", "ObjectHeightField", "ParaxialImageHeightField"):
-        raise ValueError(f"distortion must be False for fields of the type {kind}, which say nothing of the object")
+        raise ValueError(
+            f"distortion must be False for fields of the type {kind}, which do not define object positions"
+        )
     edge = math.radians(float(optic.fields.max_field))
 
     def height(h: float) -> float:
         return math.tan(h * edge) if kind == "AngleField" else h
 
-    low, near = (
+    axis, near = (
         1e-3 * float(optic.trace_generic(0.0, h, 0.0, 0.0, optic.primary_wavelength).y[0]) for h in (0.0, _PARAXIAL)
     )
-    return lambda h: (near - low) * height(h) / height(_PARAXIAL)
+    return lambda h: (near - axis) * height(h) / height(_PARAXIAL)
 
 
 def _require(optic: object) -> Any:
-    """Return a lens of optiland; TypeError if it is not one."""
+    """Return `optic`; TypeError if it is not an optiland Optic."""
     library("optiland.optic", "this needs", "")
     from optiland.optic import Optic
 
@@ -246,7 +251,7 @@ def _require(optic: object) -> Any:
 
 
 def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace, float]:
-    """Return the tracer of a field, and the wavelength in metres."""
+    """Return the function that traces a field point, and the wavelength in metres."""
     lens = _require(optic)
     from optiland.wavefront import Wavefront
 
@@ -257,25 +262,25 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
         if any(abs(float(part)) > 0.0 for part in lens.fields.get_vig_factor(hx, hy)):
             raise ValueError(f"the field ({hx:g}, {hy:g}) has vignetting factors, which are not supported")
         points = SimpleNamespace(x=x, y=y)
-        made = Wavefront(lens, [(hx, hy)], [micrometres], distribution=points).get_data((hx, hy), micrometres)
-        opd, light = (np.array(part, dtype=np.float64) for part in (made.opd, made.intensity))
+        data = Wavefront(lens, [(hx, hy)], [micrometres], distribution=points).get_data((hx, hy), micrometres)
+        opd, light = (np.array(part, dtype=np.float64) for part in (data.opd, data.intensity))
         chief = lens.trace_generic(hx, hy, 0.0, 0.0, micrometres)
-        place = np.stack([np.asarray(part, dtype=np.float64) for part in (made.pupil_x, made.pupil_y, made.pupil_z)])
-        towards = np.reshape(np.array(made.reference_center, dtype=np.float64), (3, 1)) - place
-        towards /= np.linalg.norm(towards, axis=0)
-        exits = getattr(made, "E_exits", None)
+        on_sphere = np.stack([np.asarray(part, np.float64) for part in (data.pupil_x, data.pupil_y, data.pupil_z)])
+        to_image = np.reshape(np.array(data.reference_center, dtype=np.float64), (3, 1)) - on_sphere
+        to_image /= np.linalg.norm(to_image, axis=0)
+        exits = getattr(data, "E_exits", None)
         electric = None
         if exits is not None:
-            parts = np.concatenate([np.asarray(part, dtype=np.complex128) for part in exits], axis=1)
-            electric = parts / np.sqrt(np.abs(towards[2]))[:, None]
+            components = np.concatenate([np.asarray(part, dtype=np.complex128) for part in exits], axis=1)
+            electric = components / np.sqrt(np.abs(to_image[2]))[:, None]
         rays = lens.trace_generic(hx, hy, x, y, micrometres)
         traced = ray_tracing.TracedField(
             x,
             y,
-            # Rays that are blocked come with the path 0 and no light.
+            # optiland sets the path and the intensity of blocked rays to 0.
             np.where(light > 0.0, -2.0 * math.pi * opd, np.nan),
-            index * (towards[0] - float(chief.L[0])),
-            index * (towards[1] - float(chief.M[0])),
+            index * (to_image[0] - float(chief.L[0])),
+            index * (to_image[1] - float(chief.M[0])),
             1e-3 * (np.array(rays.x, dtype=np.float64) - float(chief.x[0])),
             1e-3 * (np.array(rays.y, dtype=np.float64) - float(chief.y[0])),
             (1e-3 * float(chief.x[0]), 1e-3 * float(chief.y[0])),
@@ -284,22 +289,23 @@ def _tracer(optic: object, wavelength: float | None) -> tuple[ray_tracing.Trace,
 
         if not ray_tracing.tilt_off_rays(traced, 1e-6 * micrometres):
             return traced
-        # Paths begin in a plane across the axis; for angles alone optiland takes that from a tilted wave.
-        return replace(traced, phase=traced.phase + _launched(lens, (hx, hy), x, y, micrometres))
+        # Path lengths begin in a plane perpendicular to the axis. For an oblique wave from infinity optiland adds the
+        # path from the wave's plane only if fields are angles; for other fields it is added here.
+        return replace(traced, phase=traced.phase + _phase_at_start(lens, (hx, hy), x, y, micrometres))
 
     return trace, 1e-6 * float(micrometres)
 
 
-def _launched(lens: Any, field: tuple[float, float], x: Array, y: Array, micrometres: float) -> Array:
-    """Return the phase of a wave from infinity where its rays begin, less the chief ray's; 0 for near objects."""
+def _phase_at_start(lens: Any, field: tuple[float, float], x: Array, y: Array, micrometres: float) -> Array:
+    """Return phases of a plane wave at the starting points of its rays, minus the chief ray's; 0 if not infinite."""
     if not lens.object_surface.is_infinite:
         return np.zeros(x.size)
-    # The chief ray is the last.
+    # The last ray is the chief ray.
     rays = lens.ray_tracer.ray_generator.generate_rays(*field, np.append(x, 0.0), np.append(y, 0.0), micrometres)
-    place, direction = (
+    start, direction = (
         np.stack([np.asarray(getattr(rays, name), dtype=np.float64) for name in names]) for names in ("xyz", "LMN")
     )
-    # The path from the wave's plane through the chief ray's start: the projection on the direction.
-    path: Array = np.sum(direction[:, :-1] * (place[:, :-1] - place[:, -1:]), axis=0)
+    # Distance of the starting points from the plane of the wave through the starting point of the chief ray.
+    path: Array = np.sum(direction[:, :-1] * (start[:, :-1] - start[:, -1:]), axis=0)
     index = float(np.ravel(lens.surfaces.n(micrometres))[0])
     return 2.0 * math.pi / (1e-3 * micrometres) * index * path

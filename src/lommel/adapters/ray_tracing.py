@@ -1,13 +1,16 @@
 """Pupils and field maps from traced rays, shared by the adapters.
 
-The phase at a point of the pupil is that of its ray on the reference sphere around the chief ray's image point,
-``2 pi (OPL - OPL_chief) / lambda``: a longer path is a later wave, ``exp(+i phase)``. Pupil points are fractions of
-the entrance pupil; under the sine condition they are proportional to the direction cosines from the reference sphere
-to that image point, the variables of Debye's integral. Off the axis the factors of both directions differ: the pupil
-of a point is the ellipse that a linear map, by least squares, makes of the entrance pupil. Of a field map, and as in
-the packages' own FFT PSFs, it is a circle, with ``1 / (2 n NA)`` of the geometric mean as f-number.
+The phase of a ray is ``2 pi (OPL - OPL_chief) / lambda``, with the optical path length OPL up to the reference sphere
+around the image point of the chief ray. A longer path is a later wave, ``exp(+i phase)``.
 
-Ray tracers have y upwards, images here downwards: pupil and position are mirrored, seen from behind the sensor.
+Pupil points are fractions of the entrance pupil. Under the sine condition they are proportional to the direction
+cosines from the reference sphere to the image point, which are the variables of Debye's integral. Off the axis the
+factors of proportionality differ between the two directions, so that the image sees an elliptical pupil: a linear
+map, fitted by least squares, maps the entrance pupil to this ellipse. Field maps use by default a circle instead, as
+do the FFT PSFs of the ray tracers; its f-number is ``1 / (2 n sin)`` for the geometric mean of both directions.
+
+In ray tracers y points upwards, in images here downwards. Pupil and position are therefore mirrored, as seen from
+behind the sensor.
 """
 
 from __future__ import annotations
@@ -30,45 +33,40 @@ from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 MAX_DEGREE = 20
-"""Highest degree of the Zernike terms: that of the radial terms of a wavefront."""
+"""Highest degree of the Zernike terms, equal to that of the radial terms of a wavefront."""
 
-# Fits of phase and rays differ by up to 1e-4 of the steepest slope in five lenses, fields of their edges included.
-# What terms of too low a degree leave is up to a sixth of the tilt that they seem to have.
-_TILT, _TILT_OF_SLOPES, _TILT_OF_REST = 0.1, 0.01, 10.0
-_DARK = 1e-9  # amplitude of a component of the electric field that is left out
-_ROUND = 1e-5  # below this ellipticity a pupil is a circle, for which all methods are
+# Accepted tilt between phases and rays: a constant (rad), a fraction of the steepest slope, a multiple of the
+# residual. In five lenses, up to the edge of the field, the tilt is at most 1e-4 of the steepest slope. Where the
+# degree is too low, the residual of the fit is up to a sixth of the tilt.
+_TILT, _TILT_OF_SLOPES, _TILT_OF_RESIDUAL = 0.1, 0.01, 10.0
+_MIN_AMPLITUDE = 1e-9  # components of the electric field below this amplitude are omitted
+_MIN_ELLIPTICITY = 1e-5  # a pupil with smaller ellipticity is treated as a circle, which all methods support
 
 
 @dataclass(frozen=True)
 class TracedField:
-    """Rays from one object point in the frame of the ray tracer: z along the light, y upwards.
+    """Rays from one object point in the frame of the ray tracer: z along the light, y upwards."""
 
-    Fractions x and y of the entrance pupil, phase (radians, NaN where blocked), direction cosines from the reference
-    sphere (or of the rays) to the image times its index relative to the chief ray, where rays meet the sensor
-    relative to the chief ray (metres), the chief ray there, and where light is polarised the amplitude of each
-    component of the electric field, a column each.
-    """
-
-    x: Array
+    x: Array  # fractions of the entrance pupil
     y: Array
-    phase: Array
-    direction_x: Array
+    phase: Array  # radians, NaN for a blocked ray
+    direction_x: Array  # direction cosines towards the image times its refractive index, minus those of the chief ray
     direction_y: Array
-    missed_x: Array
+    missed_x: Array  # intersections with the sensor relative to the chief ray, metres
     missed_y: Array
-    position: tuple[float, float]
-    field: NDArray[np.complex128] | None = None
+    position: tuple[float, float]  # intersection of the chief ray with the sensor, metres
+    field: NDArray[np.complex128] | None = None  # (rays, components) amplitudes of the electric field, if polarised
 
 
 Trace = Callable[[float, float, Array, Array], TracedField]
-"""From a field point, as fractions of its edge, and points of the pupil to their rays."""
+"""Function that traces rays from a field point (hx, hy), in fractions of the largest field, through pupil points."""
 
 
 def sample_points(degree: int, tol: float = 0.01) -> tuple[Array, Array]:
-    """Return x and y of pupil points that determine Zernike terms up to `degree` and show residuals."""
+    """Return x and y of pupil points that determine Zernike terms up to `degree` and the residual of their fit."""
     validation.real("tol", tol, above=0.0)
     validation.integer("degree", degree, least=2, most=MAX_DEGREE)
-    # Gauss's rule in rho^2 and equal angles: least squares there are close to the integrals of the Zernike terms.
+    # Gauss-Legendre points in rho^2 at equal angles, at which a least-squares fit is close to a fit over the disc.
     nodes = gauss_legendre(degree // 2 + 4)[0]
     rho = np.sqrt(nodes)
     theta = 2.0 * math.pi / (2 * degree + 5) * np.arange(2 * degree + 5)
@@ -76,59 +74,60 @@ def sample_points(degree: int, tol: float = 0.01) -> tuple[Array, Array]:
 
 
 def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
-    """Return Zernike coefficients (radians at the edge) and the f-number; ValueError beyond `tol` or if blocked."""
+    """Return Zernike coefficients (radians at the edge) and the f-number; ValueError if blocked or above `tol`."""
     slopes = _slopes(traced)
-    # A pupil that is imaged upside down, as by a relay, is rotated by half a turn.
-    turn = math.copysign(1.0, slopes[0])
-    terms = _terms(traced.phase, turn * traced.x, -turn * traced.y, degree, tol)
-    # f / # = 1 / (2 n sin): slopes are n sin over the pupil radius; the geometric mean of both directions.
+    # An inverted image of the pupil, such as by a relay, is rotated by pi.
+    sign = math.copysign(1.0, slopes[0])
+    terms = _terms(traced.phase, sign * traced.x, -sign * traced.y, degree, tol)
+    # The f-number is 1 / (2 n sin) for the geometric mean of both directions; the slopes are n sin at the pupil edge.
     return terms, 0.5 / math.sqrt(slopes[0] * slopes[1])
 
 
 def tilt_off_rays(traced: TracedField, wavelength: float) -> float:
-    """Return the slope of the phase (radians over the pupil's radius) that the rays' positions do not show.
+    """Return the tilt (radians per pupil radius) by which phases differ from ray positions; 0 if it is negligible.
 
-    Along where a ray misses the chief ray on the sensor the phase changes by -2 pi / wavelength times that and the
-    change of its direction. 0 if the difference is that of fits.
+    A ray that meets the sensor at a distance d from the chief ray has the phase gradient
+    ``-2 pi / wavelength * d * gradient(direction)`` over the pupil.
     """
     if not np.isfinite(traced.phase).all():
-        return 0.0  # which is told later
+        return 0.0  # blocked rays raise an error later
     degree = min(12, math.isqrt(traced.x.size) // 2)
     matrix = _zernike(traced.x, traced.y, degree)[1]
-    fitted = np.linalg.pinv(matrix)
-    rest = float(np.std(traced.phase - matrix @ (fitted @ traced.phase)))  # of too low a degree, which is told later
-    # Derivatives of polynomials by central differences.
+    to_coefficients = np.linalg.pinv(matrix)
+    # A degree that is too low raises an error later.
+    residual = float(np.std(traced.phase - matrix @ (to_coefficients @ traced.phase)))
+    # Central differences differentiate the polynomials.
     step = 1e-4
     largest, mean = 0.0, []
     for dx, dy in ((step, 0.0), (0.0, step)):
-        ends = (_zernike(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
-        slope = (next(ends) - next(ends)) / (2.0 * step) @ fitted
-        along = traced.missed_x * (slope @ traced.direction_x) + traced.missed_y * (slope @ traced.direction_y)
-        by_rays = -2.0 * math.pi / wavelength * along
+        shifted = (_zernike(traced.x + k * dx, traced.y + k * dy, degree)[1] for k in (1, -1))
+        derivative = (next(shifted) - next(shifted)) / (2.0 * step) @ to_coefficients
+        turned_x, turned_y = derivative @ traced.direction_x, derivative @ traced.direction_y
+        by_rays = -2.0 * math.pi / wavelength * (traced.missed_x * turned_x + traced.missed_y * turned_y)
         largest = max(largest, float(np.abs(by_rays).max()))
-        # The mean slope over the pupil is a tilt.
-        mean.append(float((slope @ traced.phase - by_rays).mean()))
-    off = math.hypot(*mean)
-    return off if off > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_REST * rest else 0.0
+        # The mean difference of slopes over the pupil is a tilt.
+        mean.append(float((derivative @ traced.phase - by_rays).mean()))
+    tilt = math.hypot(*mean)
+    return tilt if tilt > _TILT + _TILT_OF_SLOPES * largest + _TILT_OF_RESIDUAL * residual else 0.0
 
 
 def _checked_trace(trace: Trace, wavelength: float) -> Trace:
-    """Return a trace whose phases agree with its rays; ValueError for a field where they do not."""
+    """Return `trace` with a check of its phases; it raises ValueError for a field where phases and rays disagree."""
 
-    def made(hx: float, hy: float, x: Array, y: Array) -> TracedField:
+    def checked(hx: float, hy: float, x: Array, y: Array) -> TracedField:
         traced = trace(hx, hy, x, y)
-        if off := tilt_off_rays(traced, wavelength):
+        if tilt := tilt_off_rays(traced, wavelength):
             raise ValueError(
                 f"the lens must have phases that agree with its rays; those of the field ({hx:g}, {hy:g}) differ by "
-                f"a tilt of {off:.3g} radians over the radius of the pupil"
+                f"a tilt of {tilt:.3g} radians over the radius of the pupil"
             )
         return traced
 
-    return made
+    return checked
 
 
 def _slopes(traced: TracedField) -> list[float]:
-    """Return the convergence of the rays in both directions; ValueError if some are blocked or it has no sign."""
+    """Return -d direction / d pupil in x and y; ValueError if rays are blocked or do not converge in both."""
     blocked = ~np.isfinite(traced.phase)
     if blocked.any():
         raise ValueError(
@@ -146,47 +145,47 @@ def _slopes(traced: TracedField) -> list[float]:
 
 
 def _zernike(x: Array, y: Array, degree: int) -> tuple[list[tuple[int, int]], Array]:
-    """Return the Zernike terms up to a degree, and their values at points, in columns."""
+    """Return the Zernike terms up to a degree, and the matrix (points, terms) of their values."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     terms = [(n, m) for n in range(degree + 1) for m in range(-n, n + 1, 2)]
     return terms, np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
 
 
 def _terms(phase: Array, x: Array, y: Array, degree: int, tol: float) -> dict[tuple[int, int], float]:
-    """Return the Zernike coefficients (radians at the edge) of a phase; ValueError beyond `tol`."""
+    """Fit Zernike coefficients (radians at the edge) to a phase; ValueError if the rms residual exceeds `tol`."""
     terms, matrix = _zernike(x, y, degree)
-    found = np.linalg.lstsq(matrix, phase, rcond=None)[0]
-    rest = float(np.sqrt(np.mean((matrix @ found - phase) ** 2)))
-    if not rest <= tol:
+    coefficients = np.linalg.lstsq(matrix, phase, rcond=None)[0]
+    residual = float(np.sqrt(np.mean((matrix @ coefficients - phase) ** 2)))
+    if not residual <= tol:
         raise ValueError(
-            f"degree must be higher: Zernike terms up to {degree} leave {rest:.3g} rad rms, more than tol={tol:g}"
+            f"degree must be higher: Zernike terms up to {degree} leave {residual:.3g} rad rms, more than tol={tol:g}"
         )
-    return {t: float(c) for t, c in zip(terms, found, strict=True) if t != (0, 0)}
+    return {t: float(c) for t, c in zip(terms, coefficients, strict=True) if t != (0, 0)}
 
 
 def _seen_from_image(
     traced: TracedField, wavelength: float, degree: int, tol: float, obscuration: float = 0.0
 ) -> tuple[Pupil, Array]:
-    """Return the pupil, an ellipse off the axis, and the matrix from the entrance pupil to its coordinates."""
+    """Return the pupil seen from the image (off the axis an ellipse), and the matrix from entrance pupil to it."""
     transform = _transform(traced)
-    axes, (half, across), _ = np.linalg.svd(transform)
+    axes, (major, minor), _ = np.linalg.svd(transform)  # n sin at the ends of the axes of the ellipse
     ellipse = None
-    if across > (1.0 - _ROUND) * half:
-        half = math.sqrt(half * across)
+    if minor > (1.0 - _MIN_ELLIPTICITY) * major:
+        major = math.sqrt(major * minor)
     else:
-        ellipse = Ellipse(1.0, float(across / half), math.atan2(axes[1, 0], axes[0, 0]))
-    x, y = transform @ np.stack([traced.x, traced.y]) / half
+        ellipse = Ellipse(1.0, float(minor / major), math.atan2(axes[1, 0], axes[0, 0]))
+    x, y = transform @ np.stack([traced.x, traced.y]) / major
     wavefront = Wavefront.zernike(_terms(traced.phase, x, y, degree, tol), normalization="edge")
-    made = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=0.5 / float(half))
-    return made if ellipse is None else foreshortened(made, ellipse), transform / half
+    pupil = Pupil(wavefront, obscuration=obscuration, wavelength=wavelength, f_number=0.5 / float(major))
+    return pupil if ellipse is None else foreshortened(pupil, ellipse), transform / major
 
 
 def _transform(traced: TracedField) -> Array:
-    """Return the matrix from points of the entrance pupil to the direction cosines at which the image sees them."""
+    """Return the matrix from entrance pupil coordinates to direction cosines seen from the image."""
     _slopes(traced)
-    # Light travels against the place that it comes from, which is seen from behind the sensor.
-    places = np.stack([-traced.direction_x, traced.direction_y], axis=1)
-    return np.linalg.lstsq(np.stack([traced.x, traced.y], axis=1), places, rcond=None)[0].T
+    # A pupil point is seen opposite to the direction of its ray; x is mirrored once more by the view from behind.
+    seen = np.stack([-traced.direction_x, traced.direction_y], axis=1)
+    return np.linalg.lstsq(np.stack([traced.x, traced.y], axis=1), seen, rcond=None)[0].T
 
 
 def single_pupil(
@@ -199,11 +198,11 @@ def single_pupil(
     *,
     circular: bool,
 ) -> Pupil:
-    """Return the pupil at one point of the field, with the f-number there."""
-    round_ = validation.truth("circular", circular)
+    """Return the pupil and its f-number at one point of the field."""
+    as_circle = validation.truth("circular", circular)
     hx, hy = _point("field", field)
     traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
-    if not round_:
+    if not as_circle:
         return _seen_from_image(traced, wavelength, degree, tol, obscuration)[0]
     terms, f_number = fit(traced, degree, tol)
     wavefront = Wavefront.zernike(terms, normalization="edge")
@@ -213,30 +212,31 @@ def single_pupil(
 def polarized_pupils(
     trace: Trace, field: object, wavelength: float, degree: int, tol: float, side: int
 ) -> list[Pupil]:
-    """Return a pupil of each component of the electric field that has light, with its amplitude as a mask."""
+    """Return one pupil for each component of the electric field with light; its mask is the amplitude."""
     hx, hy = _point("field", field)
     traced = _checked_trace(trace, wavelength)(hx, hy, *sample_points(degree, tol))
     pupil, transform = _seen_from_image(traced, wavelength, degree, tol)
     assert traced.field is not None
     _, matrix = _zernike(traced.x, traced.y, degree)
-    found = np.linalg.lstsq(matrix, traced.field, rcond=None)[0]
+    coefficients = np.linalg.lstsq(matrix, traced.field, rcond=None)[0]
     largest = float(np.abs(traced.field).max())
-    rest = float(np.abs(matrix @ found - traced.field).max())
-    if not rest <= tol * largest:
+    residual = float(np.abs(matrix @ coefficients - traced.field).max())
+    if not residual <= tol * largest:
         raise ValueError(
-            f"degree must be higher: Zernike terms up to {degree} leave {rest / largest:.3g} of the electric field, "
-            f"more than tol={tol:g}"
+            f"degree must be higher: Zernike terms up to {degree} leave {residual / largest:.3g} of the electric "
+            f"field, more than tol={tol:g}"
         )
-    at = (2.0 * np.arange(side) + 1.0 - side) / side
-    place = np.stack([part.ravel() for part in np.meshgrid(at, at)])
-    # A cell more than the radius: cells at the edge are partly inside.
-    inside = np.hypot(*place) <= 1.0 + 2.0 / side
-    x, y = np.linalg.solve(transform, place[:, inside])
-    beyond = np.maximum(np.hypot(x, y), 1.0)  # of cells at the edge, and between the ellipse and the circle
-    values = np.zeros((found.shape[1], side * side), dtype=np.complex128)
-    values[:, inside] = (_zernike(x / beyond, y / beyond, degree)[1] @ found).T
+    axis = (2.0 * np.arange(side) + 1.0 - side) / side
+    cells = np.stack([part.ravel() for part in np.meshgrid(axis, axis)])
+    # Cells up to one cell outside the circle are included, since the edge may cross them.
+    inside = np.hypot(*cells) <= 1.0 + 2.0 / side
+    x, y = np.linalg.solve(transform, cells[:, inside])
+    # Cells outside the entrance pupil have the field at its edge, since Zernike terms are defined for rho <= 1.
+    outside = np.maximum(np.hypot(x, y), 1.0)
+    values = np.zeros((coefficients.shape[1], side * side), dtype=np.complex128)
+    values[:, inside] = (_zernike(x / outside, y / outside, degree)[1] @ coefficients).T
     values /= max(1.0, np.abs(values).max())
-    masks = [Mask(part.reshape(side, side)) for part in values if np.abs(part).max() > _DARK]
+    masks = [Mask(part.reshape(side, side)) for part in values if np.abs(part).max() > _MIN_AMPLITUDE]
     return [replace(pupil, mask=mask) for mask in masks]
 
 
@@ -252,28 +252,29 @@ def field_map(
     *,
     circular: bool = True,
 ) -> FieldMap:
-    """Return the map over the field, with the f-number on the axis; without `fields` a symmetric lens is required.
+    """Return the field map; without `fields` the lens must be rotationally symmetric.
 
-    Not `circular`, pupils are ellipses off the axis, and the f-number is that of the longest of their axes.
+    If `circular`, the f-number is the one on the axis. Otherwise pupils off the axis are ellipses, and the f-number
+    is that of the longest axis of all ellipses.
 
-    `ideal` is where light arrives without distortion (metres, upwards), of a fraction of the edge of the field:
-    positions are then these, and tilts move the light to where chief rays meet the sensor.
+    `ideal` returns the image height without distortion (metres, upwards) for a fraction of the largest field. If it
+    is passed, these heights are the positions of the map, and tilts shift the light to the actual positions.
     """
-    round_ = validation.truth("circular", circular)
+    as_circle = validation.truth("circular", circular)
     points, trace = sample_points(degree, tol), _checked_trace(trace, wavelength)
     if fields is None:
-        return _radial_map(trace, points, heights, wavelength, degree, tol, obscuration, ideal, circular=round_)
+        return _radial_map(trace, points, heights, wavelength, degree, tol, obscuration, ideal, circular=as_circle)
     if ideal is not None:
-        raise ValueError("fields must be left out with distortion, which is that of a rotationally symmetric lens")
-    if not round_:
-        raise ValueError("fields must be left out for elliptical pupils, which follow the symmetry of the lens")
+        raise ValueError("fields must be left out with distortion, which needs a rotationally symmetric lens")
+    if not as_circle:
+        raise ValueError("fields must be left out for elliptical pupils, which need a rotationally symmetric lens")
     if not isinstance(fields, Sequence | np.ndarray):
         raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
     at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
-    several = [trace(hx, hy, *points) for hx, hy in at]
-    wavefront = _stack([fit(one, degree, tol)[0] for one in several])
-    x, y = np.array([one.position for one in several]).reshape(-1, 2).T
+    traced_fields = [trace(hx, hy, *points) for hx, hy in at]
+    wavefront = _stack([fit(one, degree, tol)[0] for one in traced_fields])
+    x, y = np.array([one.position for one in traced_fields]).reshape(-1, 2).T
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)
     return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
 
@@ -290,17 +291,18 @@ def _radial_map(
     *,
     circular: bool,
 ) -> FieldMap:
-    """Return the map of a rotationally symmetric lens from rays along y at `heights` image heights."""
+    """Return the map of a rotationally symmetric lens from `heights` field points along y."""
     f_number = fit(trace(0.0, 0.0, *points), degree, tol)[1]
     count = validation.integer("heights", heights, least=2, most=1000)
-    shares = np.linspace(0.0, 1.0, count)
-    along = [trace(0.0, float(hy), *points) for hy in shares]
-    position = np.array([one.position for one in along]) - along[0].position
+    fractions = np.linspace(0.0, 1.0, count)
+    along_y = [trace(0.0, float(hy), *points) for hy in fractions]
+    position = np.array([one.position for one in along_y]) - along_y[0].position
     upwards = math.copysign(1.0, position[-1, 1])
     distances = upwards * position[:, 1]
     if not distances[-1] > 0.0:
-        raise ValueError("the field of the lens must not be a single point: its edge is imaged onto the axis")
-    axes = np.abs([np.diag(_transform(one)) for one in along])  # across the direction of the field, and along it
+        raise ValueError("the largest field of the lens must be off the axis, but its image is on the axis")
+    # n sin of each pupil, perpendicular to the direction of the field and parallel to it.
+    axes = np.abs([np.diag(_transform(one)) for one in along_y])
     half = 0.5 / f_number if circular else float(axes.max())
     aperture = Pupil(obscuration=obscuration, wavelength=wavelength, f_number=0.5 / half)
 
@@ -311,43 +313,50 @@ def _radial_map(
         return _terms(traced.phase, x, y, degree, tol)
 
     azimuth = -0.5 * math.pi * upwards
-    wavefront = _stack([terms(one) for one in along])
-    made = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
-    across = trace(1.0, 0.0, *points)
-    _require_symmetry(made, terms(across), across.position, distances[-1], tol)
+    wavefront = _stack([terms(one) for one in along_y])
+    radial_map = FieldMap.radial(distances, wavefront, azimuth=azimuth, aperture=aperture)
+    along_x = trace(1.0, 0.0, *points)
+    _require_symmetry(radial_map, terms(along_x), along_x.position, distances[-1], tol)
     if ideal is not None:
-        straight = np.array([upwards * ideal(float(h)) for h in shares])
+        undistorted = np.array([upwards * ideal(float(h)) for h in fractions])
         # A tilt of c radians at the edge moves the image by c lambda N / pi.
-        tilt = -upwards * math.pi / aperture.scale * (distances - straight)
-        bent = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
-        made, distances = FieldMap.radial(straight, bent, azimuth=azimuth, aperture=aperture), straight
-    return made if circular else made.seen_through(Foreshortening(distances, *(axes.T / half)[::-1]))
+        tilt = -upwards * math.pi / aperture.scale * (distances - undistorted)
+        tilted = wavefront + Wavefront.zernike({(1, -1): tilt}, normalization="edge")
+        radial_map = FieldMap.radial(undistorted, tilted, azimuth=azimuth, aperture=aperture)
+        distances = undistorted
+    return radial_map if circular else radial_map.seen_through(Foreshortening(distances, *(axes.T / half)[::-1]))
 
 
 def _require_symmetry(
-    made: FieldMap, across: dict[tuple[int, int], float], position: tuple[float, float], reach: float, tol: float
+    radial_map: FieldMap,
+    along_x: dict[tuple[int, int], float],
+    position: tuple[float, float],
+    edge: float,
+    tol: float,
 ) -> None:
-    """Raise ValueError if the terms of rays at the edge of the field along x do not agree with those along y."""
+    """Raise ValueError if the terms at the edge of the field along x disagree with a map from fields along y."""
     x, y = position
-    asymmetric = abs(math.hypot(x, y) - reach) > 1e-6 * reach
+    asymmetric = abs(math.hypot(x, y) - edge) > 1e-6 * edge
     if not asymmetric:
-        factor = reach / math.hypot(x, y)
-        found = replace(made, vignetting=None).pupil(x * factor, -y * factor).wavefront
-        rest = found - Wavefront.zernike(across, normalization="edge")
-        asymmetric = any(abs(float(c)) > 10.0 * tol for c in rest.edge_terms().values())
+        factor = edge / math.hypot(x, y)
+        expected = replace(radial_map, vignetting=None).pupil(x * factor, -y * factor).wavefront
+        difference = expected - Wavefront.zernike(along_x, normalization="edge")
+        asymmetric = any(abs(float(c)) > 10.0 * tol for c in difference.edge_terms().values())
     if asymmetric:
         raise ValueError("the lens is not rotationally symmetric; give fields, the points of the field to trace")
 
 
-def _stack(several: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
-    terms = {t: np.array([one[t] for one in several]) for t in several[0]}
+def _stack(fits: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
+    """Return the stack of wavefronts from their Zernike coefficients (radians at the edge)."""
+    terms = {t: np.array([one[t] for one in fits]) for t in fits[0]}
     return Wavefront.zernike(terms, normalization="edge")
 
 
 def _point(name: str, value: object) -> tuple[float, float]:
+    """Return a checked field point (hx, hy)."""
     if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
         raise TypeError(f"{name} must be a pair (hx, hy), got {validation.shown(value)}")
     hx, hy = (validation.real(f"{name}[{k}]", part) for k, part in enumerate(value))
     if math.hypot(hx, hy) > math.sqrt(2.0) + 1e-9:
-        raise ValueError(f"{name} must be fractions of the edge of the field, from -1 to 1, got {(hx, hy)}")
+        raise ValueError(f"{name} must be fractions of the largest field, from -1 to 1, got {(hx, hy)}")
     return hx, hy

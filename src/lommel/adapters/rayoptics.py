@@ -2,18 +2,18 @@
 
 Conversions:
 
-- ``wave_abr_full_calc`` returns a length in the units of the lens, positive where a ray's path is *shorter* than the
-  chief ray's; the phase is ``-2 pi opd / lambda``. (ray-optics' own ``calc_psf`` takes the other sign, which turns
-  its PSF by half a turn.)
-- Points of the pupil are fractions of the entrance pupil without vignetting, y upwards, which is mirrored; see
-  :mod:`lommel.adapters.ray_tracing`. Positions are those of the chief ray on the image surface, at the focus shift of
-  the lens, in metres.
-- Wavelengths are nanometres there, metres here.
-- The amplitude is taken as uniform.
+- ``wave_abr_full_calc`` returns a length in the units of the lens, positive if the path of a ray is *shorter* than
+  that of the chief ray; the phase is ``-2 pi opd / lambda``. (``calc_psf`` of ray-optics has the opposite sign, which
+  rotates its PSF by 180 degrees.)
+- Pupil points are fractions of the entrance pupil without vignetting. The y of ray-optics points upwards and is
+  mirrored; see :mod:`lommel.adapters.ray_tracing`. Positions are intersections of chief rays with the image surface,
+  shifted by the focus shift of the lens, in metres.
+- Wavelengths are in nanometres in ray-optics, in metres here.
+- The amplitude is assumed uniform.
 
-ray-optics is optional, and none of it is imported before a function is called. It takes 0.9.10 or newer, which needs
-Python 3.12 and downloads a database of glasses when first imported; without a network the environment variable
-``refractiveindexinfodb`` names a folder that has it.
+ray-optics is optional, and none of it is imported before a function is called. Version 0.9.10 or newer is required.
+It needs Python 3.12, and downloads a database of glasses at the first import; without a network, set the environment
+variable ``refractiveindexinfodb`` to a folder with this database.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from lommel.base.optional import library
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
 
-_LEAST = (0, 9, 10)
+_MIN_VERSION = (0, 9, 10)
 
 
 def pupil(
@@ -50,17 +50,17 @@ def pupil(
     Parameters
     ----------
     model : rayoptics.optical.opticalmodel.OpticalModel
-        Up to date (``update_model()``).
+        Lens, after ``update_model()``.
     field : (float, float)
         Fractions of the maximum field along x and y.
     wavelength : float, optional
-        Metres; by default the central one of the lens.
+        Wavelength, metres; by default the central wavelength of the lens.
     apertures : bool, default True
-        Whether a ray that misses the clear aperture of a surface is blocked, which is an error. False lets the whole
-        entrance pupil pass, as where apertures have not been set yet.
+        True to raise an error if a ray misses the clear aperture of a surface. False to ignore clear apertures, for
+        example if they have not been set yet.
     circular : bool, default False
-        Whether the pupil is a circle of the geometric mean f-number, as in :func:`field_map`; by default it is what
-        the image sees, off the axis an ellipse. Phase retrieval and gradients by frameworks take circles only.
+        True for a circle with the geometric mean f-number, as in :func:`field_map`. False for the pupil seen from the
+        image, off the axis an ellipse. Phase retrieval and gradients in JAX or PyTorch support circles only.
     degree : int, default 12
         Highest degree of the Zernike terms, 2 to 20.
     tol : float, default 0.01
@@ -69,14 +69,16 @@ def pupil(
     Returns
     -------
     Pupil
-        With the f-number at this point; of an ellipse, that of its major axis, and the ellipse as `vignetting`.
+        Pupil with the f-number at this point. An elliptical pupil has the f-number of its major axis, and the ellipse
+        as `vignetting`.
 
     Raises
     ------
     ImportError
         If ray-optics is not installed.
     TypeError, ValueError
-        If an argument is out of range, if rays are blocked, or if `degree` does not reach `tol`.
+        If an argument is out of range, if rays are blocked, or if the residual of the fit of this `degree` exceeds
+        `tol`.
     """
     trace, metres = _tracer(model, wavelength, apertures)
     return ray_tracing.single_pupil(trace, field, metres, degree, tol, circular=circular)
@@ -93,49 +95,49 @@ def field_map(
     degree: int = 12,
     tol: float = 0.01,
 ) -> FieldMap:
-    """Return the map of a lens over its field.
+    """Return the field map of a lens: wavefront and pupil as functions of the position on the sensor.
 
     Parameters
     ----------
     model : rayoptics.optical.opticalmodel.OpticalModel
-        Up to date (``update_model()``).
+        Lens, after ``update_model()``.
     heights : int, default 9
         Number of field points traced, from the axis to the edge; the lens must be rotationally symmetric.
     fields : sequence of (float, float), optional
-        Points to trace instead, as fractions of the largest field, for a lens without that symmetry.
+        Points to trace instead, as fractions of the largest field, for a lens without rotational symmetry.
     circular : bool, default True
-        Whether all pupils are circles of the f-number on the axis, which blurs over the field require; their PSFs
-        can be wrong by tens of percent of the peak towards the edge of the field. False gives each position the
-        ellipse that the image sees, as :func:`pupil` does. Not with `fields`.
+        True for circles with the f-number on the axis, which blurs over the field require; errors of their PSFs can
+        be tens of percent of the peak near the edge of the field. False for the ellipses of :func:`pupil`; not
+        supported with `fields`.
     wavelength, apertures, degree, tol
         As of :func:`pupil`.
 
     Returns
     -------
     FieldMap
-        With the f-number on the axis; of ellipses, that of the longest of their axes, and ellipses as `vignetting`
-        (:class:`lommel.Foreshortening`).
+        Map with the f-number on the axis. If pupils are elliptical, the f-number is that of the longest axis of all
+        ellipses, and the ellipses are `vignetting` (:class:`lommel.Foreshortening`).
 
     Raises
     ------
     ImportError, TypeError, ValueError
-        As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
+        As of :func:`pupil`; also if the lens is not rotationally symmetric and no `fields` are given.
     """
     trace, metres = _tracer(model, wavelength, apertures)
     return ray_tracing.field_map(trace, heights, fields, metres, degree, tol, circular=circular)
 
 
-def _require_version(found: str) -> None:
-    """Raise ImportError for versions whose optical path differences have a wrong sign in fields along x."""
-    if tuple(int(part) for part in re.findall(r"\d+", found)[:3]) < _LEAST:
+def _require_version(installed: str) -> None:
+    """Raise ImportError for versions whose optical path differences have a wrong sign for fields along x."""
+    if tuple(int(part) for part in re.findall(r"\d+", installed)[:3]) < _MIN_VERSION:
         raise ImportError(
-            f"this needs ray-optics {'.'.join(map(str, _LEAST))} or newer, which takes Python 3.12, got {found}: "
-            "before that optical path differences of fields along x are wrong"
+            f"this needs ray-optics {'.'.join(map(str, _MIN_VERSION))} or newer, which takes Python 3.12, got "
+            f"{installed}, whose optical path differences are wrong for fields along x"
         )
 
 
 def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[ray_tracing.Trace, float]:
-    """Return the tracer of a field, and the wavelength in metres."""
+    """Return the function that traces a field point, and the wavelength in metres."""
     library("rayoptics.optical.opticalmodel", "this needs", "")
     _require_version(metadata.version("rayoptics"))
     from rayoptics.optical.opticalmodel import OpticalModel
@@ -157,29 +159,29 @@ def _tracer(model: object, wavelength: float | None, apertures: bool) -> tuple[r
         field.xf, field.yf = hx, hy
         sphere, chief = rays.setup_pupil_coords(model, field, nanometres, shift)
         field.chief_ray, field.ref_sphere = chief, sphere
-        phase, towards, missed = np.full(x.size, np.nan), np.zeros((x.size, 2)), np.zeros((x.size, 2))
+        phase, relative, missed = np.full(x.size, np.nan), np.zeros((x.size, 2)), np.zeros((x.size, 2))
         chief_direction = chief[0][0][-1][1]
         for k, point in enumerate(np.stack([x, y], axis=1)):
-            found, _ = rays.trace_safe(
+            ray, _ = rays.trace_safe(
                 model, point, field, nanometres, None, None, apply_vignetting=False, check_apertures=apertures
             )
-            if found is None:
+            if ray is None:
                 continue
-            opd = wave_abr_full_calc(first, field, nanometres, shift, found, chief, sphere)
+            opd = wave_abr_full_calc(first, field, nanometres, shift, ray, chief, sphere)
             phase[k] = -2.0 * math.pi * opd / (unit * 1e-9 * nanometres)
-            # From the point of the reference sphere that the ray comes from.
-            past, direction = found[0][-1][0] - sphere[0], found[0][-1][1]
-            along = past @ direction
-            # The intersection of the ray with the reference sphere, from a quadratic equation.
-            length = along + math.sqrt(along**2 + sphere[2] ** 2 - past @ past)
-            straight = (length * direction - past) / abs(sphere[2])
-            towards[k] = abs(first.n_img) * (straight - chief_direction)[:2]
-            # The ray's point in the plane of the image, relative to the chief ray's.
-            missed[k] = (past - past[2] / direction[2] * direction)[:2] / unit
-        place = np.asarray(sphere[0], dtype=np.float64) / unit
-        position = float(place[0]), float(place[1])
+            # Offset of the ray from the centre of the reference sphere, which is the image point.
+            offset, direction = ray[0][-1][0] - sphere[0], ray[0][-1][1]
+            along = offset @ direction
+            # The intersection of the ray with the reference sphere is the solution of a quadratic equation.
+            length = along + math.sqrt(along**2 + sphere[2] ** 2 - offset @ offset)
+            to_image = (length * direction - offset) / abs(sphere[2])
+            relative[k] = abs(first.n_img) * (to_image - chief_direction)[:2]
+            # Intersection of the ray with the image plane, relative to the chief ray.
+            missed[k] = (offset - offset[2] / direction[2] * direction)[:2] / unit
+        image_point = np.asarray(sphere[0], dtype=np.float64) / unit
+        position = float(image_point[0]), float(image_point[1])
         return ray_tracing.TracedField(
-            x, y, phase, towards[:, 0], towards[:, 1], missed[:, 0], missed[:, 1], position
+            x, y, phase, relative[:, 0], relative[:, 1], missed[:, 0], missed[:, 1], position
         )
 
     return trace, 1e-9 * float(nanometres)

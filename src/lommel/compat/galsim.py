@@ -13,27 +13,29 @@ _ARCSEC = 180.0 * 3600.0 / np.pi
 
 
 def interpolated_image(psf: PSF, *, focal_length: float, **options: Any) -> Any:
-    """Return ``galsim.InterpolatedImage`` of a single PSF, its flux the light in the window.
+    """Return a single PSF as ``galsim.InterpolatedImage``; its flux is the light in the window.
 
     Parameters
     ----------
     psf : PSF
-        Square pixels in metres. Point-sampled (``integrate=False``) it is the PSF alone, which GalSim averages over
-        the pixels of an image; of a pixel-integrated one draw with ``method="no_pixel"``, in pixels of its own size.
+        PSF with an odd number of square pixels in metres along x and y. If it is point-sampled (``integrate=False``),
+        GalSim averages it over the pixels of an image. If it is pixel-integrated, draw with ``method="no_pixel"`` and
+        pixels of the same size.
     focal_length : float
-        Of the telescope, metres: a pixel is ``pixel / focal_length`` radians of the sky.
+        Focal length of the telescope, metres; a pixel is ``pixel / focal_length`` radians on the sky.
     options
-        Of ``galsim.InterpolatedImage``, such as `x_interpolant`.
+        Options of ``galsim.InterpolatedImage``, such as `x_interpolant`.
 
     Returns
     -------
     galsim.InterpolatedImage
-        In arcseconds; x along columns, y along rows.
+        Profile in arcseconds; x along columns, y along rows.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or `psf` a stack or of an even size, or its pixels are not square metres.
+        If an argument is out of range, or if `psf` is a stack, has an even size, or has pixels that are not square or
+        not in metres.
     ImportError
         If GalSim is not installed.
     """
@@ -41,9 +43,9 @@ def interpolated_image(psf: PSF, *, focal_length: float, **options: Any) -> Any:
     validation.instance("psf", psf, PSF)
     length = validation.real("focal_length", focal_length, above=0.0)
     if psf.values.ndim != 2 or psf.values.shape[0] % 2 == 0 or psf.values.shape[1] % 2 == 0:
-        raise ValueError(f"psf must be a single one with odd sides, got shape {psf.values.shape}")
+        raise ValueError(f"psf must be a single PSF with odd sides, got shape {psf.values.shape}")
     if psf.unit != "m":
-        raise ValueError("psf must have pixels in metres: give its pupil a wavelength and an f-number")
+        raise ValueError("psf must have pixels in metres; define its pupil with a wavelength and an f-number")
     steps = {*np.atleast_1d(np.asarray(psf.pixel, dtype=float)).tolist()}
     if len(steps) > 1:
         raise ValueError(f"psf must have square pixels, got {psf.pixel}")

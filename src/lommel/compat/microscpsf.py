@@ -11,7 +11,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.compat import psfmodels
 
-# Of MicroscPSF-Py 0.2: magnification and tube length change nothing here.
+# Default microscope of MicroscPSF-Py 0.2. Its magnification "M" and tube length "zd0" do not affect the results here.
 m_params = psfmodels.PARAMS | {"M": 100.0, "ns": 1.33, "zd0": 200.0e3}
 
 
@@ -25,32 +25,33 @@ def gLXYZFocalScan(
     wvl: float = 0.6,
     zd: float | None = None,
 ) -> Array:
-    """Return a stack through focus, as ``microscPSF.gLXYZFocalScan`` does.
+    """Return a stack of images through focus, like ``microscPSF.gLXYZFocalScan``.
 
     Parameters
     ----------
     mp : mapping
-        Microscope, as ``m_params`` of this module. "M" and "zd0" change nothing: the sine condition holds exactly.
+        Microscope parameters, with names and units of ``m_params``. "M" and "zd0" do not affect the result, since the
+        sine condition is assumed exactly.
     dxy : float
-        Pixel in the sample, micrometres; values are samples at the centres of pixels.
+        Pixel pitch in the sample, micrometres; values are point samples at pixel centres.
     xy_size : int
-        Width and height, with the point in the middle of the array, between pixels where it is even.
+        Width and height in pixels; the point is in the middle of the array, between pixels if the size is even.
     zv : array_like, shape (planes,)
-        Distance of the stage from its design position, micrometres; negative where the cover glass is nearer to the
+        Stage positions relative to the design position, micrometres; negative if the cover glass is closer to the
         objective.
     normalize : bool, default True
-        Divide by the largest value that the stack has at any distance from the axis.
+        Divide by the largest value of the stack, searched between the pixels too.
     pz : float, default 0
         Depth of the point below the cover glass, micrometres.
     wvl : float, default 0.6
-        Micrometres.
+        Wavelength, micrometres.
     zd : float, optional
-        Distance of the camera, micrometres: that of the microscope, "zd0".
+        Distance of the camera, micrometres; only the tube length "zd0" of the microscope is supported.
 
     Returns
     -------
     ndarray, shape (planes, xy_size, xy_size)
-        float64, within 1e-9 of the largest value.
+        float64; the error of a value is at most 1e-9 of the largest value.
 
     Raises
     ------
@@ -61,7 +62,7 @@ def gLXYZFocalScan(
     ----------
     S. F. Gibson and F. Lanni, J. Opt. Soc. Am. A 9, 154 (1992), doi:10.1364/JOSAA.9.000154.
     """
-    return _window(_at_rest(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
+    return _images(_checked_camera(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
 
 
 def gLXYZParticleScan(
@@ -74,11 +75,11 @@ def gLXYZParticleScan(
     zd: float | None = None,
     zv: float = 0.0,
 ) -> Array:
-    """Return a stack of points at depths `pz`, (depths, xy_size, xy_size), the stage at rest at `zv`.
+    """Return images of points at depths `pz` for one stage position `zv`, shape (depths, xy_size, xy_size).
 
-    Otherwise as :func:`gLXYZFocalScan`.
+    Other parameters are as of :func:`gLXYZFocalScan`.
     """
-    return _window(_at_rest(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
+    return _images(_checked_camera(mp, zd), dxy, xy_size, zv, pz, wvl, normalize)
 
 
 def gLZRFocalScan(
@@ -90,11 +91,11 @@ def gLZRFocalScan(
     wvl: float = 0.6,
     zd: float | None = None,
 ) -> Array:
-    """Return the radial profile at radii `rv`, micrometres, of each plane, (planes, radii).
+    """Return the radial profile of each plane at radii `rv` (micrometres), shape (planes, radii).
 
-    Otherwise as :func:`gLXYZFocalScan`.
+    Other parameters are as of :func:`gLXYZFocalScan`.
     """
-    return _profile(_at_rest(mp, zd), rv, zv, pz, wvl, normalize)
+    return _profiles(_checked_camera(mp, zd), rv, zv, pz, wvl, normalize)
 
 
 def gLZRParticleScan(
@@ -106,61 +107,64 @@ def gLZRParticleScan(
     zd: float | None = None,
     zv: float = 0.0,
 ) -> Array:
-    """Return the radial profile at radii `rv`, micrometres, of points at depths `pz`, (depths, radii).
+    """Return radial profiles of points at depths `pz`, at radii `rv` (micrometres), shape (depths, radii).
 
-    Otherwise as :func:`gLXYZFocalScan`.
+    Other parameters are as of :func:`gLXYZFocalScan`.
     """
-    return _profile(_at_rest(mp, zd), rv, zv, pz, wvl, normalize)
+    return _profiles(_checked_camera(mp, zd), rv, zv, pz, wvl, normalize)
 
 
-def _at_rest(mp: Mapping[str, float], zd: float | None) -> Mapping[str, float]:
-    """Return the microscope; ValueError if the camera is not at its design position."""
-    designed = mp.get("zd0", m_params["zd0"])
-    if zd is not None and zd != designed:
-        raise ValueError(f"zd must be the tube length {designed:g} or None, got {zd:g}: move the stage, zv, instead")
+def _checked_camera(mp: Mapping[str, float], zd: float | None) -> Mapping[str, float]:
+    """Return the microscope parameters; ValueError if the camera is not at its design position."""
+    tube_length = mp.get("zd0", m_params["zd0"])
+    if zd is not None and zd != tube_length:
+        raise ValueError(f"zd must be the tube length {tube_length:g} or None, got {zd:g}; move the stage zv instead")
     return mp
 
 
 def _params(mp: Mapping[str, float]) -> dict[str, float]:
-    """Return the parameters that matter here; ValueError for an unknown name."""
+    """Return the parameters that affect the result, with defaults; ValueError for an unknown name."""
     for name in mp:
         validation.choice("mp", name, tuple(m_params))
     return {name: value for name, value in (m_params | dict(mp)).items() if name in psfmodels.PARAMS}
 
 
-def _focus(of: Mapping[str, float], zv: ArrayLike) -> Array:
-    """Return the stage in metres from paraxial focus on the cover glass, towards the sample."""
-    clearance = of["ni"] * (of["tg0"] / of["ng0"] + of["ti0"] / of["ni0"] - of["tg"] / of["ng"])
-    return np.asarray(1e-6 * (clearance - of["ti0"] - np.atleast_1d(validation.real_array("zv", zv))))
+def _focus(params: Mapping[str, float], zv: ArrayLike) -> Array:
+    """Return stage positions in metres, positive towards the sample, from paraxial focus on the cover glass."""
+    ni, ti0 = params["ni"], params["ti0"]
+    clearance = ni * (params["tg0"] / params["ng0"] + ti0 / params["ni0"] - params["tg"] / params["ng"])
+    return np.asarray(1e-6 * (clearance - ti0 - np.atleast_1d(validation.real_array("zv", zv))))
 
 
-def _window(
+def _images(
     mp: Mapping[str, float], dxy: float, xy_size: int, zv: ArrayLike, pz: ArrayLike, wvl: float, normalize: bool
 ) -> Array:
+    """Return images of shape (n, xy_size, xy_size), from radial profiles at the distinct radii of the pixels."""
     side = validation.integer("xy_size", xy_size, least=1, most=10_000)
-    # Twice the distances: whole numbers, also for windows of even sides.
-    along = 2 * np.arange(side) - (side - 1)
-    squares, place = np.unique(along**2 + along[:, None] ** 2, return_inverse=True)
+    # Coordinates in half pixels are integers, for even and odd sides.
+    half_pixels = 2 * np.arange(side) - (side - 1)
+    squares, which = np.unique(half_pixels**2 + half_pixels[:, None] ** 2, return_inverse=True)
     pitch = validation.real("dxy", dxy, above=0.0)
-    # Beside those of pixels the radii that the largest value is looked for at.
+    # The second part adds radii at steps of half a pixel, at which the largest value is searched as well.
     radii = np.concatenate([0.5 * pitch * np.sqrt(squares), 0.5 * pitch * np.arange(1.5 * side + 2)])
-    made = _profile(mp, radii, zv, pz, wvl, normalize)
-    return made[:, : squares.size][:, place.reshape(side, side)]
+    profiles = _profiles(mp, radii, zv, pz, wvl, normalize)
+    return profiles[:, : squares.size][:, which.reshape(side, side)]
 
 
-def _profile(
+def _profiles(
     mp: Mapping[str, float], rv: ArrayLike, zv: ArrayLike, pz: ArrayLike, wvl: float, normalize: bool
 ) -> Array:
-    of = _params(mp)
+    """Return radial profiles of shape (n, radii), one for each depth or stage position."""
+    params = _params(mp)
     depth = np.atleast_1d(validation.real_array("pz", pz, least=0.0))
     radii = 1e-6 * np.atleast_1d(validation.real_array("rv", rv, least=0.0))
-    found = psfmodels.objective(of).scalar(
+    found = psfmodels.objective(params).scalar(
         radii,
         depth=1e-6 * depth,
-        focus=_focus(of, zv),
+        focus=_focus(params, zv),
         wavelength=1e-6 * validation.real("wvl", wvl, above=0.0),
         supercritical=False,
     )
-    # Theirs is the square of an integral over rho drho, whose largest value is 1/2.
+    # MicroscPSF-Py squares an integral over rho drho, which is at most 1/2; the intensity here is at most 1.
     values = 0.25 * found.intensity
     return np.asarray(values / values.max() if validation.truth("normalize", normalize) else values)

@@ -1,4 +1,4 @@
-"""Models of photutils: effective PSFs, oversampled and integrated over pixels, at one place or on a grid."""
+"""Effective PSFs for photutils: oversampled and integrated over pixels, at one field position or on a grid."""
 
 from __future__ import annotations
 
@@ -15,30 +15,33 @@ from lommel.io import fits_images
 from lommel.optics.pupil import Pupil
 from lommel.psf import psf
 
-_OF_FILES = 4  # the oversampling that readers of STDPSF files assume
+_STDPSF_OVERSAMPLING = 4  # readers of STDPSF files assume this oversampling
 _Grid = tuple[Values, Array, Array]
 
 
 def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> Values:
-    """Return effective PSFs (ePSFs): pixel-integrated values, `oversampling` a pixel, around the middle of the array.
+    """Return effective PSFs (ePSFs): pixel-integrated values at steps of ``pixel / oversampling``.
+
+    The star is in the middle of the array.
 
     Parameters
     ----------
     pupil : Pupil
-        One, or a stack.
+        A single pupil or a stack.
     shape : int
         Width and height in pixels; odd.
     pixel : float
-        Pixel pitch, metres, or units of lambda*N if the pupil has no wavelength.
+        Pixel pitch in metres, or in units of lambda*N if the pupil has no wavelength.
     oversampling : int, default 4
-        Values a pixel, along each side.
+        Number of values per pixel along x, and along y.
     options
-        Of :func:`lommel.psf`: `tol`, `blur` (seeing), `fill`, `threads`.
+        Options of :func:`lommel.psf`: `tol`, `blur` (seeing), `fill`, `threads`.
 
     Returns
     -------
     ndarray, shape pupil.shape + (n, n), ``n = oversampling * (shape - 1) + 1``
-        Their sum is `oversampling` squared times the light in the window. Error bound as of :func:`lommel.psf`.
+        The sum of the values of an ePSF is ``oversampling**2`` times the light in the window. The error bound is that
+        of :func:`lommel.psf`.
 
     Raises
     ------
@@ -55,16 +58,18 @@ def effective_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int =
         raise ValueError(f"shape must be odd, so that the star is in the middle of a pixel, got {side}")
     for name in ("center", "integrate"):
         if name in options:
-            raise ValueError(f"{name} must be left out: effective PSFs are pixel-integrated around the middle")
-    # Of each place within a pixel its own PSF: the oversampled values are those of all places, interleaved.
+            raise ValueError(
+                f"{name} must be left out: effective PSFs are pixel-integrated and centred on the middle pixel"
+            )
+    # For each of times^2 subpixel shifts of the axis, one PSF; interleaved, they are the oversampled values.
     row, column = side // 2 - np.mgrid[:times, :times] / times
     stack = pupil[..., None, None] if pupil.shape else pupil
-    parts = psf(stack, side, pixel, center=(row, column), integrate=True, **options).values
-    last = parts.ndim
+    shifted = psf(stack, side, pixel, center=(row, column), integrate=True, **options).values
+    last = shifted.ndim
     order = (*range(last - 4), last - 2, last - 4, last - 1, last - 3)
-    whole = parts.transpose(order).reshape(*pupil.shape, side * times, side * times)
+    interleaved = shifted.transpose(order).reshape(*pupil.shape, side * times, side * times)
     n = times * (side - 1) + 1
-    return np.ascontiguousarray(whole[..., :n, :n])
+    return np.ascontiguousarray(interleaved[..., :n, :n])
 
 
 def image_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, **options: Any) -> Any:
@@ -79,18 +84,18 @@ def image_psf(pupil: Pupil, shape: int, pixel: float, *, oversampling: int = 4, 
     Returns
     -------
     photutils.psf.ImagePSF
-        Of flux 1, the star at (0, 0).
+        Model with flux 1 and the star at (0, 0).
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or `pupil` a stack.
+        If an argument is out of range, or if `pupil` is a stack.
     ImportError
         If photutils is not installed.
     """
     model = optional.library("photutils.psf", "image_psf needs", "").ImagePSF
     if pupil.shape != ():
-        raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
+        raise ValueError(f"pupil must be a single pupil, got a stack of shape {pupil.shape}")
     return model(effective_psf(pupil, shape, pixel, oversampling=oversampling, **options), oversampling=oversampling)
 
 
@@ -111,30 +116,30 @@ def gridded_psf_model(
     ----------
     field : FieldMap
     rows, columns : int
-        Of the grid of PSFs: from edge to edge of the sensor, at least 2 each.
+        Number of rows and columns of the grid of PSFs, at least 2; the outermost PSFs are at the edges of the sensor.
     sensor : (float, float)
-        Height and width, centred on the axis, in the unit of the map.
+        Height and width of the sensor, centred on the axis, in the unit of `field`.
     shape, pixel, oversampling, options
         As of :func:`effective_psf`.
 
     Returns
     -------
     photutils.psf.GriddedPSFModel
-        At positions in pixels, (0, 0) being the middle of the first pixel.
+        Positions are in pixels, from the centre of the first pixel.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or the sensor reaches beyond the map.
+        If an argument is out of range, or if the sensor extends beyond `field`.
     ImportError
         If photutils is not installed.
     """
     model = optional.library("photutils.psf", "gridded_psf_model needs", "").GriddedPSFModel
     table = optional.library("astropy.nddata", "gridded_psf_model needs", "fits").NDData
     values, x, y = _grid(field, rows, columns, sensor, shape, pixel, oversampling, options)
-    places = [(across, down) for down in y for across in x]
-    meta = {"grid_xypos": places, "oversampling": oversampling}
-    return model(table(values.reshape(len(places), *values.shape[2:]), meta=meta))
+    positions = [(column, row) for row in y for column in x]
+    meta = {"grid_xypos": positions, "oversampling": oversampling}
+    return model(table(values.reshape(len(positions), *values.shape[2:]), meta=meta))
 
 
 def save_stdpsf(
@@ -153,13 +158,14 @@ def save_stdpsf(
     Parameters
     ----------
     path : path
+        FITS file. It has an oversampling of 4; its positions are integers that begin with 1.
     field, rows, columns, sensor, shape, pixel, options
-        As of :func:`gridded_psf_model`, with four values a pixel. Positions in the file are whole pixels, from 1.
+        As of :func:`gridded_psf_model`.
 
     Raises
     ------
     TypeError, ValueError
-        As :func:`gridded_psf_model`; also if a grid has more than 99 rows or columns.
+        As :func:`gridded_psf_model`, and if the grid has more than 99 rows or columns.
     ImportError
         If astropy is not installed.
     OSError
@@ -167,10 +173,10 @@ def save_stdpsf(
     """
     for name, count in (("rows", rows), ("columns", columns)):
         validation.integer(name, count, least=2, most=99)
-    values, x, y = _grid(field, rows, columns, sensor, shape, pixel, _OF_FILES, options)
+    values, x, y = _grid(field, rows, columns, sensor, shape, pixel, _STDPSF_OVERSAMPLING, options)
     header: dict[str, int] = {"NXPSFS": columns, "NYPSFS": rows}
-    header |= {f"IPSFX{k:02d}": round(place) + 1 for k, place in enumerate(x, 1)}
-    header |= {f"JPSFY{k:02d}": round(place) + 1 for k, place in enumerate(y, 1)}
+    header |= {f"IPSFX{k:02d}": round(column) + 1 for k, column in enumerate(x, 1)}
+    header |= {f"JPSFY{k:02d}": round(row) + 1 for k, row in enumerate(y, 1)}
     data = values.reshape(-1, *values.shape[2:])
     atomic.write(Path(path), fits_images.write([(data, header)]))
 
@@ -185,16 +191,16 @@ def _grid(
     oversampling: int,
     options: dict[str, Any],
 ) -> _Grid:
-    """Return effective PSFs, (rows, columns, n, n), and their positions, pixels from the middle of the first."""
+    """Return effective PSFs of shape (rows, columns, n, n), and their x and y in pixels from the first pixel."""
     validation.instance("field", field, FieldMap)
     pitch = validation.real("pixel", pixel, above=0.0)
-    places = []
+    positions = []
     for name, count, length in (("columns", columns, sensor[1]), ("rows", rows, sensor[0])):
         validation.integer(name, count, least=2, most=1000)
         side = round(validation.real("sensor", length, above=0.0) / pitch)
-        # Whole pixels, the outermost among them.
-        places.append(np.round(np.linspace(0.0, side - 1.0, count)))
-    x, y = places
+        # Positions are rounded to whole pixels, from the first pixel of the sensor to its last.
+        positions.append(np.round(np.linspace(0.0, side - 1.0, count)))
+    x, y = positions
     middle = [0.5 * (round(length / pitch) - 1) for length in (sensor[1], sensor[0])]
     pupils = field.pupil((x - middle[0]) * pitch, ((y - middle[1]) * pitch)[:, None])
     return effective_psf(pupils, shape, pixel, oversampling=oversampling, **options), x, y

@@ -1,4 +1,4 @@
-"""Arrays of prysm: pupils and PSFs as prysm samples them."""
+"""Pupils and PSFs as arrays in the sampling and units of prysm."""
 
 from __future__ import annotations
 
@@ -13,17 +13,18 @@ from lommel.psf import PSF
 
 
 class PupilArrays(NamedTuple):
-    """What ``prysm.propagation.Wavefront.from_amp_and_phase`` takes.
+    """Arguments of ``prysm.propagation.Wavefront.from_amp_and_phase``.
 
     Attributes
     ----------
     amplitude : ndarray, shape (samples, samples)
+        Amplitude of the pupil.
     phase : ndarray, shape (samples, samples)
         Optical path difference, nanometres.
     wavelength : float
-        Micrometres.
+        Wavelength, micrometres.
     dx : float
-        Millimetres between samples.
+        Distance between samples, millimetres.
     """
 
     amplitude: Array
@@ -38,11 +39,11 @@ def pupil_arrays(pupil: Pupil, samples: int, *, diameter: float) -> PupilArrays:
     Parameters
     ----------
     pupil : Pupil
-        With a wavelength; a circular or annular aperture.
+        Pupil with a wavelength and a circular or annular aperture.
     samples : int
-        Across the diameter, even as prysm has it, sample ``samples // 2`` being on the axis.
+        Number of samples across the diameter, usually even in prysm; sample ``samples // 2`` is on the axis.
     diameter : float
-        Of the entrance or exit pupil, metres.
+        Diameter of the entrance or exit pupil, metres.
 
     Returns
     -------
@@ -51,38 +52,40 @@ def pupil_arrays(pupil: Pupil, samples: int, *, diameter: float) -> PupilArrays:
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or `pupil` has no wavelength, is a stack, or has parts.
+        If an argument is out of range, or if `pupil` is a stack, has no wavelength, or has an aperture that is
+        neither circular nor annular.
     """
     validation.instance("pupil", pupil, Pupil)
     n = validation.integer("samples", samples, least=2, most=10_000)
     width = validation.real("diameter", diameter, above=0.0)
     if pupil.shape != () or pupil.wavelength is None:
-        raise ValueError("pupil must be a single one with a wavelength")
+        raise ValueError("pupil must be a single pupil with a wavelength; index a stack, or pass wavelength to Pupil")
     if not pupil.circular:
-        raise ValueError("pupil must have a circular or annular aperture: draw others by prysm.geometry")
+        raise ValueError("pupil must have a circular or annular aperture; draw other apertures by prysm.geometry")
     axis = (np.arange(n) - n // 2) * (2.0 / n)
     x, y = np.meshgrid(axis, axis)
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     inside = (rho <= 1.0) & (rho >= pupil.obscuration)
-    # Zernike terms are not evaluated beyond the edge, where the amplitude is 0.
-    within = np.minimum(rho, 1.0)
-    amplitude = np.where(inside, pupil.illumination.value(within), 0.0)
-    phase = np.where(inside, pupil.wavefront.phase(within, theta), 0.0)
-    nanometres = phase * (1e9 * pupil.wavelength / (2.0 * np.pi))
-    return PupilArrays(amplitude, nanometres, 1e6 * pupil.wavelength, 1e3 * width / n)
+    # Outside the pupil, where the amplitude is 0, the terms are evaluated at the edge: they are defined for rho <= 1.
+    clipped = np.minimum(rho, 1.0)
+    amplitude = np.where(inside, pupil.illumination.value(clipped), 0.0)
+    phase = np.where(inside, pupil.wavefront.phase(clipped, theta), 0.0)
+    opd = phase * (1e9 * pupil.wavelength / (2.0 * np.pi))
+    return PupilArrays(amplitude, opd, 1e6 * pupil.wavelength, 1e3 * width / n)
 
 
 def rich_data(psf: PSF) -> Any:
-    """Return ``prysm._richdata.RichData`` of a single PSF with pixels in metres: what prysm plots and measures.
+    """Return a PSF as ``prysm._richdata.RichData``, which prysm can plot and measure.
 
     Parameters
     ----------
     psf : PSF
+        A single PSF with square pixels in metres.
 
     Returns
     -------
     prysm._richdata.RichData
-        Micrometres.
+        Data with lengths in micrometres.
 
     Raises
     ------
@@ -91,9 +94,9 @@ def rich_data(psf: PSF) -> Any:
     ImportError
         If prysm is not installed.
     """
-    made = optional.library("prysm._richdata", "rich_data needs", "").RichData
+    rich_data_class = optional.library("prysm._richdata", "rich_data needs", "").RichData
     validation.instance("psf", psf, PSF)
     wavelength, pixel = psf.pupil.wavelength, psf.pixel
     if psf.values.ndim != 2 or wavelength is None or isinstance(pixel, tuple):
-        raise ValueError("psf must be a single one with square pixels in metres")
-    return made(np.array(psf.values, dtype=np.float64), 1e6 * pixel, 1e6 * wavelength)
+        raise ValueError("psf must be a single PSF with square pixels in metres; index a stack to select one")
+    return rich_data_class(np.array(psf.values, dtype=np.float64), 1e6 * pixel, 1e6 * wavelength)

@@ -15,7 +15,8 @@ from lommel.optics.layers.objective import Objective
 from lommel.optics.layers.stratified import Design, Layer
 from lommel.psf import psf
 
-# Of psfmodels 0.3: micrometres, NA and indices.
+# Default parameters of psfmodels 0.3: numerical aperture, refractive indices (ng, ni, ns), and lengths in
+# micrometres.
 PARAMS = {
     "NA": 1.4,
     "ng0": 1.515,
@@ -51,34 +52,38 @@ def make_psf(
     normalize: bool = True,
     model: str = "vectorial",
 ) -> Array:
-    """Return the PSF of a microscope, as ``psfmodels.make_psf`` does.
+    """Return the PSF of a microscope, like ``psfmodels.make_psf``.
 
     Parameters
     ----------
     z : int or array_like, default 51
-        Number of planes, `dz` apart around `pz`, or their positions: the paraxial focus of a point at the cover glass
-        moved by so many micrometres into the sample. The plane at `pz` has the paraxial focus of the point.
+        Number of planes, with step `dz` and centred on `pz`, or positions of the planes in micrometres. A position is
+        the depth in the sample to which the paraxial focus is moved, if 0 is focus on the cover glass. The plane at
+        `pz` is at the paraxial focus of the point.
     nx : int, default 51
-        Width and height, with the point in pixel ``(nx - 1) // 2``.
+        Width and height in pixels; the point is in pixel ``(nx - 1) // 2``.
     dxy, dz : float, default 0.05
-        Pixel in the sample and step of `z`, micrometres.
+        Pixel pitch in the sample and step of `z`, micrometres.
     pz : float, default 0
         Depth of the point below the cover glass, micrometres.
-    NA, wvl, ns, ni, ni0, tg, tg0, ng, ng0, ti0 : float
-        Numerical aperture, wavelength, refractive indices of sample, immersion and cover glass, its thickness, the
-        working distance, micrometres; with 0 as designed.
+    NA, wvl : float
+        Numerical aperture and wavelength (micrometres).
+    ns, ni, ng, tg : float
+        Refractive indices of sample, immersion and cover glass, and thickness of the cover glass (micrometres).
+    ni0, ng0, tg0, ti0 : float
+        Design values of `ni`, `ng` and `tg`, and design working distance (micrometres).
     oversample_factor : int, default 3
-        1 for values at the centres of pixels. From 2 on pixel-integrated: the limit of many samples a pixel.
+        1 for point samples at pixel centres. For any larger number values are integrated over pixels exactly.
     normalize : bool, default True
-        Divide by the largest value of the stack. Otherwise values are fractions of the light collected; those of
-        psfmodels have another unit.
+        Divide by the largest value of the stack. Otherwise values are fractions of the collected light, unlike in
+        psfmodels, where they have another unit.
     model : {"vectorial", "scalar"}, default "vectorial"
-        A freely rotating dipole, or the scalar model.
+        Vectorial model of a freely rotating dipole, or scalar model.
 
     Returns
     -------
     ndarray, shape (planes, nx, nx)
-        float64. The error of each value is at most 1e-6 of the largest in its plane.
+        float64. The error of a value is at most 1e-6 of the largest value in its plane.
 
     Raises
     ------
@@ -87,8 +92,8 @@ def make_psf(
 
     Notes
     -----
-    What differs from psfmodels is its error: up to 1e-2 of the peak between the radii that it interpolates, and 6e-3
-    by nine samples a pixel.
+    Results of psfmodels differ by its error: up to 1e-2 of the peak by interpolation between radii, and 6e-3 by its
+    nine samples per pixel (oversample_factor=3).
 
     References
     ----------
@@ -109,7 +114,7 @@ def vectorial_psf(
     params: Mapping[str, float] | None = None,
     normalize: bool = True,
 ) -> Array:
-    """Return the vectorial PSF at planes `zv`; :func:`make_psf` has the arguments, the others being `params`."""
+    """Return the vectorial PSF at planes `zv`; other parameters of :func:`make_psf` are keys of `params`."""
     return _stack(zv, nx, dxy, pz, wvl, params, normalize, "vectorial")
 
 
@@ -122,17 +127,17 @@ def scalar_psf(
     params: Mapping[str, float] | None = None,
     normalize: bool = True,
 ) -> Array:
-    """Return the scalar PSF at planes `zv`; :func:`make_psf` has the arguments, the others being `params`."""
+    """Return the scalar PSF at planes `zv`; other parameters of :func:`make_psf` are keys of `params`."""
     return _stack(zv, nx, dxy, pz, wvl, params, normalize, "scalar")
 
 
 def vectorial_psf_centered(nz: int, dz: float = 0.05, pz: float = 0.0, **options: Any) -> Array:
-    """Return the vectorial PSF at `nz` planes, `dz` micrometres apart, around `pz`; see :func:`vectorial_psf`."""
+    """Return the vectorial PSF at `nz` planes with step `dz` (micrometres) around `pz`; see :func:`vectorial_psf`."""
     return vectorial_psf(_centered(nz, dz, pz), pz=pz, **options)
 
 
 def scalar_psf_centered(nz: int, dz: float = 0.05, pz: float = 0.0, **options: Any) -> Array:
-    """Return the scalar PSF at `nz` planes, `dz` micrometres apart, around `pz`; see :func:`scalar_psf`."""
+    """Return the scalar PSF at `nz` planes with step `dz` (micrometres) around `pz`; see :func:`scalar_psf`."""
     return scalar_psf(_centered(nz, dz, pz), pz=pz, **options)
 
 
@@ -142,33 +147,33 @@ def objective(params: Mapping[str, float]) -> Objective:
     Parameters
     ----------
     params : mapping
-        Any of "NA", "ng0", "ng", "ni0", "ni", "ns", "ti0", "tg" and "tg0"; lengths in micrometres. What is missing is
-        as of psfmodels.
+        Any of "NA", "ng0", "ng", "ni0", "ni", "ns", "ti0", "tg" and "tg0"; lengths in micrometres. Missing parameters
+        have the defaults of psfmodels.
 
     Returns
     -------
     Objective
-        Of magnification 1: pixels are those in the sample.
+        Objective of magnification 1, so that pixel pitches are lengths in the sample.
 
     Raises
     ------
     TypeError, ValueError
-        If a name is unknown or a value out of range.
+        If a name is unknown, or if a value is out of range.
     """
     for name in params:
         validation.choice("params", name, tuple(PARAMS))
-    of = PARAMS | dict(params)
-    glasses = [
-        Layer(of[index], 1e-6 * of[thickness]) if of[thickness] else None
+    p = PARAMS | dict(params)
+    coverslip, design_coverslip = (
+        Layer(p[index], 1e-6 * p[thickness]) if p[thickness] else None
         for index, thickness in (("ng", "tg"), ("ng0", "tg0"))
-    ]
+    )
     return Objective(
-        NA=of["NA"],
-        immersion=of["ni"],
-        sample=of["ns"],
-        working_distance=1e-6 * of["ti0"],
-        coverslip=glasses[0],
-        design=Design(of["ni0"], glasses[1]),
+        NA=p["NA"],
+        immersion=p["ni"],
+        sample=p["ns"],
+        working_distance=1e-6 * p["ti0"],
+        coverslip=coverslip,
+        design=Design(p["ni0"], design_coverslip),
     )
 
 
@@ -187,16 +192,18 @@ def _stack(
     normalize: bool,
     model: str,
 ) -> Array:
-    given = dict(params or {})
-    samples = validation.integer("oversample_factor", given.pop("sf", 3), least=1, most=1000)
-    if given.pop("mode", 1) != 1:
-        raise ValueError("mode must be 1: oversampled PSFs are those of a smaller dxy with sf=1, got another")
+    options = dict(params or {})
+    samples = validation.integer("oversample_factor", options.pop("sf", 3), least=1, most=1000)
+    if (mode := options.pop("mode", 1)) != 1:
+        raise ValueError(
+            f"mode must be 1, got {validation.shown(mode)}; for oversampled PSFs use a smaller dxy and sf=1"
+        )
     side = validation.integer("nx", nx, least=1, most=10_000)
     depth = validation.real("pz", pz, least=0.0)
     planes = np.atleast_1d(validation.real_array("zv", zv))
     scalar = validation.choice("model", model, _MODELS) == "scalar"
-    # z counts from the paraxial focus of the point, theirs from that of a point at the cover glass.
-    pupil = objective(given).pupil(
+    # psfmodels: z = 0 is paraxial focus on the cover glass; Objective.pupil: z = 0 is paraxial focus on the point.
+    pupil = objective(options).pupil(
         depth=1e-6 * depth,
         z=1e-6 * (planes - depth),
         wavelength=1e-6 * validation.real("wvl", wvl, above=0.0),
@@ -205,5 +212,5 @@ def _stack(
     )
     pitch = 1e-6 * validation.real("dxy", dxy, above=0.0)
     middle = (side - 1) // 2
-    made = psf(pupil, side, pitch, integrate=samples > 1, center=(middle, middle), dtype=np.float64).values
-    return np.asarray(made / made.max() if validation.truth("normalize", normalize) else made)
+    values = psf(pupil, side, pitch, integrate=samples > 1, center=(middle, middle), dtype=np.float64).values
+    return np.asarray(values / values.max() if validation.truth("normalize", normalize) else values)

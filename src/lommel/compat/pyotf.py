@@ -1,4 +1,4 @@
-"""The PSF class of pyotf: a microscope objective in one medium."""
+"""The PSF class of pyotf: PSF of a microscope objective in a homogeneous medium."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _DIPOLES = {"x": Dipole(0.5 * np.pi, 0.0), "y": Dipole(0.5 * np.pi, 0.5 * np.pi)
 
 
 class HanserPSF:
-    """PSF of an objective in one medium, as ``pyotf.otf.HanserPSF`` has it; all lengths in one unit, that of `wl`.
+    """PSF of an objective in a homogeneous medium, like ``pyotf.otf.HanserPSF``; all lengths are in the unit of `wl`.
 
     Parameters
     ----------
@@ -27,19 +27,19 @@ class HanserPSF:
     na, ni : float
         Numerical aperture and refractive index.
     res : float
-        Pixel in the sample.
+        Pixel pitch in the sample.
     size : int
-        Width and height; the point is in pixel ``size // 2``.
+        Width and height in pixels; the point is in pixel ``size // 2``.
     zres : float, optional
         Step between planes; by default `res`.
     zsize : int, optional
-        Number of planes, the point in plane ``(zsize + 1) // 2``; by default `size`.
+        Number of planes; the point is in plane ``(zsize + 1) // 2``. By default `size`.
     vec_corr : {"none", "x", "y", "z", "total"}, default "none"
-        Scalar light, a dipole along an axis, or one that rotates freely.
+        "none": scalar model. "x", "y", "z": dipole along this axis. "total": freely rotating dipole.
     condition : {"sine", "none"}, default "sine"
-        Sine condition; "none" for scalar light alone.
+        Amplitude over the pupil: "sine" for the sine condition, "none" for a uniform amplitude (scalar model only).
     zrange : array_like, shape (planes,), optional
-        Positions of planes, in place of `zres` and `zsize`.
+        Positions of the planes, which replace `zres` and `zsize`.
 
     Raises
     ------
@@ -48,8 +48,8 @@ class HanserPSF:
 
     Notes
     -----
-    Values are samples at the centres of pixels, without the periodic images and the staircase of the pupil of a
-    discrete Fourier transform.
+    Values are point samples at pixel centres. Unlike values from a discrete Fourier transform, they have no aliased
+    periodic images and no errors from a pupil sampled on a grid.
     """
 
     def __init__(
@@ -73,7 +73,9 @@ class HanserPSF:
         self.vec_corr = validation.choice("vec_corr", vec_corr, ("none", *_DIPOLES, "total"))
         self.condition = validation.choice("condition", condition, ("sine", "none"))
         if self.condition == "none" and self.vec_corr != "none":
-            raise ValueError('condition must be "sine" for vectorial light, whose energy it conserves, got "none"')
+            raise ValueError(
+                'condition must be "sine" for the vectorial model, got "none"; use vec_corr="none" with it'
+            )
         if zrange is None:
             planes = validation.integer("zsize", size if zsize is None else zsize, least=1, most=100_000)
             step = validation.real("zres", res if zres is None else zres, above=0.0)
@@ -82,7 +84,7 @@ class HanserPSF:
 
     @cached_property
     def PSFi(self) -> Array:
-        """Intensity, (planes, size, size), float64: fractions of the light of a plane, within 1e-6 of the largest."""
+        """Intensity, (planes, size, size), float64: fraction of light per pixel; error at most 1e-6 of the peak."""
         scalar = Scalar("aplanatic" if self.condition == "sine" else "uniform")
         emitters: dict[str, str | Dipole | Scalar] = {"none": scalar, "total": "isotropic", **_DIPOLES}
         pupil = Objective(NA=self.na, immersion=self.ni).pupil(
@@ -96,5 +98,5 @@ class HanserPSF:
 
     @cached_property
     def OTFi(self) -> NDArray[np.complex128]:
-        """Fourier transform of `PSFi`, zero frequency in the middle; without the light beyond the window."""
+        """Discrete Fourier transform of `PSFi`, zero frequency in the middle; lacks light outside the window."""
         return np.asarray(fft.fftshift(fft.fftn(fft.ifftshift(self.PSFi))))

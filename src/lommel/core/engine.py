@@ -1,10 +1,15 @@
-"""Functions of the compiled core with results and exceptions of Python; no other module imports the core.
+"""Functions of the compiled core, with named results and Python exceptions; no other module imports the core.
 
-These are functions of arrays, so that another implementation can replace them. The core returns 0 for "divide by the
-largest value" or "met", and a negative bound for "not met"; here these are None and a ToleranceError.
+All arguments are arrays and numbers, so that another implementation can replace the core. The core encodes "divide by
+the largest value" as scale 0, and a missed tolerance as a nonzero or negative bound; here these are a scale of None
+and a ToleranceError.
+
+Terms of this file: n is the number of pupils of a flattened stack, v the optical coordinate pi r / (lambda N). The
+chordal rule integrates over the pupil along chords (rows of constant y); each chord has quadrature points ("nodes").
+By symmetry only the nodes of one quadrant are stored. "Certificate" is the document with the proofs of the bounds.
 """
 
-# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
+# No `from __future__ import annotations`: compiling annotations that are text slows down the import of NamedTuples.
 
 import sys
 from collections.abc import Callable, Sequence
@@ -18,7 +23,7 @@ from lommel import _core
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Pixels, Slopes, Wanted, not_met
 
-# Functions of arrays without codes for what is not met: as the core has them.
+# Functions and classes of the core that need no conversion of arguments or results.
 FocalScale = _core.FocalScale
 FocalStream = _core.FocalStream
 MoleculeFitter = _core.MoleculeFitter
@@ -56,123 +61,120 @@ class RadialStack(NamedTuple):
     """Radially symmetric pupils."""
 
     terms: Array  # (n, k), coefficients of R_2^0, R_4^0, ..., radians at the edge
-    obscuration: float  # over the radius of the aperture
+    obscuration: float  # radius of the obscuration / radius of the aperture
     amplitude: Array  # g_0, g_1, ... of exp(-(g_0 + g_1 rho^2 + ...))
 
 
 class DiskStack(NamedTuple):
-    """Pupils of any wavefront, with obscuration and amplitude as of :class:`RadialStack`."""
+    """Pupils with arbitrary wavefronts; obscuration and amplitude are as of :class:`RadialStack`."""
 
     terms: NDArray[np.int32]  # (k, 2), n and m of each Zernike term, m < 0 for sines
-    edge: Array  # (n, k), their coefficients, radians at the edge
+    edge: Array  # (n, k), coefficients of the terms, radians at the edge
     obscuration: float
     amplitude: Array
 
 
 class Window(NamedTuple):
-    """Pixels: (height, width), the pixel (row, column) that the axis is at, and their pitch in v.
+    """Grid of pixels."""
 
-    Or, where each of n pupils has an axis of its own, ``center`` is one array of these, shape (n, 2); of (1, 2) all
-    have the one.
-    """
-
-    shape: tuple[int, int]
-    center: tuple[float, float] | Array
-    step: float
+    shape: tuple[int, int]  # height and width
+    center: tuple[float, float] | Array  # row and column of the axis; as an array (n, 2), or (1, 2) for all pupils
+    step: float  # pitch in v
 
 
-_NOTHING: dict[str, object] = {}
+_NO_DERIVATIVES: dict[str, object] = {}
 
 
-def _one_scale(wanted: Wanted) -> float:
-    """Return the factor of all images; 0 where each has a peak of 1."""
+def _common_scale(wanted: Wanted) -> float:
+    """Return the common factor of all images; 0 if each image is divided by its largest value."""
     assert not isinstance(wanted.scale, np.ndarray), "images of one aperture have one scale"
     return wanted.scale or 0.0
 
 
-def _places(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels, Array]:
-    """Return the scale, the images that the core writes to, and for each its factor, error and peak."""
+def _outputs(count: int, window: Window, wanted: Wanted) -> tuple[float, Pixels, Array]:
+    """Return the scale, and arrays for results of the core: images, and (factor, error, peak) of each image."""
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
-    return _one_scale(wanted), values, np.empty((3, count))
+    return _common_scale(wanted), values, np.empty((3, count))
 
 
-def _require(unmet: float, tol: float, over: str) -> None:
+def _require(unmet: float, tol: float, relative_to: str) -> None:
+    """Raise ToleranceError unless `unmet`, the bound that exceeds `tol`, is 0."""
     if unmet:
-        raise not_met(tol, unmet, over)
+        raise not_met(tol, unmet, relative_to)
 
 
 def radial_images(
     stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
 ) -> Images:
-    """Return samples around an axis anywhere, or averages over pixels."""
-    scale, values, numbers = _places(len(stack.terms), window, wanted)
-    slopes, more = None, _NOTHING
+    """Return images of radially symmetric pupils: point samples, or averages over pixels with `integrate`."""
+    scale, values, numbers = _outputs(len(stack.terms), window, wanted)
+    slopes, derivatives = None, _NO_DERIVATIVES
     if n := len(wanted.powers):
         slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
-        more = {"powers": np.array(wanted.powers, dtype=np.int64)}
-        more |= {"derivative_images": slopes.values, "derivative_bounds": slopes.error}
+        derivatives = {"powers": np.array(wanted.powers, dtype=np.int64)}
+        derivatives |= {"derivative_images": slopes.values, "derivative_bounds": slopes.error}
     render: Callable[..., float] = _core.render
-    # By position, for by name a small image would take a sixth longer.
-    unmet = render(stack, window, integrate, (tol, wanted.threads, scale), values, numbers, **more)
-    _require(unmet, tol, _over(wanted))
+    # Positional arguments: with keywords, a small image would take a sixth longer.
+    unmet = render(stack, window, integrate, (tol, wanted.threads, scale), values, numbers, **derivatives)
+    _require(unmet, tol, _error_reference(wanted))
     return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
 def filters_pay(stack: RadialStack, window: Window, tol: float, *, derivatives: bool = False) -> bool:
-    """Return whether averages of a stack, or their derivatives alone, are cheaper from finer samples."""
+    """Return True if pixel averages (or, with `derivatives`, their derivatives) are faster from finer samples."""
     return _core.filters_pay(stack, window, tol, derivatives)
 
 
 def radial_plan(
     stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
 ) -> Callable[[Array, Pixels], tuple[Array, float] | None]:
-    """Return what writes images of a stack as :func:`radial_images`, and returns their scales and largest bound.
+    """Return a fast function f(terms, values) for :func:`radial_images` of stacks that differ in their terms only.
 
-    It returns None, with nothing written, where the arrays do not match, or :func:`filters_pay`; of `stack` all but
-    its terms counts.
+    f writes the images to `values` and returns their scales and largest error bound. f returns None and writes
+    nothing if the arrays have the wrong shape or type, or if :func:`filters_pay`.
     """
-    scale, kind = _one_scale(wanted), np.dtype(wanted.dtype).char
+    scale, kind = _common_scale(wanted), np.dtype(wanted.dtype).char
     request = tol, wanted.threads, scale
     plan = _core.RadialPlan(stack.obscuration, stack.amplitude, window, integrate, request, kind)
-    over, alike = _over(wanted), np.full(shape, scale)
-    alike.flags.writeable = False  # one for all answers
+    relative_to, common_scales = _error_reference(wanted), np.full(shape, scale)
+    common_scales.flags.writeable = False  # shared by all results
     render = plan.render
 
-    def ask(terms: Array, values: Pixels) -> tuple[Array, float] | None:
-        # With a given scale all answers share one read-only array.
+    def compute(terms: Array, values: Pixels) -> tuple[Array, float] | None:
         scales = None if scale else np.empty(shape)
         bound = render(terms, values, scales)
         if bound is None:
             return None
         if bound < 0.0:
-            raise not_met(tol, -bound, over)
-        return alike if scales is None else scales, bound
+            raise not_met(tol, -bound, relative_to)
+        return common_scales if scales is None else scales, bound
 
-    return ask
+    return compute
 
 
-def _over(wanted: Wanted) -> str:
-    return 'the largest value in the window, as normalize="peak" takes it' if wanted.scale is None else "the peak"
+def _error_reference(wanted: Wanted) -> str:
+    """Return in words the value that errors of images are relative to."""
+    return 'the largest value in the window (normalize="peak")' if wanted.scale is None else "the peak"
 
 
 def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
-    """Return samples of pupils that need not be radially symmetric by their series; as :func:`radial_images`."""
+    """Return point samples of images of arbitrary wavefronts, computed by a series of Bessel functions."""
     return _disk_images(_core.series_images, "the peak", stack, window, tol, wanted)
 
 
 class FarPixels(NamedTuple):
-    """Averages over pixels far from the axis of each image, 0 nearer to it."""
+    """Averages over the pixels far from the axis of each image; 0 for nearer pixels."""
 
     values: Array  # (n, height, width)
-    nearest: Array  # (n,), the distance in pixels from which on they are there
+    nearest: Array  # (n,), smallest distance from the axis of computed pixels, in pixels
     error: Array  # (n,), bounds on the error of the intensity
     axes: Array  # (n, 2), row and column
 
 
 def far_averages(stack: DiskStack, window: Window, most: float, tol: float, threads: int) -> FarPixels:
-    """Return averages over pixels, from where on they are likely to be within `tol` of the largest one.
+    """Return averages over pixels at distances at which their errors are likely below `tol` of the largest average.
 
-    None if that is more than `most` in v from the axis: the distance is larger than that of any pixel then.
+    If this distance exceeds `most` (in v), no pixel is computed, and `nearest` exceeds the distances of all pixels.
     """
     count = len(stack.edge)
     values, numbers = np.empty((count, *window.shape)), np.empty((count, 5))
@@ -188,47 +190,51 @@ def chordal_images(
     *,
     if_cheaper: bool = False,
 ) -> Images:
-    """Return the same by the chordal rule, with errors over the largest value in the window.
+    """Return point samples by the chordal rule, with errors relative to the largest value in the window.
 
-    Derivatives by the terms that `wanted` names are over the same value; their errors are bounded, not held to `tol`.
-    With `if_cheaper`, images that :func:`series_images` is likely to take less time for raise Declined.
+    Errors of derivatives by `wanted.terms` are relative to the same value; they have bounds, but may exceed `tol`.
+    With `if_cheaper`, Declined is raised if :func:`series_images` is likely to be faster.
     """
-    over = "the largest value in the window"
+    relative_to = "the largest value in the window"
     if not wanted.terms:
         compute = _core.cheaper_chordal_images if if_cheaper else _core.chordal_images
-        return _disk_images(compute, over, stack, window, tol, wanted)
+        return _disk_images(compute, relative_to, stack, window, tol, wanted)
     terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
     slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))
-    more = {"factors": terms, "slopes": slopes.values, "bounds": slopes.error}
-    made = _disk_images(_core.chordal_derivatives, over, stack, window, tol, wanted, **more)
-    return made._replace(slopes=slopes)
+    derivatives = {"factors": terms, "slopes": slopes.values, "bounds": slopes.error}
+    images = _disk_images(_core.chordal_derivatives, relative_to, stack, window, tol, wanted, **derivatives)
+    return images._replace(slopes=slopes)
 
 
-def _averages_room(count: int, window: Window, wanted: Wanted) -> tuple[Images, tuple[Any, ...]]:
-    """Return images that are not computed yet, with their derivatives, and the same as the core takes them."""
-    scale, values, numbers = _places(count, window, wanted)
-    by = np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
-    slopes = Slopes(np.empty((len(by), *values.shape), wanted.dtype), np.empty((len(by), count)))
-    images = Images(values, numbers[0], numbers[1], slopes if len(by) else None, numbers[2])
-    return images, (scale, values, numbers, by, slopes.values, slopes.error)
+def _averages_outputs(count: int, window: Window, wanted: Wanted) -> tuple[Images, tuple[Any, ...]]:
+    """Return empty images with their derivatives, and the same arrays as arguments of the core."""
+    scale, values, numbers = _outputs(count, window, wanted)
+    terms = np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
+    slopes = Slopes(np.empty((len(terms), *values.shape), wanted.dtype), np.empty((len(terms), count)))
+    images = Images(values, numbers[0], numbers[1], slopes if len(terms) else None, numbers[2])
+    return images, (scale, values, numbers, terms, slopes.values, slopes.error)
 
 
 def disk_averages(
     stack: DiskStack, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
 ) -> Images | None:
-    """Return averages over pixels, with errors over the largest one anywhere; None where others serve better.
+    """Return averages over pixels, with errors relative to the largest average at any position of the pixel.
 
-    With `if_cheaper`, those that :func:`series_images` is likely to take less time for raise Declined.
+    None if another method suits better. With `if_cheaper`, Declined is raised if :func:`series_images` is likely to
+    be faster.
     """
-    images, (scale, *places) = _averages_room(len(stack.edge), window, wanted)
+    images, (scale, *outputs) = _averages_outputs(len(stack.edge), window, wanted)
     compute: Callable[..., bool] = _core.disk_averages
-    return images if compute(stack, window, (tol, wanted.threads, scale), if_cheaper, *places) else None
+    return images if compute(stack, window, (tol, wanted.threads, scale), if_cheaper, *outputs) else None
 
 
-# From the largest distance in v, the error that fields may have there, whether sums in single precision are wanted,
-# and numbers of nodes of rows and columns, to weights of a quadrant, what fields are off by with these, and whether
-# that counts such sums.
 ApertureRule = Callable[[float, float, bool, int, int], tuple[Array, float, bool] | None]
+"""Function that computes the weights of a quadrature rule for an aperture.
+
+Arguments: largest distance in v, error allowed for fields there, True for sums in single precision, numbers of nodes
+along y and along x. Results: weights of a quadrant, error of fields with these weights, True if this error includes
+the error of sums in single precision. None if there is no such rule.
+"""
 
 
 def aperture_averages(
@@ -240,21 +246,21 @@ def aperture_averages(
     wanted: Wanted,
     rule: ApertureRule,
 ) -> Images | None:
-    """Return averages over pixels of an aperture around one axis, its amplitude in the weights of a rule of the disk.
+    """Return averages over pixels for an arbitrary aperture, whose amplitude is part of the weights of `rule`.
 
-    The weights at (x, y), (x, -y), (-x, y), (-x, -y) of each chord and node of a quadrant, of each the real and the
-    imaginary part: (chords, nodes, 8). None where the window has no nodes, or there is no rule.
+    The weights have the shape (chords, nodes, 8): real and imaginary parts at (x, y), (x, -y), (-x, y) and (-x, -y).
+    None if the core finds no suitable nodes for the window, or if `rule` returns None.
     """
-    images, (scale, *places) = _averages_room(len(stack.edge), window, wanted)
+    images, (scale, *outputs) = _averages_outputs(len(stack.edge), window, wanted)
     compute: Callable[..., bool] = _core.aperture_averages
-    given = (stack.terms, stack.edge, window, (tol, wanted.threads, scale), strehl, transmission, rule)
-    return images if compute(*given, *places) else None
+    arguments = (stack.terms, stack.edge, window, (tol, wanted.threads, scale), strehl, transmission, rule)
+    return images if compute(*arguments, *outputs) else None
 
 
 def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, float]:
-    """Return nanoseconds that images are likely to take by :func:`chordal_images` and by :func:`series_images`.
+    """Return the estimated times in nanoseconds of :func:`chordal_images` and of :func:`series_images`.
 
-    ValueError where the former cannot be computed.
+    ValueError if the chordal rule cannot compute the images.
     """
     return _core.disk_costs(stack, window, tol, tol >= 1e-6)
 
@@ -262,14 +268,14 @@ def disk_costs(stack: DiskStack, window: Window, tol: float) -> tuple[float, flo
 def chordal_plan(
     obscuration: float, amplitude: Array, window: Window, tol: float, wanted: Wanted, *, if_cheaper: bool = False
 ) -> Callable[[NDArray[np.int32], Array, Pixels], tuple[Array, float]]:
-    """Return what writes images of a stack as :func:`chordal_images`, and returns their scales and largest bound.
+    """Return a fast function f(terms, edge, values) for :func:`chordal_images` of stacks of one aperture.
 
-    Called with the terms, their coefficients and the array for the values, of any axes before those of the window.
+    f writes the images to `values`, of shape (..., height, width), and returns their scales and largest error bound.
     """
-    request = tol, wanted.threads, _one_scale(wanted)
+    request = tol, wanted.threads, _common_scale(wanted)
     compute = _core.cheaper_chordal_images if if_cheaper else _core.chordal_images
 
-    def ask(terms: NDArray[np.int32], edge: Array, values: Pixels) -> tuple[Array, float]:
+    def compute_images(terms: NDArray[np.int32], edge: Array, values: Pixels) -> tuple[Array, float]:
         stack, count = values.shape[:-2], edge.size // len(terms)
         numbers = np.empty((3, count))
         flat, images = edge.reshape(count, -1), values.reshape(count, *window.shape)
@@ -277,75 +283,80 @@ def chordal_plan(
             raise not_met(tol, unmet, "the largest value in the window")
         return numbers[0].reshape(stack), max(numbers[1].tolist())
 
-    return ask
+    return compute_images
 
 
 def chordal_gradient(
     stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
 ) -> Array:
-    """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k)."""
-    values, which = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
+    """Return derivatives of sum(weights * intensity) by the coefficients of Zernike `terms`, shape (n, k)."""
+    gradient, by_terms = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
     _require(
-        _core.chordal_gradient(stack, window, tol, threads, weights, which, values),
+        _core.chordal_gradient(stack, window, tol, threads, weights, by_terms, gradient),
         tol,
         "the largest value in the window",
     )
-    return values
+    return gradient
 
 
 def chordal_sums(stack: DiskStack, window: Window, counts: tuple[int, int], threads: int = 0) -> NDArray[np.float32]:
-    """Return intensities by so many chords and nodes, in single precision, unproven, shape ``(n, width, height)``."""
-    made = np.empty((len(stack.edge), *window.shape[::-1]), dtype=np.float32)
-    _core.chordal_sums(stack, window, counts, threads, made)
-    return made
+    """Return intensities ``(n, width, height)`` in single precision, without a bound, for counts (chords, nodes)."""
+    intensities = np.empty((len(stack.edge), *window.shape[::-1]), dtype=np.float32)
+    _core.chordal_sums(stack, window, counts, threads, intensities)
+    return intensities
 
 
 def chordal_sums_gradient(
     stack: DiskStack, window: Window, counts: tuple[int, int], weights: Array, threads: int = 0
 ) -> Array:
-    """Return derivatives of their sums, times weights ``(n, height, width)``, by all coefficients."""
-    made = np.empty(stack.edge.shape)
-    _core.chordal_sums_gradient(stack, window, counts, threads, weights, made)
-    return made
+    """Return derivatives by all coefficients of sum(weights * I), with I of :func:`chordal_sums`.
+
+    `weights` have the shape ``(n, height, width)``.
+    """
+    gradient = np.empty(stack.edge.shape)
+    _core.chordal_sums_gradient(stack, window, counts, threads, weights, gradient)
+    return gradient
 
 
 class NodeTables(NamedTuple):
-    """Fields at the nodes of a quadrant of the chordal rule, x, y > 0, which are the last two axes of all tables.
+    """Components of the electric field in the pupil ("fields") at the nodes of a quadrant, x > 0 and y > 0.
 
-    A field is the sum of its shares, ``factor * sum_n c_n R_n``. Parities are 2 for odd in x plus 1 for odd in y.
+    A field is a sum of k contributions ("shares") ``factor * sum_n c_n R_n``, where the radial functions R_n of the
+    sum are a "part" of all radial functions. A parity is 2 (odd in x, else 0) + 1 (odd in y, else 0). The last two
+    axes of every table, "...", are chord and node.
     """
 
-    radial: Array  # (terms, ...), those of all parts
-    ends: NDArray[np.int32]  # of the terms of each part
-    shares: NDArray[np.int32]  # (k, 3): the field, the parity of the factor, the part
+    radial: Array  # (terms, ...), radial functions of all parts
+    ends: NDArray[np.int32]  # end index of the terms of each part
+    shares: NDArray[np.int32]  # (k, 3): index of the field, parity of the factor, index of the part
     factors: NDArray[np.complex128]  # (k, ...)
 
 
 class NodeWaves(NamedTuple):
-    """Weighted sums of waves over the images of nodes, by parity, of some kinds, and which wave each plane has."""
+    """Results of :func:`folded_waves`, and for each plane the index of its wave."""
 
     values: NDArray[np.complex128]  # (kinds, waves, 4, ...)
     which: NDArray[np.int32]  # (planes,)
 
 
 class NodeTerms(NamedTuple):
-    """Zernike terms at the nodes, and their parities."""
+    """Zernike terms at the nodes, and the parity of each term."""
 
     values: Array  # (terms, ...)
     parities: NDArray[np.int32]
 
 
 def folded_waves(terms: NodeTerms, edge: Array, weights: Array, largest: float) -> NDArray[np.complex128]:
-    """Return weighted sums of ``exp(i W)`` over the images of each node, by parity, (kinds, wavefronts, 4, ...).
+    """Return weighted sums of exp(i W) over (+-x, +-y) of each node, for each parity: (kinds, wavefronts, 4, ...).
 
-    W is a sum of `terms` times the coefficients `edge`, shape (wavefronts, terms). The second kind, for a `largest` W
-    above 0, is ``i W exp(i W)`` over it.
+    W is the sum of `terms` times the coefficients `edge` of shape (wavefronts, terms). If `largest`, a bound on
+    abs(W), is positive, there is a second kind, ``i W exp(i W) / largest``.
     """
     return _core.folded_waves(terms, edge, weights, largest)
 
 
 class SeriesSizes(NamedTuple):
-    """Bounds on parts of amplitudes on curves around the real angles, and at real angles."""
+    """Bounds on the parts of the amplitudes, on complex curves around the real angles and at real angles."""
 
     on_curves: Array  # (series, planes, parts, curves)
     moduli: Array  # (series, planes, parts)
@@ -354,10 +365,10 @@ class SeriesSizes(NamedTuple):
 def chordal_series_sizes(
     coefficients: NDArray[np.complex128], ends: NDArray[np.int32], powers: Array, rate: Array, chosen: Array
 ) -> tuple[SeriesSizes, float, float]:
-    """Return bounds on series (series, planes, terms), and halved numbers of chords and of nodes.
+    """Return bounds on amplitude series, and half the required number of chords and of nodes.
 
-    `powers` (terms, curves) bound the terms. The numbers are the least over the curves of `chosen`, (2, curves), and
-    the logarithm of the largest part times `rate`.
+    `coefficients` have the shape (series, planes, terms); `powers` (terms, curves) bound the terms on the curves. A
+    number is the minimum over the curves of ``chosen[i, curve] + rate * log(largest part on the curve)``.
     """
     on_curves, moduli, chords, nodes = _core.chordal_series_sizes(coefficients, ends, powers, rate, chosen)
     return SeriesSizes(on_curves, moduli), chords, nodes
@@ -372,11 +383,11 @@ def chordal_field_errors(
     shares: Array,
     error: float,
 ) -> Array:
-    """Return what sums over chords and nodes are off by, (sets, planes, fields).
+    """Return bounds on the errors of sums over chords and nodes, of shape (sets, planes, fields).
 
-    Each set has a series, and what parts on the curves are multiplied by for chords and for nodes, (sets, curves);
-    what is `left` out, and the `rounding` of moduli. `shares` (fields, parts) of parts, in which there may be another
-    `error`, make a field.
+    A set of fields has a series, and factors `curves` (sets, curves) of the parts on the curves, for chords and for
+    nodes. `left` bounds the truncation of the series, `rounding` the relative rounding error of the moduli. A field
+    is the sum of parts times `shares` (fields, parts); `error` is a further error of each part.
     """
     return _core.chordal_field_errors(*sizes, series, *curves, left, rounding, shares, error)
 
@@ -392,12 +403,13 @@ def chordal_series_light(
     power: Array,
     threads: int = 0,
 ) -> tuple[Array, Array, Array]:
-    """Return the sum of squares of fields in each plane, and its derivatives, (sets, planes, height, width).
+    """Return the intensity of each plane and its derivatives, their error bounds, and their largest moduli.
 
-    Over the `power` of each plane. Then what they are off by, of fields that are `wrong` by so much, (sets, planes,
-    fields), and the largest of each in modulus, (sets, planes). `coefficients` have the shape (series, planes,
-    terms); a set of fields has one of these series, is multiplied by i times one of the `terms` or, for -1, none, and
-    has waves of a kind.
+    The intensity is the sum of abs(field)^2 divided by the `power` of the plane. Values have the shape (sets, planes,
+    height, width), bounds and largest moduli (sets, planes). `coefficients` have the shape (series, planes, terms).
+    Each row of `sets` defines the fields of one derivative (the first row, of the intensity): index of the series,
+    index of the one of `terms` that is multiplied by i (-1 for none), and kind of the waves. `wrong` (sets, planes,
+    fields) bounds the errors of the fields.
     """
     return _core.chordal_series_light(tables, (coefficients, sets), terms, waves, window, wrong, power, threads)
 
@@ -412,93 +424,95 @@ def chordal_series_gradient(
     weights: Array,
     threads: int = 0,
 ) -> tuple[Array, Array]:
-    """Return sums of the light of :func:`chordal_series_light` times `weights`, (planes, height, width).
+    """Return sum(weights * intensity) of each plane and its derivatives, with the intensity of the function above.
 
-    In each plane the sum, then its derivatives by sets but the first, none with a term, then by all `terms`, and as a
-    second array the largest light and the largest modulus of each field.
+    `weights` have the shape (planes, height, width). Results for each plane: the sum, its derivatives by the sets
+    from the second on (which must have no term), and by all `terms`; in a second array, the largest intensity and the
+    largest modulus of each field.
     """
     return _core.chordal_series_gradient(tables, (coefficients, sets), terms, waves, window, weights, threads)
 
 
 def _disk_images(
     compute: Callable[..., float],
-    over: str,
+    relative_to: str,
     stack: DiskStack,
     window: Window,
     tol: float,
     wanted: Wanted,
-    **more: object,
+    **derivatives: object,
 ) -> Images:
-    scale, values, numbers = _places(len(stack.edge), window, wanted)
+    """Return images computed by a function of the core; ToleranceError if it cannot meet `tol`."""
+    scale, values, numbers = _outputs(len(stack.edge), window, wanted)
     request = tol, wanted.threads, scale
-    _require(compute(stack, window, request, values, numbers, **more), tol, over)
+    _require(compute(stack, window, request, values, numbers, **derivatives), tol, relative_to)
     return Images(values, numbers[0], numbers[1], None, numbers[2])
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
-    """Return U at rising v, with errors that serve an intensity within `tol` of the peak, likely."""
+    """Return the field U at increasing v; its errors usually allow an intensity within `tol` of the peak."""
     return FieldValues(*_core.field(stack, v, tol))
 
 
 def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) -> Intensities:
-    """Return I at rising v, within `tol` of the peak."""
+    """Return the intensity at increasing v, with errors of at most `tol` of the peak."""
     values, bounds, peaks = _core.profile(stack, v, tol, threads)
     _require(-min(float(bounds.min()), 0.0), tol, "the peak")
     return Intensities(values, bounds, peaks)
 
 
 class Layered(NamedTuple):
-    """Planes through layers: angles, and the fields of their light."""
+    """Integrand of images through layers (microscopes): q quadrature nodes, m field components, n planes."""
 
-    rho: Array  # (q,)
-    parts: NDArray[np.complex128]  # (m, q), of orders 0, 1, ..., with the weights of the rule
+    rho: Array  # (q,), pupil radii of the nodes
+    parts: NDArray[np.complex128]  # (m, q), integrands of Bessel orders 0, 1, ..., times the weights of the rule
     rates: NDArray[np.complex128]  # (3, q), the phase, and its derivatives by depth and focus
-    error: float  # bound on the error of each part of the field
+    error: float  # bound on the error of each field component
     planes: Array  # (3, n), depth, focus and power
-    forms: NDArray[np.complex128]  # (k, m, m), Hermitian, of each order of the azimuth
-    turns: Array  # (k, 3), that order, and the factors of its cosine and its sine; order 0 first
+    forms: NDArray[np.complex128]  # (k, m, m), Hermitian forms of the intensity, one for each azimuthal order
+    turns: Array  # (k, 3), azimuthal order (order 0 first), factor of its cosine, factor of its sine
 
 
 class LayeredSlopes(NamedTuple):
-    """Variables that images of such planes are differentiated by."""
+    """Variables by which images of :class:`Layered` are differentiated."""
 
-    by: Array  # (k, 2), BY_DEPTH, ... of the engine, and a factor of that derivative of I
-    own: Array  # (k, n), factor of I itself in each
+    by: Array  # (k, 2), one of BY_DEPTH, ..., and a factor of this derivative of I
+    own: Array  # (k, n), factor of I itself, which is added to each derivative
     of_fields: Array  # (4,), errors of fields in derivatives by depth, focus, v and ln k
-    turning: NDArray[np.complex128]  # (3, q), as `rates`, less a real number each
+    turning: NDArray[np.complex128]  # (3, q), `rates` minus a real number in each row
     changes: NDArray[np.complex128] | None  # (m, q), derivatives of `parts` by ln k
 
 
 class Rings(NamedTuple):
-    """Planes with any wavefront: fields on circles, and their interpolation to pixels."""
+    """Integrand of images with arbitrary wavefronts: fields on circles, and the interpolation to pixels."""
 
-    bessel: Array  # (orders, circles, nodes)
+    bessel: Array  # (orders, circles, nodes), Bessel functions
     parts: NDArray[np.complex128]  # (n or 1, 2 orders - 1, fields, nodes)
     waves: NDArray[np.complex128]  # (n, nodes)
     power: Array  # (n,)
-    angles: int  # on each circle, an fft_length
-    filter: Array  # weights of a circle, of those on either side, ...
-    along: Array  # (terms, 16), taps as polynomials, the highest power first
-    around: Array  # likewise
-    taps: tuple[int, int]  # numbers of taps along and around
-    gains: Array  # (2, 2 orders - 1), factors of orders of the intensity, and their errors
+    angles: int  # number of angles on each circle, an fft_length
+    filter: Array  # weight of a circle, weight of its two neighbours, ...
+    along: Array  # (terms, 16), radial interpolation weights ("taps") as polynomials, highest power first
+    around: Array  # (terms, 16), azimuthal interpolation weights as polynomials, highest power first
+    taps: tuple[int, int]  # numbers of radial and of azimuthal weights
+    gains: Array  # (2, 2 orders - 1), factors of azimuthal orders of the intensity, and errors of the factors
 
 
 class Ringed(NamedTuple):
-    """Sizes that bound the errors of such planes."""
+    """Largest values of images of :class:`Rings`, from which their error bounds are computed."""
 
-    squares: Array  # (fields, n), the largest of each field on circles
-    top: Array  # (n,), the largest intensity on circles
-    aliases: Array  # (n,), the error of the orders of one between angles, filtered
-    sums: Array  # (n,), the sum of their moduli, filtered
-    pixel: Array  # (n,), the largest pixel
+    squares: Array  # (fields, n), largest abs(field)^2 on the circles
+    top: Array  # (n,), largest intensity on the circles
+    aliases: Array  # (n,), error between the angles from azimuthal orders of the intensity, after the filter
+    sums: Array  # (n,), sum of the moduli of these orders, after the filter
+    pixel: Array  # (n,), largest pixel
 
 
-BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)  # by what :func:`layered_images` differentiates
+BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)  # variables by which :func:`layered_images` differentiates
 
 
 def layered_images(
-    asked: Layered,
+    layered: Layered,
     window: Window,
     allowed: float,
     wanted: Wanted,
@@ -506,34 +520,34 @@ def layered_images(
     integrate: bool = False,
     slopes: LayeredSlopes | None = None,
 ) -> Images | None:
-    """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance."""
-    count = asked.planes.shape[1]
+    """Return images with error bounds relative to their peaks, which the caller compares with its tolerance."""
+    count = layered.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     numbers = np.empty((3, count))
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
     kinds = 0 if slopes is None else len(slopes.by) + int((slopes.by[:, 0] == BY_AXIS).sum())
-    found, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
-    derivatives = None if slopes is None else (*slopes, found, errors)
+    derivatives, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
+    arguments = None if slopes is None else (*slopes, derivatives, errors)
     images: Callable[..., bool] = _core.layered_images
-    made = images(asked, window, integrate, allowed, wanted.threads, values, numbers, derivatives)
-    of = None if slopes is None else Slopes(found, errors / numbers[2])
-    return Images(values, numbers[0], numbers[1], of, numbers[2]) if made else None
+    computed = images(layered, window, integrate, allowed, wanted.threads, values, numbers, arguments)
+    results = None if slopes is None else Slopes(derivatives, errors / numbers[2])
+    return Images(values, numbers[0], numbers[1], results, numbers[2]) if computed else None
 
 
-def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
-    """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
-    return _core.layered_profiles(asked, v, threads)
+def layered_profiles(layered: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
+    """Return azimuthal orders of I at increasing v, ``(n, k, len(v))``, and bounds on the error of I, ``(n,)``."""
+    return _core.layered_profiles(layered, v, threads)
 
 
-def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: Pixels) -> Ringed:
-    """Write intensities times scales; the step of the window is in circles, its center is an array or one pixel."""
+def ringed_images(rings: Rings, window: Window, scales: Array, threads: int, out: Pixels) -> Ringed:
+    """Write intensities times `scales` to `out`; the step of the window is in distances between circles."""
     images: Callable[..., Array] = _core.ringed_images
-    made = images(asked, window, np.ascontiguousarray(scales), threads, out)
-    return Ringed(made[:-4], *made[-4:])
+    sizes = images(rings, window, np.ascontiguousarray(scales), threads, out)
+    return Ringed(sizes[:-4], *sizes[-4:])
 
 
 class PixelRadii(NamedTuple):
-    """Radii at which I tells all pixels of a window, and what becomes of its errors; certificate, section 9."""
+    """Radii at which the intensity determines all pixels of a window, and error factors (certificate, section 9)."""
 
     v: Array
     error: float
@@ -543,7 +557,7 @@ class PixelRadii(NamedTuple):
 
 
 def pixel_radii(window: Window, integrate: bool, level: int, threads: int = 0) -> PixelRadii:
-    """Return the radii for errors of about ``10^-level``."""
+    """Return the radii for interpolation errors of about ``10^-level``."""
     row, column = window.center
     return PixelRadii(*_core.pixel_radii(*window.shape, row, column, window.step, integrate, level, threads))
 
@@ -551,7 +565,7 @@ def pixel_radii(window: Window, integrate: bool, level: int, threads: int = 0) -
 def pixel_values(
     window: Window, profiles: Array, integrate: bool, level: int, threads: int = 0
 ) -> tuple[Array, Array]:
-    """Return the pixels from I at those radii, shape ``(n, height, width)``, and what their rounding is at most."""
+    """Return pixels ``(n, height, width)`` from I at the radii of :func:`pixel_radii`, and rounding bounds."""
     (row, column), values = window.center, np.empty((len(profiles), *window.shape))
     penalties = _core.pixel_values(
         np.ascontiguousarray(profiles), row, column, window.step, integrate, level, threads, values
@@ -560,9 +574,10 @@ def pixel_values(
 
 
 RowRule = _core.RowRule
-"""Quadrature over a region of ellipses and polygons: `nodes`, shape (3, n), x, y and weight; `weight`, their sum.
+"""Quadrature over a region of ellipses and polygons.
 
-`lost` bounds what edges that are misplaced by rounding do to integrals of what is at most 1.
+`nodes`, shape (3, n), has x, y and weight of each node; `weight` is the sum of the weights. `lost` bounds the effect
+of rounding of the edges on integrals of functions that are at most 1.
 """
 
 
@@ -573,24 +588,27 @@ def row_rule(
     degree: int,
     error: float,
 ) -> RowRule:
-    """Return a rule off by at most `error` for polynomials of a `degree` that are at most 1 on the unit disc.
+    """Return a quadrature rule for polynomials of a `degree` that are at most 1 on the unit disc.
 
     Parameters
     ----------
     ellipses : sequence of (x, y, a, b, angle)
+        Ellipses, in the order of the shapes that are ellipses.
     polygons : sequence of sequences of (x, y)
-        Of each part its corners, none of an ellipse.
+        Corners of each shape; empty for an ellipse.
     steps : sequence of int
-        The region in postfix order: numbers of parts, -1 for both of two, -2 for either, -3 for the first without the
-        second.
+        The region in postfix notation: an index of a shape, -1 for the intersection of the last two operands, -2 for
+        their union, -3 for the first without the second.
     degree : int
+        Degree of the polynomials.
     error : float
+        Largest error of an integral.
     """
-    given = [np.asarray(corners, dtype=np.float64).reshape(-1, 2) for corners in polygons]
+    corners_of = [np.asarray(corners, dtype=np.float64).reshape(-1, 2) for corners in polygons]
     return _core.row_rule(
         np.array(ellipses, dtype=np.float64).reshape(-1, 5),
-        np.concatenate(given),
-        np.array([len(corners) for corners in given], dtype=np.int32),
+        np.concatenate(corners_of),
+        np.array([len(corners) for corners in corners_of], dtype=np.int32),
         np.array(steps, dtype=np.int32),
         degree,
         error,
@@ -598,8 +616,8 @@ def row_rule(
 
 
 def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -> RowRule:
+    """Return samples, ordered by rows of equal y, as a :data:`RowRule`; each sample may have a `phase`."""
     # A new row begins where y changes.
-    """Return samples, those of each row one after the other, as such a rule; each may have a phase."""
     starts = np.flatnonzero(np.diff(y, prepend=np.nan) != 0.0)
     counts = np.diff(starts, append=len(y)).astype(np.int64)
     return _core.row_samples(y[starts], counts, x, weight, np.zeros(0) if phase is None else phase)
@@ -608,9 +626,10 @@ def row_samples(x: Array, y: Array, weight: Array, phase: Array | None = None) -
 def row_images(
     rules: Sequence[RowRule], phases: Array, stack: DiskStack, window: Window, precision: float, wanted: Wanted
 ) -> tuple[Array, Array, Array]:
-    """Return intensities (n, h, w), derivatives by terms of `wanted` (k, n, h, w), and what sums lose of U (n,).
+    """Return intensities (n, h, w), derivatives by `wanted.terms` (k, n, h, w), and bounds on errors of U (n,).
 
-    Of pupils on regions with `phases` (regions, 3), constant and by x and y; sums lose about `precision` of weights.
+    Each rule is a region of the pupil, with `phases` (regions, 3): a constant and the slopes in x and y. The bounds
+    are on errors of the sums, which are about `precision` times the sum of the weights.
     """
     count, factors = len(stack.edge), np.array(wanted.terms, dtype=np.int32).reshape(-1, 2)
     values, slopes, lost = (
@@ -621,40 +640,42 @@ def row_images(
 
 
 def star_likelihood(images: Sequence[Pixels], light: Array, star: Array, threads: int) -> tuple[Array, Array]:
-    """Return what Fisher scoring needs of the counts of stars, given images of sets of parameters.
+    """Return the sums that Fisher scoring requires, for n star images and several sets of parameters.
 
     Parameters
     ----------
     images : sequence of ndarray, each of shape (sets * n, height, width)
-        The images of a point, and their derivatives.
+        Model images of a point, followed by their derivatives.
     light : ndarray, shape (sets, 2, n)
         Flux and background of each image, electrons.
     star : ndarray, shape (4, n, height * width)
-        Electrons counted; variance of reading; the same as weights are made with; 1 where a pixel is valid, else 0.
+        Counted electrons; variance of the readout noise; this variance as used in the weights; 1 for a valid pixel,
+        else 0.
     threads : int
-        At most; 0 for all.
+        Maximum number of threads; 0 for the number of processors.
 
     Returns
     -------
     numbers : ndarray, shape (3, sets, n)
-        Minus the log-likelihood up to a constant, expectation and variance of Pearson's chi2.
+        Negative log-likelihood up to a constant, expectation and variance of Pearson's chi2.
     products : ndarray, shape (sets, n, k + 2, k + 2)
-        Sums over pixels of the products of the derivatives, the image, 1, and the residual, over standard deviations.
+        Sums over pixels of products of any two of the derivatives, the image, 1, and the residual, each divided by
+        the standard deviation of the pixel.
     """
     kind = images[0].dtype
     compute = _core.star_likelihood_single if kind == np.float32 else _core.star_likelihood_double
     return compute([np.ascontiguousarray(image, kind) for image in images], light, star, threads)
 
 
-_Kept = type(lru_cache(maxsize=1)(len))
+_CachedFunction = type(lru_cache(maxsize=1)(len))
 
 
 def clear_caches() -> None:
-    """Free the memory kept between calls: tables of the compiled core, plans of :func:`lommel.psf` and others.
+    """Free the memory of all caches: tables of the compiled core, plans of :func:`lommel.psf`, and others.
 
-    The next call recomputes what it needs: it takes as long as the first call of a process, with identical results.
-    Calls that are running in other threads keep what they use until they return. Plans, PSFs and operators that you
-    hold stay valid. For the limits of the caches see :doc:`the guide </running>`.
+    The next call rebuilds its tables: it takes as long as the first call in a process, with identical results.
+    Running calls in other threads keep their tables until they return. Existing Plans, PSFs and operators remain
+    valid. For the limits of the caches see :doc:`the guide </running>`.
 
     Examples
     --------
@@ -664,8 +685,8 @@ def clear_caches() -> None:
     """
     for name, module in tuple(sys.modules.items()):
         if name.startswith("lommel."):
-            # Those without a limit hold what is made once a process: classes, what is registered elsewhere.
+            # Caches without a limit hold objects that exist once per process, such as classes; they are not cleared.
             for value in tuple(vars(module).values()):
-                if isinstance(value, _Kept) and value.cache_parameters()["maxsize"] is not None:
+                if isinstance(value, _CachedFunction) and value.cache_parameters()["maxsize"] is not None:
                     value.cache_clear()
     clear_tables()

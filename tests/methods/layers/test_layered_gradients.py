@@ -106,7 +106,7 @@ def test_without_aberrations_terms_are_by_chords_and_all_else_by_rings():
 
 
 def test_traced_plans_name_the_way_to_gradients():
-    with pytest.raises(TypeError, match=r"that of an Objective; .* has the gradient"):
+    with pytest.raises(TypeError, match=r"got one of an Objective; .* computes the gradient"):
         lm.Plan(9, PIXEL).traced(stack())
 
 

@@ -116,7 +116,7 @@ def test_a_glass_that_leaves_no_room_is_told_with_how_far_it_reaches():
 def test_depths_and_planes_that_do_not_go_together_are_told():
     with pytest.raises(ValueError, match=r"depth.* and .*must broadcast, got shapes \(2,\) and \(3,\)"):
         psf(depth=np.array([1e-6, 2e-6]), z=np.zeros(3))
-    with pytest.raises(TypeError, match="z must not be masked; fill it, or leave out what is masked"):
+    with pytest.raises(TypeError, match="z must not be masked; fill the masked values, or omit them"):
         psf(z=np.ma.masked_array([0.0, 1e-7], [True, False]))
 
 

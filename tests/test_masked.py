@@ -118,7 +118,7 @@ def test_masked_images_of_two_shapes_are_told():
     ],
 )
 def test_doors_that_cannot_leave_out_what_is_masked_refuse_it(name, call, kind):
-    with pytest.raises(TypeError, match=rf"^{name} must not be masked; fill it"):
+    with pytest.raises(TypeError, match=rf"^{name} must not be masked; fill the masked values"):
         call(kind(STACK, HIDDEN))
 
 
@@ -181,5 +181,5 @@ def test_a_masked_array_that_masks_nothing_is_an_array():
     ],
 )
 def test_everything_else_refuses_what_is_masked_by_name(name, call):
-    with pytest.raises(TypeError, match=rf"^{name}.* must not be masked; fill it"):
+    with pytest.raises(TypeError, match=rf"^{name}.* must not be masked; fill the masked values"):
         call()

@@ -123,7 +123,7 @@ def test_the_pages_of_a_picture_end(tmp_path):
         + 12 * struct.unpack_from("<H", PLAIN, struct.unpack_from("<I", PLAIN, 4)[0])[0]
     )
     (tmp_path / "a.tif").write_bytes(PLAIN[:end] + PLAIN[4:8] + PLAIN[end + 4 :])
-    with pytest.raises(PhotoError, match="circle"):
+    with pytest.raises(PhotoError, match="circular"):
         imaging.read_photo(tmp_path / "a.tif")
 
 

@@ -212,8 +212,8 @@ GOOD = metropro(VALUES)
 @pytest.mark.parametrize(
     ("name", "data", "told"),
     [
-        bad("a.dat", b"", "it does not begin as a file of MetroPro"),
-        bad("a.dat", b"\0" * 4096, "it does not begin as a file of MetroPro"),
+        bad("a.dat", b"", "it does not begin like a file of MetroPro"),
+        bad("a.dat", b"\0" * 4096, "it does not begin like a file of MetroPro"),
         bad("a.dat", GOOD[:-1], "44 x 40 values end beyond its"),
         bad("a.dat", GOOD[:6] + b"\xff\xff\xff\xff" + GOOD[10:], "its header has 4294967295 bytes"),
         bad("a.dat", GOOD[:68] + b"\xff\xff\xff\xff" + GOOD[72:], "pixels; the limit is"),
@@ -225,9 +225,9 @@ GOOD = metropro(VALUES)
         bad("a.fits", b"", "cannot be read"),
         bad("a.fits", b"SIMPLE  =                    T" + b" " * 2850, "cannot be read"),
         bad("a.fits.gz", b"\x1f\x8b\x08" + b"\0" * 30, "cannot be read"),
-        bad("a.csv", "1,2\n3\n", "it must hold rows of equally many numbers"),
-        bad("a.csv", "1,2\n3,x\n", "it must hold rows of equally many numbers"),
-        bad("a.csv", "", "it must hold rows of equally many numbers"),
+        bad("a.csv", "1,2\n3\n", "it must hold rows with the same number of values"),
+        bad("a.csv", "1,2\n3,x\n", "it must hold rows with the same number of values"),
+        bad("a.csv", "", "it must hold rows with the same number of values"),
         bad("a.csv", "# unit: furlong\n1,2\n", "it has the unknown unit 'furlong'"),
         bad("a.csv", "# Unit: nm\n1,2\n", "it states 'Unit', which is unknown"),
         bad("a.csv", "# unit: nm\nnan,\n", "somewhere there must be one"),

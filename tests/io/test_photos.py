@@ -490,7 +490,9 @@ def test_halves_are_read_and_depth_maps_keep_what_is_unknown(tmp_path):
 def test_other_channels_cropped_windows_and_damage_are_refused(tmp_path):
     light = np.zeros((5, 6, 4), np.float32)
     write(tmp_path / "alpha.exr", {"RGBA": light})
-    with pytest.raises(lm.imaging.PhotoError, match="alpha that is not 1 everywhere: put it on a background"):
+    with pytest.raises(
+        lm.imaging.PhotoError, match="alpha channel that is not 1 everywhere; composite it onto a background"
+    ):
         lm.imaging.read_photo(tmp_path / "alpha.exr")
     write(tmp_path / "two.exr", {"U": light[..., 0], "V": light[..., 1]})
     with pytest.raises(lm.imaging.PhotoError, match="channels are U, V, neither R, G, B nor Y"):

@@ -272,7 +272,9 @@ def test_what_is_masked_in_any_array_is_left_out_or_refused(door, kind):
     known = without(door)
     found, refusal = ask(door, MASKS[kind](*spoilt(door)))
     if found is None:
-        pattern = f"must not be masked; fill it|{DASK_PAIR}" + ("|NaN|must be finite" if known is None else "")
+        pattern = f"must not be masked; fill the masked values|{DASK_PAIR}" + (
+            "|NaN|must be finite" if known is None else ""
+        )
         assert re.search(pattern, refusal), refusal
     else:
         assert known is not None

@@ -75,7 +75,7 @@ def refused(path, message):
 
 @pytest.mark.parametrize("following", [1, 2], ids=["the first", "the second"])
 def test_pages_that_run_in_a_circle_are_refused(following, tmp_path):
-    refused(pages(tmp_path / "a.ome.tif", 150, ome(), following=following), "its pages run in a circle")
+    refused(pages(tmp_path / "a.ome.tif", 150, ome(), following=following), "its chain of pages is circular")
 
 
 @pytest.mark.parametrize(
@@ -84,7 +84,7 @@ def test_pages_that_run_in_a_circle_are_refused(following, tmp_path):
     ids=["width", "planes", "count"],
 )  # fmt: skip
 def test_sizes_that_are_stated_are_checked_against_pages(text, claim, tmp_path):
-    refused(pages(tmp_path / "a.ome.tif", 3, text), f"OME metadata say {claim} planes .* more than its 3 pages")
+    refused(pages(tmp_path / "a.ome.tif", 3, text), f"OME metadata state {claim} planes .* more than its 3 pages")
 
 
 @pytest.mark.parametrize("second", [(64, BOMB), (4000, BOMB)], ids=["strip", "page"])
@@ -95,7 +95,7 @@ def test_a_page_that_takes_more_than_a_plane_is_refused(second, tmp_path):
 
 def test_more_images_than_there_are_pages_are_refused(tmp_path):
     path = pages(tmp_path / "a.tif", 1, b"ImageJ=1.53\nimages=1000000\nslices=1000000\n")
-    refused(path, "its description says 1000000 images; it has 1 pages")
+    refused(path, "its description states 1000000 images; it has 1 pages")
 
 
 def test_planes_that_are_missing_are_told(tmp_path):
@@ -126,7 +126,7 @@ def test_files_that_ome_metadata_name_are_read_beside_the_first_alone(tmp_path):
     for name in ("link.tif", "pipe.tif"):
         refused(pages(path, 1, beside(name)), f"name '{name}', which is no regular file")
     pages(room / "circle.tif", 120, following=1)
-    refused(pages(path, 1, beside("circle.tif")), "its pages run in a circle")
+    refused(pages(path, 1, beside("circle.tif")), "its chain of pages is circular")
     # A file that was given another name since; its own is not looked for.
     moved = pages(
         room / "moved.ome.tif",
@@ -152,7 +152,7 @@ def test_files_of_micro_manager_are_read_beside_the_first_alone(tmp_path):
     index("../b.tif", 0)
     refused(path, r"its metadata name '\.\./b\.tif'; only files beside it are read")
     index("a_MMStack.tif", 10**9)
-    refused(path, r"its NDTiff\.index tells of 1e\+09 images")
+    refused(path, r"its NDTiff\.index states 1e\+09 images")
     (room / "NDTiff.index").unlink()
     assert len(all_frames(path)) == 1
     os.mkfifo(room / "a_MMStack_1.tif")

@@ -203,7 +203,7 @@ def test_pages_that_imagej_does_not_count_are_told(tmp_path):
     with open_recording(path) as found:
         assert found.shape == (1, 3, 8, 9)
         assert found.notes[0] == (
-            "The file holds 5 pages, of which its description by ImageJ says 3; the others were left out."
+            "The file holds 5 pages, of which its description by ImageJ states 3; the others were left out."
         )
     with pytest.raises(localize.MovieError, match=r"less\.tif .* holds 5 pages, of which its description by ImageJ"):
         localize.open_movie(path)
@@ -211,7 +211,7 @@ def test_pages_that_imagej_does_not_count_are_told(tmp_path):
 
 @pytest.mark.parametrize(
     ("inside", "message"),
-    [("<a/>" * 700_000, "bytes of memory"), ('<!DOCTYPE a [<!ENTITY b "c">]>', "entities of its own")],
+    [("<a/>" * 700_000, "bytes of memory"), ('<!DOCTYPE a [<!ENTITY b "c">]>', "defines XML entities")],
     ids=["elements", "entities"],
 )
 def test_xml_that_takes_much_memory_is_refused_before_it_is_parsed(tmp_path, inside, message):

@@ -1,8 +1,10 @@
-"""Files and folders that get their name when they are complete: written beside it, or part by part.
+"""Atomic writing of files and folders: they get their name only when they are complete.
 
-Folders that are computed part by part and get their name when they are complete; a call goes on with the parts.
-Until then all is in a hidden folder beside the name: `request.json`, which says what is made, and which the call that
-writes holds; a checksum of each part, of its values and of what they were computed from; and the folder, `new`.
+A file is written under a temporary name in the same folder ("target" is the final path), and then renamed.
+
+A folder that is computed part by part (:class:`Unfinished`) can be continued by a later call. Until it is complete, a
+hidden folder beside the target ("room") holds `request.json`, which describes the request and is locked by the
+writing call; a checksum file for each complete part; and the folder itself, named `new`.
 """
 
 from __future__ import annotations
@@ -31,10 +33,10 @@ from lommel.base import reading
 from lommel.base.arrays import Json, Values
 from lommel.base.validation import line
 
-# The prefix also says which files a later process may remove as remains of a killed one (`_sweep`).
-# Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
+# Prefix of temporary names, by which `_sweep` recognises files of killed processes. It is short, since names have a
+# maximum length, and no other program uses it.
 _PREFIX = ".lommel-"
-_DAY = 86400.0
+_DAY = 86400.0  # seconds
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # O_BINARY: Windows converts line ends
 
 
@@ -46,7 +48,7 @@ _Open = TypeVar("_Open", bound=_Closing)
 
 
 def contents(save: Callable[..., object], *args: object, **options: object) -> bytes:
-    """Return the bytes that `save` writes into the file object that is its first argument."""
+    """Return the bytes that ``save(file, *args, **options)`` writes to `file`."""
     file = io.BytesIO()
     save(file, *args, **options)
     return file.getvalue()
@@ -60,9 +62,9 @@ def write(target: Path, data: bytes) -> None:
 
 @contextmanager
 def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
-    """Yield a writer of paths and contents; at the end all files move into place, or none after an error.
+    """Yield a function (path, contents) that writes files; at the end all files move into place, after an error none.
 
-    Until then they lie in the folder of each, or in `room`.
+    The temporary files are in `room`, by default in the folder of each target.
     """
     with _temporaries(room) as make:
 
@@ -75,10 +77,12 @@ def whole_files(room: Path | None = None) -> Iterator[Callable[[Path, bytes | me
 
 @contextmanager
 def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Callable[[Path], Path]]:
-    """Yield a function that makes an empty temporary file for a target; at the end the files get those names."""
-    # Links are followed, permissions kept; a hard link is cut, since the other name keeps the old contents. Contents
-    # are on the disk before a name is given to them. Remains of a killed process are removed a day later, by the
-    # next write.
+    """Yield a function that creates an empty temporary file for a target; at the end rename each to its target.
+
+    Links are followed and permissions kept. If the target has further hard links, these keep the old contents. The
+    contents are synchronised with the disk before the renames. Temporary files of a killed process are removed by the
+    next write at least a day later.
+    """
     made: list[tuple[Path, Path, int | None]] = []
     if room is not None:
         _sweep(room)
@@ -88,52 +92,51 @@ def _temporaries(room: Path | None = None, *, new: bool = False) -> Iterator[Cal
             place = _place(target)
             temporary = (room or place.parent) / (_PREFIX + secrets.token_hex(8))
             mode = stat.S_IMODE(place.stat().st_mode) if place.exists() else None
-            made.append((temporary, place, mode))  # first, lest an interrupt come between
-            # 0o666 is what the umask, which belongs to the whole process, takes from.
+            made.append((temporary, place, mode))  # before the file exists, in case of an interrupt between the lines
+            # The system subtracts the umask of the process from 0o666.
             os.close(os.open(temporary, _NEW, 0o666 if mode is None else 0o600))
         return temporary
 
     try:
         yield make
-        # First all files are on the disk, then all are renamed: an error on the way, a full disk say, leaves no
-        # target.
+        # All files are synchronised before the first is renamed, so that an error such as a full disk replaces none.
         for temporary, place, mode in made:
             with as_path_error(place):
-                _settle(temporary)
+                _synchronise(temporary)
                 if mode is not None:
                     temporary.chmod(mode)
         for temporary, place, _ in made:
             with as_path_error(place):
                 _link(temporary, place) if new else temporary.replace(place)
-        # A rename survives a power cut only once the folder that holds the name is synchronised too.
+        # A rename survives a power cut only if the folder is synchronised too.
         for folder in {place.parent for _, place, _ in made}:
-            _settle(folder)
+            _synchronise(folder)
     finally:
         for temporary, _, _ in made:
-            with suppress(OSError):  # there is none, or nothing can be removed where nothing could be written
+            with suppress(OSError):  # already renamed, or in a folder without write permission
                 temporary.unlink()
 
 
 def write_by(target: Path, fill: Callable[[Path], None]) -> None:
-    """Write a file through `fill`, which gets a temporary path."""
+    """Write a file by `fill`, which is called with a temporary path."""
     with temporary_for(target) as temporary, as_path_error(target):
         fill(temporary)
 
 
 @contextmanager
 def temporary_for(target: Path, *, new: bool = False) -> Iterator[Path]:
-    """Yield the path of an empty file, which gets the name of `target` at the end; after an error there is none.
+    """Yield the path of an empty temporary file; at the end rename it to `target`, or remove it after an error.
 
-    FileExistsError if `new` and there is a file of that name.
+    FileExistsError if `new` and `target` exists.
     """
     with _temporaries(new=new) as make:
         yield make(target)
 
 
 def _link(temporary: Path, place: Path) -> None:
-    """Give a file a name that nothing has."""
+    """Rename a file to a new name; FileExistsError if the name exists."""
     try:
-        # A hard link fails where the name exists, and a rename would replace that file.
+        # A hard link fails if the name exists, whereas a rename would replace the existing file.
         os.link(temporary, place)
     except OSError:
         if place.exists():
@@ -142,7 +145,7 @@ def _link(temporary: Path, place: Path) -> None:
 
 
 def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
-    """Write a folder that `fill` makes at the path it gets; the folder gets its name when it is complete."""
+    """Write a folder by `fill`, which creates it at a temporary path; it is renamed to `target` when complete."""
     with as_path_error(target):
         place = Path(os.path.realpath(target))
         _sweep(place.parent)
@@ -156,34 +159,32 @@ def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = Fals
 
 
 def move_folder(room: Path, place: Path, *, new: bool = False) -> None:
-    """Move the folder `new` of a room into place; unless it must be `new` there, the former one becomes `old`."""
+    """Move the folder `new` of a room into place, and unless `new` an existing folder to `old` of the room."""
     try:
-        # A temporary folder is made readable by its owner alone; the result has the permissions of the one it
-        # replaces.
+        # The result gets the permissions of the folder that it replaces, or those of the room.
         mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
         for path in (room / "new", *(room / "new").rglob("*")):
             path.chmod(mode if path.is_dir() else mode & 0o666)
-            _settle(path)
+            _synchronise(path)
         if place.exists() and not new:
-            # Two renames: there is no moment at which neither folder exists.
+            # With two renames, at least one of both folders exists at any moment.
             place.replace(room / "old")
         (room / "new").replace(place)
-        _settle(place.parent)
+        _synchronise(place.parent)
     finally:
         restore_old(room, place)
 
 
 def restore_old(room: Path, place: Path) -> None:
-    """Give the folder `old` of a room its name again, if the name is free."""
+    """Move the folder `old` of a room back into place, if there is no folder at the place."""
     if (room / "old").exists() and not place.exists():
         (room / "old").replace(place)
 
 
 def _place(target: Path) -> Path:
-    """Return the real path of a target, links followed."""
+    """Return the path of a target with links resolved; OSError if it is a folder, device or pipe."""
     place = Path(os.path.realpath(target))
     if place.exists() and not place.is_file():
-        # A device, say, that is not to become a file.
         raise IsADirectoryError(21, "is a directory") if place.is_dir() else OSError(22, "is no regular file")
     _sweep(place.parent)
     return place
@@ -191,42 +192,41 @@ def _place(target: Path) -> Path:
 
 @contextmanager
 def as_path_error(target: Path) -> Iterator[None]:
-    """Raise an error of the operating system again, with the path that the caller named."""
+    """Raise an OSError again with the path `target` in place of a temporary path."""
     try:
         yield
-    # The temporary name in the original message would mean nothing to the reader.
     except OSError as error:
-        if error.errno == errno.ENOTEMPTY:  # a folder is there, which none takes the place of
+        if error.errno == errno.ENOTEMPTY:  # renaming a folder to an existing folder
             error = FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
-        elif error.errno is None:  # of NumPy, that less was written than it asked for
+        elif error.errno is None:  # raised by NumPy if fewer bytes were written than requested
             error = OSError(errno.ENOSPC, f"could not be written whole, as on a disk that is full ({error})")
         raise type(error)(error.errno, error.strerror, str(target)) from None
 
 
 @contextmanager
 def opened(target: Path, mode: str = "wb", **options: Any) -> Iterator[Any]:
-    """Yield a file that gets the name of `target` at the end; errors of closing it name that path, too."""
+    """Yield an open temporary file, which is renamed to `target` at the end; all errors name the path `target`."""
     with temporary_for(target) as temporary, closed(lambda: temporary.open(mode, **options), target) as file:
         yield file
 
 
 @contextmanager
 def closed(make: Callable[[], _Open], target: Path) -> Iterator[_Open]:
-    """Yield a writer and close it at the end; errors of both name the path of `target`."""
+    """Yield the writer that `make` opens, and close it at the end; errors of opening and closing name `target`."""
     with as_path_error(target):
         file = make()
     try:
         yield file
     except BaseException:
-        with suppress(OSError):  # of what is left to write, where a write failed
+        with suppress(OSError):  # closing writes the buffer, which fails again after a failed write
             file.close()
         raise
     with as_path_error(target):
         file.close()
 
 
-def _settle(path: Path) -> None:
-    """Synchronise a file, or the names in a folder, with the disk."""
+def _synchronise(path: Path) -> None:
+    """Synchronise a file, or the list of names of a folder, with the disk."""
     try:
         handle = os.open(path, os.O_RDWR if sys.platform == "win32" else os.O_RDONLY)
     except PermissionError:
@@ -236,26 +236,26 @@ def _settle(path: Path) -> None:
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EIO):
             raise
-        # Some file systems do not know this of folders.
+        # Other errors are ignored: some file systems cannot synchronise folders.
     finally:
         os.close(handle)
 
 
 @lru_cache(maxsize=64)
 def _sweep(folder: Path) -> None:
-    """Remove files that other processes left in a folder a day ago, once a process; never the only copy of data."""
+    """Remove temporary files older than a day from a folder; it runs once per process and folder."""
     try:
         with os.scandir(folder) as entries:
             ours = [entry for entry in entries if entry.name.startswith(_PREFIX)]
             old = [Path(one.path) for one in ours if time.time() - one.stat(follow_symlinks=False).st_mtime > _DAY]
     except OSError:
-        return  # What is wrong with the folder, the write will tell.
+        return  # the following write reports the error
     for path in old:
-        # A running call may still hold a young file: only those a day old are certain remains.
+        # A younger file may belong to a running call.
         if not path.is_dir():
-            with suppress(OSError):  # of somebody else
+            with suppress(OSError):  # a file of another user
                 path.unlink()
-        # `old` is what the place held before; a process killed between two renames leaves its only copy there.
+        # A room with `old` is kept: a process killed between two renames leaves the only copy of the data there.
         elif not (path / "old").exists():
             shutil.rmtree(path, ignore_errors=True)
 
@@ -270,105 +270,106 @@ _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.
 
 @contextmanager
 def locked(mark: Path, place: Path, *, alone: bool = True) -> Iterator[bool]:
-    """Hold an exclusive or shared lock on the mark file of a place; ValueError if another call has it.
+    """Hold an exclusive (`alone`) or shared lock on the file `mark`; ValueError if another call holds a lock.
 
-    Yield whether the file system has locks. The lock is one of the system, not a file: it ends with its process, and
-    a killed process leaves nothing to judge or clear away.
+    Yield True if the file system supports locks. Error messages name `place`, the folder that is written. The lock is
+    one of the operating system and ends with the process, so that a killed process leaves no lock.
     """
     if sys.platform == "win32" and alone:
-        yield True  # nothing takes the place of a file that is open, not even who holds it
+        yield True  # no lock: Windows cannot replace an open file, not even for the process that opened it
         return
     with as_path_error(place):
         handle = os.open(mark, os.O_RDWR)
     _held.add(handle)
-    known = True
+    supported = True
     try:
         try:
-            # Without waiting (LOCK_NB): a call that writes for hours is told at once.
+            # LOCK_NB: raise an error instead of waiting, since the other call may take hours.
             if sys.platform != "win32":
                 fcntl.flock(handle, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | fcntl.LOCK_NB)
         except BlockingIOError:
             raise ValueError(
-                f"{line(place)} is being written by another call; wait until that has ended, or name another"
+                f"{line(place)} is being written by another call; wait until that has ended, or choose another path"
             ) from None
         except OSError as error:
             if error.errno not in _NO_LOCKS:
                 raise
-            known = False
-        yield known
+            supported = False
+        yield supported
     finally:
-        if handle in _held:  # opened by this process, not inherited from its parent
+        if handle in _held:  # False in a forked child, which has closed the handle already
             _held.discard(handle)
             os.close(handle)
 
 
 def unknown_use(place: Path) -> ValueError:
-    """Return the error for a place that another call may still be writing, on a file system without locks."""
+    """Return the error for a folder that another call may still be writing, on a file system without locks."""
     return ValueError(
-        f"{line(place)} was begun by another call, and its file system does not tell whether that goes on; remove it "
-        "if it does not, or name another"
+        f"{line(place)} was begun by another call, which may still be running (its file system has no locks); remove "
+        "it if that call has ended, or choose another path"
     )
 
 
-def _let_go() -> None:
-    """Close the locks of the parent in a forked child, which would otherwise hold them for as long as it lives."""
+def _release_inherited_locks() -> None:
+    """Close the lock files inherited from the parent in a forked child, which would keep the locks otherwise."""
     while _held:
         os.close(_held.pop())
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_let_go)
+    os.register_at_fork(after_in_child=_release_inherited_locks)
 
 
 _MARK = "request.json"
 _IDENTITY = "identity"
-_TIMES = 8  # attempts to begin anew after another call has finished or removed the folder
+_MAX_ATTEMPTS = 8  # attempts to open or create the room while other calls finish or remove it
 
 
 @dataclass(frozen=True)
 class Unfinished:
-    """Hidden folder of a place until the result is complete."""
+    """A folder that is being computed part by part: its final path `place`, its hidden folder `room`."""
 
     place: Path
     room: Path
-    said: Json
+    description: Json
 
     @property
     def new(self) -> Path:
-        """Folder that gets the name of the place."""
+        """Folder that is moved to `place` when it is complete."""
         return self.room / "new"
 
     @property
     def _parts(self) -> Path:
-        return self.room / str(self.said[_IDENTITY])  # unique: a late call cannot write into a newer folder
+        # The name is unique, so that a call for an older folder cannot write into a newer one.
+        return self.room / str(self.description[_IDENTITY])
 
     def has(self, name: str, request: str, values: Values) -> bool:
-        """Return whether a part is complete and was computed from these values."""
+        """Return True if a part is complete, was computed for this request and has these values."""
         try:
             return reading.contents(self._parts / name, 99) == self._sum(name, request, values)
         except OSError:
             return False
 
     def put(self, name: str, request: str, values: Values) -> None:
-        """Record that a part, whose values are written, is complete."""
+        """Record that a part is complete; its values must have been written before."""
         self.require_there()
         with as_path_error(self.place):
             write(self._parts / name, self._sum(name, request, values))
 
     def require_there(self) -> None:
-        """Raise ValueError if the folder was removed."""
+        """Raise ValueError if the hidden folder was removed."""
         if not self._parts.is_dir():
-            raise ValueError(f"{line(self.room)} was removed while it was written; call again")
+            raise ValueError(f"{line(self.room)} was removed while it was written; repeat the call")
 
     def finish(self) -> None:
-        """Give the folder its name, replacing a folder of that name."""
+        """Move the complete folder to `place`, where it replaces an existing folder."""
         self.require_there()
         move_folder(self.room, self.place)
         self.remove()
 
     def remove(self) -> None:
-        """Remove the hidden folder, its mark last: until then a killed removal is recognised as ours."""
-        restore_old(self.room, self.place)  # of a process that was killed between two renames
+        """Remove the hidden folder; `request.json` is last, so that a later call can complete a killed removal."""
+        restore_old(self.room, self.place)  # a process may have been killed between two renames
         for path in self.room.iterdir():
             if path.name != _MARK:
                 shutil.rmtree(path)
@@ -376,7 +377,7 @@ class Unfinished:
         self.room.rmdir()
 
     def _sum(self, name: str, request: str, values: Values) -> bytes:
-        described = {"part": name, "of": self.said[_IDENTITY], "request": request}
+        described = {"part": name, "of": self.description[_IDENTITY], "request": request}
         return f"crc32 {crc32(described, {'values': np.asarray(values)}):08x}".encode()
 
 
@@ -384,75 +385,76 @@ class Unfinished:
 def unfinished_folder(
     target: Path, request: Mapping[str, object], fill: Callable[[Path], object]
 ) -> Iterator[Unfinished]:
-    """Yield the unfinished folder of a request, begun by `fill` at the path it gets if there is none.
+    """Yield the unfinished folder of a request; if there is none, `fill` creates it at the path it is called with.
 
-    ValueError if another call writes it, or if the hidden folder is damaged or not ours. An unfinished folder of
-    another request is removed; so is, after an error, one without any complete part.
+    ValueError if another call writes it, or if the hidden folder is damaged or of another user or program. An
+    unfinished folder of another request is removed. After an error, a folder without any complete part is removed
+    too.
     """
     place = Path(os.path.realpath(target))
     room = place.with_name(f".{place.name}.unfinished")
-    asked = plain(request)
-    for _ in range(_TIMES):
-        if (there := _opened(place, room)) is None:
-            with suppress(FileExistsError):  # another call may have begun at the same time
-                _create(place, room, asked, fill)
+    plain_request = plain(request)
+    for _ in range(_MAX_ATTEMPTS):
+        if (existing := _opened(place, room)) is None:
+            with suppress(FileExistsError):  # another call may have created it at the same time
+                _create(place, room, plain_request, fill)
             continue
         with ExitStack() as hold:
             try:
-                known = hold.enter_context(locked(room / _MARK, place))
+                lockable = hold.enter_context(locked(room / _MARK, place))
             except FileNotFoundError:
-                continue  # the other one has just ended
-            # Between the check and the lock another call may have replaced the folder: compared again under the lock.
-            if _opened(place, room) != there:
+                continue  # another call has just finished or removed it
+            # Another call may have replaced the folder before the lock.
+            if _opened(place, room) != existing:
                 continue
-            if there.said["request"] != asked or not there.new.is_dir():
-                if not known:
+            if existing.description["request"] != plain_request or not existing.new.is_dir():
+                if not lockable:
                     raise unknown_use(room)
-                there.remove()
+                existing.remove()
                 continue
             try:
-                yield there
+                yield existing
             finally:
-                if there._parts.is_dir() and not any(there._parts.iterdir()):
-                    with suppress(OSError):  # which must not take the place of another error
-                        there.remove()
+                if existing._parts.is_dir() and not any(existing._parts.iterdir()):
+                    with suppress(OSError):  # an error here must not replace an earlier one
+                        existing.remove()
             return
-    raise ValueError(f"{line(place)} is written by other calls again and again; name another")
+    raise ValueError(f"{line(place)} is repeatedly written by other calls; choose another path")
 
 
 def _create(place: Path, room: Path, request: Json, fill: Callable[[Path], object]) -> None:
     identity = secrets.token_hex(16)
-    said = {_IDENTITY: identity, "request": request}
+    description = {_IDENTITY: identity, "request": request}
 
     def make(folder: Path) -> None:
         (folder / identity).mkdir(parents=True)
         fill(folder / "new")
-        (folder / _MARK).write_text(json.dumps(sealed(said, {})), encoding="utf-8")
+        (folder / _MARK).write_text(json.dumps(sealed(description, {})), encoding="utf-8")
 
     with as_path_error(place):
         write_folder(room, make, new=True)
 
 
 def _opened(place: Path, room: Path) -> Unfinished | None:
-    """Return the unfinished folder, None if there is none; ValueError if something else has its name."""
+    """Return the unfinished folder, None if there is none; ValueError if `room` is anything else."""
     try:
-        ours = room.lstat()
-        # Names in a shared folder may be planted by others: nothing is followed or removed that is not our own.
-        if not stat.S_ISDIR(ours.st_mode) or (hasattr(os, "getuid") and ours.st_uid != os.getuid()):
+        status = room.lstat()
+        # In a shared folder another user may create this name: links and folders of other users are refused.
+        if not stat.S_ISDIR(status.st_mode) or (hasattr(os, "getuid") and status.st_uid != os.getuid()):
             raise ValueError("it is a link, a file, or of another user")
         if not (found := list(room.iterdir())):
             return None
         if any(path.is_symlink() for path in found):
             raise ValueError("it holds links")
-        said = reading.json(reading.contents(room / _MARK))
-        if not isinstance(said, dict) or said.pop("checksum", "") != checksum(said, {}):
+        description = reading.json(reading.contents(room / _MARK))
+        if not isinstance(description, dict) or description.pop("checksum", "") != checksum(description, {}):
             raise ValueError(f"its {_MARK} is damaged")
     except (FileNotFoundError, ValueError) as error:
-        if not os.path.lexists(room):  # or not any more
+        if not os.path.lexists(room):  # it does not exist, or was removed meanwhile
             return None
-        why = f"it lacks {_MARK}" if isinstance(error, FileNotFoundError) else reading.reason(error)
-        raise ValueError(f"{line(room)} holds no unfinished result: {why}; move or remove it") from None
-    return Unfinished(place, room, said)
+        reason = f"it lacks {_MARK}" if isinstance(error, FileNotFoundError) else reading.reason(error)
+        raise ValueError(f"{line(room)} holds no unfinished result: {reason}; move or remove it") from None
+    return Unfinished(place, room, description)
 
 
 def plain(description: Mapping[str, object]) -> Json:
@@ -462,23 +464,23 @@ def plain(description: Mapping[str, object]) -> Json:
 
 
 def sealed(description: Json, arrays: Mapping[str, NDArray[np.generic]]) -> Json:
-    """Return a description with the checksum of the arrays of a file and of its other entries."""
+    """Return a description with the additional entry "checksum", of the arrays and of all other entries."""
     return description | {"checksum": checksum(description, arrays)}
 
 
 def checksum(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> str:
-    """Return the checksum of arrays by name and of their description."""
+    """Return the checksum, as text, of a description (without its entry "checksum") and of arrays by name."""
     return f"crc32 {crc32(description, arrays):08x}"
 
 
 def of_bytes(data: bytes) -> str:
-    """Return the size and checksum of the bytes of a file."""
+    """Return the size and the checksum of the contents of a file as text."""
     return f"{len(data)} bytes, crc32 {zlib.crc32(data):08x}"
 
 
 def of_file(path: Path) -> str:
-    """Return the size and the checksum of a file; OSError if there is none."""
-    size, total = reading.size(path), 0  # refuses a pipe, which would be waited for
+    """Return the size and the checksum of a file as text; OSError if the file does not exist."""
+    size, total = reading.size(path), 0  # raises an error for a pipe, on which reading would wait
     with path.open("rb") as file:
         while part := file.read(2**20):
             total = zlib.crc32(part, total)
@@ -486,9 +488,9 @@ def of_file(path: Path) -> str:
 
 
 def crc32(description: Mapping[str, object], arrays: Mapping[str, NDArray[np.generic]]) -> int:
-    """Return the number of :func:`checksum`."""
-    said = {key: value for key, value in description.items() if key != "checksum"}
-    total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())
+    """Return the checksum of :func:`checksum` as an integer."""
+    entries = {key: value for key, value in description.items() if key != "checksum"}
+    total = zlib.crc32(json.dumps(entries, sort_keys=True, allow_nan=False).encode())
     for name in sorted(arrays):
         values = arrays[name]
         # Little-endian bytes in C order, so that all machines and memory layouts have the same checksum.

@@ -1,7 +1,7 @@
-"""Reading and parsing of files: the memory and time of each is checked before anything is decoded.
+"""Reading and parsing of files, with checks of the required memory and time before a file is decoded.
 
-Reading a file takes at most ten times its size or 256 MB of memory, whichever is more, and a second of processor time
-a megabyte. Of compressed files, which may well hold pictures a hundred times as large, it is a hundred times.
+Reading a plain file takes at most 256 MB or ten times its size in memory, whichever is larger, and at most one second
+of processor time per megabyte. For compressed files, whose contents may be much larger, the factor is a hundred.
 """
 
 from __future__ import annotations
@@ -45,45 +45,46 @@ if TYPE_CHECKING:
 Tags = dict[int, NDArray[np.generic]]
 
 MAX_PIXELS = validation.MAX_SIDE**2
-"""Most pixels of a picture, and most characters of a description."""
+"""Maximum number of pixels of a picture, and of characters of a description."""
 
 MAX_PICTURE_SIDE = 2**16
-"""Most pixels along one side of a picture."""
+"""Maximum number of pixels along one side of a picture."""
 
 MAX_TEXT = 2**23
-"""Most bytes of a table with a row for each position."""
+"""Maximum size in bytes of a table with a row for each position."""
 
 MAX_LIST = 2**19
-"""Most bytes of a list, such as that of the terms of one wavefront."""
+"""Maximum size in bytes of a list, such as the terms of one wavefront."""
 
 MAX_TOML = 2**18
-"""Most bytes of a lens file; the parser may make a table of half a kilobyte from every second byte."""
+"""Maximum size in bytes of a lens file; two bytes of TOML may make the parser allocate half a kilobyte."""
 
 MEMORY = 2**28
-"""Bytes that any file may take to read."""
+"""Bytes of memory that reading a file of any size may take."""
 
 NPZ_TIMES = 4
-"""Memory for reading the arrays of a .npz file, over their size."""
+"""Memory for reading the arrays of a .npz file divided by their size."""
 
-_TIMES, _COMPRESSED = 10, 100  # memory over the size of a plain or compressed file, where that exceeds MEMORY
-_HEADER = 2**16  # bytes read for a header; that of an array is one line
+# Maximum of memory / file size, for plain and compressed files that may exceed MEMORY.
+_TIMES, _COMPRESSED = 10, 100
+_HEADER = 2**16  # bytes that are read for the header of an array, which is usually one line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
 _TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 13: "u4", 16: "u8", 18: "u8"}
 _DESCRIPTION = 270  # tag ImageDescription, which tifffile parses if it is XML
 _MANAGER = 51123  # tag of Micro-Manager's metadata
 _TIFF_PAGE = 2**12  # bytes of memory that tifffile uses for a page
-_TIFF_FRAME = 2**10  # bytes that it uses for a page like the first one
-_PLANE = 2**6  # bytes that it and this package use for a plane in a description
-_TAGS = 4096  # most tags of a page
+_TIFF_FRAME = 2**10  # bytes of memory that tifffile uses for a page that resembles the first
+_PLANE = 2**6  # bytes of memory that tifffile and this package use for a plane of the metadata
+_TAGS = 4096  # maximum number of tags of a page
 DEFLATE = (8, 32946)
 """Codes of the compression deflate in TIFF files."""
 
-_BEST = 1032  # largest ratio of deflate: 258 bytes from two bits (RFC 1951, 3.2.5)
+_MAX_DEFLATE_RATIO = 1032  # 258 bytes from two bits (RFC 1951, 3.2.5)
 # Compressions whose decoded size is known before decoding.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
-_SCANS = 20  # scans of a JPEG; cameras write one, progressive files have ten
-_MEMBERS = 1000  # most members of an archive
-_PARTS = 16  # most parts of a dotted key; lens files have four
+_SCANS = 20  # number of scans of a JPEG from which the time is limited; progressive files have about ten
+_MEMBERS = 1000  # maximum number of members of an archive
+_PARTS = 16  # maximum number of parts of a dotted key; lens files have at most four
 _KEY = r"(?:[\w-]+|\"[^\"\n]*\"|'[^'\n]*')"
 _DOTTED = re.compile(rf"(?<![\w-]){_KEY}(?:[ \t]*\.[ \t]*{_KEY}){{{_PARTS}}}")
 
@@ -98,14 +99,14 @@ def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> 
 
 
 def start(path: Path, count: int) -> bytes:
-    """Return the first bytes of a file; OSError if it is no regular one."""
-    size(path)  # a pipe must not be waited for
+    """Return the first `count` bytes of a file; OSError if it is a folder, pipe or device."""
+    size(path)  # raises an error for a pipe, on which reading would wait
     with path.open("rb") as file:
         return file.read(count)
 
 
 def size(path: Path) -> int:
-    """Return the number of bytes of a file; OSError if it is not a regular one."""
+    """Return the number of bytes of a file; OSError if it is a folder, pipe or device."""
     status = path.stat()
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", str(path))
@@ -115,12 +116,12 @@ def size(path: Path) -> int:
 
 
 def affords(memory: float, size: int, times: int = _COMPRESSED) -> bool:
-    """Return whether reading a file of `size` bytes may use `memory` bytes."""
+    """Return True if reading a file of `size` bytes may use `memory` bytes."""
     return memory <= max(MEMORY, times * size)
 
 
 def afford(memory: float, size: int, times: int = _COMPRESSED) -> None:
-    """Raise ValueError if reading would use more memory than a file of `size` bytes may."""
+    """Raise ValueError if reading a file of `size` bytes must not use `memory` bytes."""
     if not affords(memory, size, times):
         most = max(MEMORY, times * size)
         hint = "; save it without compression" if times == _COMPRESSED else ""
@@ -156,7 +157,8 @@ def json(data: bytes | str, pairs: Callable[[list[tuple[str, object]]], object] 
     from json import loads
 
     text = data.decode() if isinstance(data, bytes) else data
-    marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))  # bytes of the Python objects that each makes
+    # Bytes of the Python objects that the parser creates for each of these characters.
+    marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))
     afford(2 * len(text) + sum(each * text.count(mark) for mark, each in marks), len(text), _TIMES)
     try:
         return loads(text, object_pairs_hook=pairs)
@@ -176,9 +178,9 @@ def xml(text: str) -> Element:
 
 
 def _afford_xml(text: str) -> None:
-    """Refuse XML that would take too much memory, or defines entities, which can grow without end."""
+    """Raise ValueError for XML that would take too much memory, or defines entities, which expand without limit."""
     if "<!ENTITY" in text:
-        raise ValueError("it has entities of its own, which no description needs")
+        raise ValueError("it defines XML entities, which are not supported")
     # Bytes that Python uses for an element and for an attribute.
     afford(2 * len(text) + 512 * text.count("<") + 160 * text.count("="), len(text), _TIMES)
 
@@ -190,7 +192,7 @@ def reason(error: Exception) -> str:
 
 @contextmanager
 def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None]:
-    """Raise any error again as `kind`, naming the file and `what` it is not; a missing library stays ImportError."""
+    """Raise any error again as `kind`, with the message "SOURCE WHAT: reason"; ImportError is not changed."""
     try:
         yield
     except (ImportError, kind):
@@ -200,7 +202,7 @@ def refused_as(kind: type[ValueError], source: Path, what: str) -> Iterator[None
 
 
 def pixels(width: int, height: int) -> None:
-    """Raise ValueError for a picture larger than any that this package makes."""
+    """Raise ValueError if a picture exceeds the maximum number of pixels or the maximum side."""
     if not 0 < width * height <= MAX_PIXELS:
         raise ValueError(f"it has {width} x {height} pixels; the limit is {MAX_PIXELS} in all")
     if max(width, height) > MAX_PICTURE_SIDE:
@@ -208,7 +210,7 @@ def pixels(width: int, height: int) -> None:
 
 
 def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.generic], bytes]:
-    """Return the array of a .npy file, and the bytes behind it."""
+    """Return the array of a .npy file, and the bytes after the array."""
     start, shape, fortran, kind = _npy_header(data[:_HEADER], most)
     count = math.prod(shape)
     if start + count * kind.itemsize > len(data):
@@ -218,7 +220,7 @@ def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[np.gene
 
 
 def npy_mapped(path: Path) -> NDArray[np.generic]:
-    """Return the array of a .npy file mapped from the disk; values are read when they are used."""
+    """Return the array of a .npy file as a memory map, whose values are read on access."""
     at, shape, fortran, kind = _npy_header(start(path, _HEADER), validation.MAX_VALUES)
     count, held = math.prod(shape) * kind.itemsize, size(path) - at
     if count > held:
@@ -229,13 +231,13 @@ def npy_mapped(path: Path) -> NDArray[np.generic]:
 def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.dtype[np.generic]]:
     file = io.BytesIO(data)
     try:
-        # Warnings as errors: NumPy warns of headers in formats that it reads for compatibility only.
+        # Warnings are errors here: NumPy issues them for obsolete formats of the header.
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             version = np.lib.format.read_magic(file)
             read = {1: np.lib.format.read_array_header_1_0, 2: np.lib.format.read_array_header_2_0}[version[0]]
             shape, fortran, kind = read(file)
-    except Exception as error:  # NumPy evaluates the header with Python's parser, which has errors of its own
+    except Exception as error:  # NumPy evaluates the header with Python's parser, which raises many types of errors
         raise ValueError(f"its header is not that of an array: {str(error) or type(error).__name__}") from None
     if kind.hasobject:
         raise ValueError("it holds Python objects, a pickle")
@@ -245,7 +247,7 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
 
 
 def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
-    """Return functions that read the arrays of a .npz file, by name, each with a limit on its number of values."""
+    """Return for each array of a .npz file, by name, a function that reads it with a limit on its size."""
     import zipfile
 
     def read(member: zipfile.ZipInfo, most: int) -> NDArray[np.generic]:
@@ -253,13 +255,12 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
             head = file.read(_HEADER)
             start, shape, _, kind = _npy_header(head, most)
             size = start + math.prod(shape) * kind.itemsize
-            # The size in the archive's table is compared with the header: a member that unpacks to more is not
-            # decoded.
+            # A member is decoded only if its size in the archive's directory matches its header.
             if size != member.file_size:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
             return npy(head + file.read(), most)[0]
 
-    # Counted before the archive is opened, since Python makes an object for each member.
+    # Counted before the archive is opened, since opening creates a Python object for each member.
     if data.count(b"PK\1\2") > _MEMBERS:
         raise ValueError(f"it has more than {_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
@@ -271,10 +272,10 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[np.generic]]]:
 
 
 def png(data: bytes) -> Image:
-    """Return a PNG file opened by Pillow, nothing decoded yet, if its data can hold the pixels that it claims."""
+    """Return a PNG file opened by Pillow, not yet decoded; ValueError if its data cannot hold the stated pixels."""
     from PIL.PngImagePlugin import PngImageFile
 
-    # Chunks: length, name, data, CRC; only IDAT holds pixels, and deflate expands it by _BEST at most.
+    # Chunks have length, name, data, CRC. Only IDAT chunks hold pixels, compressed by deflate.
     at, held = 8, 0
     while at + 8 <= len(data):
         size, name = struct.unpack_from(">I4s", data, at)
@@ -284,23 +285,23 @@ def png(data: bytes) -> Image:
     pixels(width, height)
     samples = {2: 3, 4: 2, 6: 4}.get(kind, 1)
     needed = (width * bits * samples + 7) // 8 * height
-    if needed > _BEST * held:
+    if needed > _MAX_DEFLATE_RATIO * held:
         raise ValueError(f"{width} x {height} pixels take {needed} bytes, more than its {held} can inflate to")
     afford(png_takes(width * height, bits, kind in (2, 6)), len(data))
-    # Opened by the plugin itself: Pillow's limit against decompression bombs would refuse large own pictures.
+    # Image.open is not used: its limit against decompression bombs would refuse large pictures of this package.
     return PngImageFile(io.BytesIO(data))
 
 
 def png_takes(count: int, bits: int, colour: bool) -> int:
-    """Return the bytes of memory for reading `count` pixels of a PNG: Pillow's, ours, and depth in float64."""
+    """Return the bytes of memory for reading `count` pixels of a PNG: in Pillow, our copy, and depth in float64."""
     return count * ((14 if bits == 16 else 8) if colour else 13)
 
 
 def jpeg(data: bytes) -> Image:
-    """Return a JPEG file opened by Pillow, nothing decoded yet."""
+    """Return a JPEG file opened by Pillow, not yet decoded; ValueError if decoding would take too long."""
     from PIL.JpegImagePlugin import JpegImageFile
 
-    # Each scan goes over the whole image again: a small file of many takes minutes.
+    # Every scan covers the whole image, so that a small file with many scans could take minutes.
     scans = data.count(b"\xff\xda")
     file = JpegImageFile(io.BytesIO(data))
     width, height = file.size
@@ -315,12 +316,11 @@ def jpeg(data: bytes) -> Image:
 
 
 def webp(data: bytes) -> Image:
-    """Return a WebP file opened by Pillow, nothing decoded yet; ValueError if it is another file in RIFF."""
+    """Return a WebP file opened by Pillow, not yet decoded; ValueError for any other RIFF file."""
     kind = data[12:16] if data[8:12] == b"WEBP" else b""
     if kind not in (b"VP8X", b"VP8L", b"VP8 ") or len(data) < 30:
         raise ValueError("it is no WebP")
-    # The size stands in the header in three ways: extended (24 bits less 1), lossless (14 bits less 1), lossy (14
-    # bits).
+    # Three encodings of a side: extended (side - 1, 24 bits), lossless (side - 1, 14 bits), lossy (side, 14 bits).
     if kind == b"VP8X":
         width, height = (1 + int.from_bytes(data[at : at + 3], "little") for at in (24, 27))
     else:
@@ -329,14 +329,14 @@ def webp(data: bytes) -> Image:
         if kind == b"VP8 ":
             width, height = (side & 0x3FFF for side in struct.unpack_from("<HH", data, 26))
     pixels(width, height)
-    afford(18.0 * width * height, len(data))  # two canvases, one decoded, its copy, and ours
+    afford(18.0 * width * height, len(data))  # two canvases, the decoded image, its copy, and our copy
     from PIL.WebPImagePlugin import WebPImageFile
 
     return WebPImageFile(io.BytesIO(data))
 
 
 def bmp(data: bytes) -> Any:
-    """Return a BMP file opened by Pillow, nothing decoded yet; ValueError if it is compressed or cut off."""
+    """Return a BMP file opened by Pillow, not yet decoded; ValueError if it is compressed or truncated."""
     from PIL.BmpImagePlugin import BmpImageFile
 
     file: Any = BmpImageFile(io.BytesIO(data))
@@ -358,7 +358,7 @@ HEIC = tuple(
 
 
 def heic(data: bytes) -> Image:
-    """Return a HEIC file opened by Pillow through pillow-heif, nothing decoded yet."""
+    """Return a HEIC file opened by pillow-heif, not yet decoded."""
     file: Image = library("pillow_heif.as_plugin", "HEIC files need", "heic").HeifImageFile(io.BytesIO(data))
     pixels(*file.size)
     afford(12.0 * file.size[0] * file.size[1], len(data))
@@ -367,7 +367,7 @@ def heic(data: bytes) -> Image:
 
 @contextmanager
 def tiff(data: bytes) -> Iterator[TiffFile]:
-    """Open a TIFF file with tifffile; ValueError if pages are too large, or parts claim more than the file holds."""
+    """Open a TIFF file with tifffile; ValueError if a page is too large, or states more data than the file holds."""
     import tifffile
 
     count, memory = 0, 0
@@ -383,10 +383,10 @@ def tiff(data: bytes) -> Iterator[TiffFile]:
 
 
 def tiff_on_disk(path: Path) -> tuple[TiffFile, list[str]]:
-    """Return a TIFF file of any size, opened by tifffile, and the errors that it logged; the first page is checked.
+    """Return a TIFF file of any size, opened by tifffile, and the errors that tifffile logged.
 
-    Further pages are assumed to be like the first; :func:`tiff_values` checks each. Files that its OME metadata name
-    are checked likewise, and must be regular files beside it.
+    Only the first page is checked here; :func:`tiff_values` checks each page when it is read. Other files that the
+    OME metadata name are checked in the same way, and must be regular files in the same folder.
     """
     import tifffile
 
@@ -420,22 +420,23 @@ def _tiff_first(path: Path) -> tuple[Tags, list[int]]:
 
 
 def _tiff_chain(file: int, data: mmap.mmap) -> list[int]:
-    """Return the number of pixels of each page; ValueError where the chain of pages is a circle or ends outside.
+    """Return the number of pixels of each page; ValueError if the chain of pages is circular or leaves the file.
 
-    Pages are read, not mapped: pages of the mapping around each would stay in memory.
+    Pages are read by `os.pread`: access through the memory map would keep the surrounding memory pages resident.
     """
     order, big = _tiff_order(data)
     head, entry, word = (struct.Struct(order + part) for part in (("Q", "HHQ", "Q") if big else ("H", "HHI", "I")))
     (at,) = word.unpack_from(data, 8 if big else 4)
     seen, sizes, room = set[int](), list[int](), 2**9
-    start, pixels_of_start = b"", 0  # entries up to those of both sides, with which most pages begin alike
+    # Entries up to width and height of the previous page, with which most pages begin, and its number of pixels.
+    start, pixels_of_start = b"", 0
     try:
         while at:
             if at in seen:
-                raise ValueError("its pages run in a circle")
+                raise ValueError("its chain of pages is circular")
             seen.add(at)
             afford(_TIFF_FRAME * len(seen), len(data), _TIMES)
-            # One read of the size of the last page: most pages are alike, and none takes two system calls then.
+            # Read as many bytes as the largest page so far had: for most pages one system call suffices.
             part = os.pread(file, room, min(at, len(data)))
             (count,) = head.unpack_from(part)
             if count > _TAGS:
@@ -467,7 +468,7 @@ def _tiff_sides(entries: bytes, order: str, entry: struct.Struct, each: int) -> 
 
 
 def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
-    """Refuse OME metadata that claim far more planes than there are pages, or name files elsewhere."""
+    """Raise ValueError for OME metadata that state far more planes than pages, or name files in other folders."""
     root = xml(text)
     held, count, least = size(path), len(sizes), min(sizes)
     own, known = root.get("UUID"), {root.get("UUID")}
@@ -490,16 +491,16 @@ def _afford_ome(path: Path, text: str, sizes: list[int]) -> None:
             listed += max(0, int(part.get("PlaneCount", part.get("NumPlanes", usual))))
     planes = max(stated, listed)
     if not affords(_PLANE * planes, held, _TIMES) or not affords(_TIFF_FRAME * count, held, _TIMES):
-        raise ValueError(f"its OME metadata say {planes:.3g} planes of its size, far more than its {count} pages")
+        raise ValueError(f"its OME metadata state {planes:.3g} planes of its size, far more than its {count} pages")
 
 
 def _afford_manager(path: Path) -> None:
-    """Check the files that tifffile reads with one of Micro-Manager: those of its stack, or of its index."""
+    """Check the other files that tifffile reads with a file of Micro-Manager: its stack, or its NDTiff index."""
     import tifffile
 
     if "_MMStack" in path.name:
         for entry in path.parent.glob("*_MMStack*.tif"):
-            _beside(path, entry.name)  # there may be many, of which few are read
+            _beside(path, entry.name)  # pages are not checked, since few of many files are read
     names = set[str]()
     if (index := _beside(path, "NDTiff.index")) is not None:
         places: dict[str, set[int | str]] = {}
@@ -511,30 +512,30 @@ def _afford_manager(path: Path) -> None:
             max([len(found), *(place + 1 for place in found if isinstance(place, int))]) for found in places.values()
         )
         if not affords(_PLANE * (planes := math.prod(ends)), size(index), _TIMES):
-            raise ValueError(f"its NDTiff.index tells of {planes:.3g} images, far more than it can")
+            raise ValueError(f"its NDTiff.index states {planes:.3g} images, far more than its size allows")
     for name in names - {path.name}:
         if (beside := _beside(path, name)) is not None:
             _tiff_first(beside)
 
 
 def _beside(path: Path, name: str) -> Path | None:
-    """Return a file that metadata name, None if it does not exist; ValueError if it may not be read."""
-    there = path.parent / name
-    if not os.path.lexists(there):
+    """Return the file `name` in the folder of `path`, None if it does not exist; ValueError if it is not allowed."""
+    file = path.parent / name
+    if not os.path.lexists(file):
         return None
-    # Only names without a folder: metadata of a downloaded file could name any file of this machine.
+    # Names with a folder are refused: metadata of a downloaded file could name any file of this computer.
     if name != Path(name).name or "\\" in name:
         raise ValueError(f"its metadata name {validation.shown(name)}; only files beside it are read")
-    if not stat.S_ISREG(there.lstat().st_mode):
+    if not stat.S_ISREG(file.lstat().st_mode):
         raise ValueError(f"its metadata name {validation.shown(name)}, which is no regular file")
-    return there
+    return file
 
 
 def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) -> Values:
-    """Return the values of a page of a file on the disk, which must have the shape and type of the first page.
+    """Return the values of a page; ValueError unless it has the `shape` and `dtype` of the first page.
 
-    ValueError if it has others, or would take more memory. Pages of a file share its handle: only one thread at a
-    time may read them.
+    ValueError too if the page would take more memory than the first. All pages share the handle of the file, so that
+    only one thread at a time may read them.
     """
     kind, handle = page.keyframe, page.parent.filehandle
     count, size = math.prod(shape), math.prod(shape) * dtype.itemsize
@@ -542,14 +543,14 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
         sides = " x ".join(map(str, kind.shape))
         raise ValueError(f"it has {sides} values of {kind.dtype}, not {' x '.join(map(str, shape))} of {dtype}")
     if kind.compression not in _COMPRESSIONS:
-        raise ValueError(f"its compression is of the kind {int(kind.compression)}, another than that of the first")
+        raise ValueError(f"its compression is of the kind {int(kind.compression)}, which is not supported")
     part = math.prod(page.chunks) * dtype.itemsize
     if part > max(4 * size, 2**20 * dtype.itemsize):
         raise ValueError(f"it has parts of {part} bytes for {size}")
     needed = count * kind.bitspersample // 8
     if kind.compression == 1 and sum(page.databytecounts) < needed:
         raise ValueError(f"its {needed} bytes are {sum(page.databytecounts)} in the file")
-    closed = handle.closed  # of several files of one image few can be open at a time
+    closed = handle.closed  # an image may consist of more files than can be open at a time
     if closed:
         handle.open()
     try:
@@ -565,20 +566,20 @@ def tiff_values(page: Any, shape: tuple[int, ...], dtype: np.dtype[np.generic]) 
 
 
 def tiff_array(page: TiffPage | TiffFrame) -> Values:
-    """Return the values of a page, LZW by Pillow where tifffile lacks imagecodecs; ValueError where neither can."""
+    """Return the values of a page; ValueError if neither tifffile nor Pillow, which reads LZW, can decode it."""
     if page.compression != _LZW or find_spec("imagecodecs"):
         return np.asarray(page.asarray())
     from PIL.TiffImagePlugin import TiffImageFile
 
-    if (image := _UNPACKED.get(page.parent)) is None:
+    if (image := _PILLOW_IMAGES.get(page.parent)) is None:
         page.parent.filehandle.seek(0)
-        image = _UNPACKED[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
+        image = _PILLOW_IMAGES[page.parent] = TiffImageFile(cast("IO[bytes]", page.parent.filehandle))
     dtype = np.dtype(page.dtype).newbyteorder("=")
     try:
         with _unprinted():
             image.seek(page.index)
             values = np.asarray(image)
-    except (OSError, SyntaxError, TypeError) as error:  # TypeError: of a page below another
+    except (OSError, SyntaxError, TypeError) as error:  # Pillow raises TypeError for a page in a SubIFD
         raise ValueError(f"its LZW data cannot be unpacked: {reason(error)}") from None
     if values.shape != page.shape or values.dtype.newbyteorder("=") != dtype:
         raise ValueError(f"LZW of {dtype} needs the package imagecodecs; install it, or save the file with deflate")
@@ -587,33 +588,34 @@ def tiff_array(page: TiffPage | TiffFrame) -> Values:
 
 @contextmanager
 def _unprinted() -> Iterator[None]:
-    """Suppress libtiff's messages on standard error about damaged files, reported by an exception; one at a time."""
-    # The C library writes to the file descriptor 2 itself, so that replacing sys.stderr would not stop it.
-    with _PRINTING, Path(os.devnull).open("wb") as nothing:
+    """Suppress libtiff's messages on standard error, whose errors are also exceptions; only one thread at a time."""
+    # The C library writes to file descriptor 2 directly, so that replacing sys.stderr would have no effect.
+    with _STDERR_LOCK, Path(os.devnull).open("wb") as null_file:
         try:
-            kept = os.dup(2)
-        except OSError:  # it is closed
-            kept = -1
+            copy = os.dup(2)
+        except OSError:  # standard error is closed
+            copy = -1
         try:
-            if kept >= 0:
-                os.dup2(nothing.fileno(), 2)
+            if copy >= 0:
+                os.dup2(null_file.fileno(), 2)
             yield
         finally:
-            if kept >= 0:
-                os.dup2(kept, 2)
-                os.close(kept)
+            if copy >= 0:
+                os.dup2(copy, 2)
+                os.close(copy)
 
 
-_PRINTING = threading.Lock()
+_STDERR_LOCK = threading.Lock()
 _LZW = 5
-# Files opened by Pillow, by tifffile's object.
-_UNPACKED: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()
+# Images opened by Pillow, by the tifffile object of the same file.
+_PILLOW_IMAGES: WeakKeyDictionary[TiffFile, TiffImageFile] = WeakKeyDictionary()
 
 
 def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) -> Values | None:
-    """Return the planes of a series that lie contiguously in the file, mapped; otherwise None.
+    """Return the planes of a series as a memory map if they are contiguous in the file; otherwise None.
 
-    ImageJ writes a page for the first plane only. ValueError where the description claims more than the file holds.
+    Files of ImageJ may have a page for the first plane only. ValueError if the description states more data than the
+    file holds.
     """
     dtype, sides = np.dtype(series.dtype).newbyteorder(file.byteorder), series.shape[-2:]
     start, needed = series.dataoffset, count * math.prod(sides) * dtype.itemsize
@@ -621,24 +623,27 @@ def tiff_mapped(file: TiffFile, series: TiffPageSeries, path: Path, count: int) 
         if start + needed > size(path):
             raise ValueError(f"{needed} bytes of {count} images are more than the file holds")
         return np.memmap(path, dtype, "r", start, (count, *sides))
-    if series.kind != "ome" and count > len(file.pages):  # of OME metadata those that are missing are told later
-        raise ValueError(f"its description says {count} images; it has {len(file.pages)} pages")
+    if series.kind != "ome" and count > len(file.pages):  # pages missing from OME metadata are reported later
+        raise ValueError(f"its description states {count} images; it has {len(file.pages)} pages")
     return None
 
 
 def tiff_left_out(file: TiffFile) -> str:
-    """Return a note on pages that ImageJ leaves out ("5 pages, of which ..."), or ""; ValueError if more."""
+    """Return a note ("5 pages, of which ...") if ImageJ's description omits pages, else "".
+
+    ValueError if the description states more images than there are pages.
+    """
     count, series = len(file.pages), file.series[0]
-    if not file.is_imagej or count <= 1:  # one page before all images, if there are more
+    if not file.is_imagej or count <= 1:  # ImageJ may store many images behind a single page
         return ""
     stated = (file.imagej_metadata or {}).get("images", math.prod(series.shape) // max(1, series.keyframe.size))
     if stated > count:
-        raise ValueError(f"its description by ImageJ says {stated} images; it has {count} pages")
-    return f"{count} pages, of which its description by ImageJ says {stated}" if stated < count else ""
+        raise ValueError(f"its description by ImageJ states {stated} images; it has {count} pages")
+    return f"{count} pages, of which its description by ImageJ states {stated}" if stated < count else ""
 
 
 def is_raw(data: bytes | mmap.mmap | Path) -> bool:
-    """Return whether a TIFF file is a raw photograph: a DNG, a mosaic, or one whose first page is a preview."""
+    """Return True for a TIFF file of a raw photograph: a DNG, a mosaic, or a file whose first page is a preview."""
     if isinstance(data, Path):
         with data.open("rb") as file:
             return is_raw(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
@@ -648,7 +653,7 @@ def is_raw(data: bytes | mmap.mmap | Path) -> bool:
 
 
 def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
-    """Return whether a page below the first (a SubIFD) is larger."""
+    """Return True if a subpage (SubIFD) of the first page is larger than the first page."""
     order = "<" if data[:2] == b"II" else ">"
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
     below = [_tiff_tags(data, int(at), order, big)[0] for at in first.get(330, ())[:16]]
@@ -656,20 +661,20 @@ def _larger_below(data: bytes | mmap.mmap, first: Tags) -> bool:
 
 
 def _tiff_pages(data: bytes | mmap.mmap) -> Iterator[Tags]:
-    """Yield the integers of the tags of each page."""
+    """Yield the tags of each page: arrays of integers, empty for tags of other types."""
     order, big = _tiff_order(data)
     seen: set[int] = set()
     (at,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
     while at:
         if at in seen:
-            raise ValueError("its pages run in a circle")
+            raise ValueError("its chain of pages is circular")
         seen.add(at)
         tags, at = _tiff_tags(data, at, order, big)
         yield tags
 
 
 def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
-    """Return the byte order of a TIFF file, and whether it is a BigTIFF."""
+    """Return the byte order of a TIFF file, and True if it is a BigTIFF."""
     order = {b"II": "<", b"MM": ">"}.get(data[:2])
     if order is None or len(data) < 16:
         raise ValueError("its header is not that of a TIFF file")
@@ -677,7 +682,7 @@ def _tiff_order(data: bytes | mmap.mmap) -> tuple[str, bool]:
 
 
 def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple[Tags, int]:
-    """Return the integers of the tags of a page, and the position of the next page."""
+    """Return the tags of the page at position `at`, and the position of the next page."""
     tags: Tags = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
     try:
@@ -696,7 +701,7 @@ def _tiff_tags(data: bytes | mmap.mmap, at: int, order: str, big: bool) -> tuple
                 tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, place)
             at += struct.calcsize("=" + entry) + inline
         return tags, int(struct.unpack_from(order + word, data, at)[0])
-    except (struct.error, OverflowError):  # positions beyond the largest integer of an index
+    except (struct.error, OverflowError):  # OverflowError: a position exceeds the largest index
         raise ValueError("its pages go beyond its end") from None
 
 
@@ -705,7 +710,7 @@ def _one(tags: Tags, tag: int, default: int) -> int:
 
 
 def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
-    """Refuse a page that claims more than there is; return the bytes of memory for decoding it if compressed."""
+    """Check that the file can hold a page; return the bytes of memory for decoding it, 0 if it is not compressed."""
     one, nothing = partial(_one, tags), np.zeros(0, np.uint8)
     width, height, samples = one(256, 0), one(257, 0), one(277, 1)
     pixels(width, height)
@@ -727,14 +732,14 @@ def _tiff_page(data: bytes | mmap.mmap, tags: Tags) -> int:
     if len(places) < parts or (compression != 1 and len(sizes) < parts):
         raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
     for place, size in zip(places[:parts].tolist(), sizes[:parts].tolist(), strict=False):
-        # The only compression whose output has no limit in its own headers: each part is inflated up to its size.
+        # Deflate states no decompressed size, so that each part is inflated up to the size that it must have.
         if compression in DEFLATE and not inflates_within(data[place : place + size], most):
             raise ValueError(f"a part of it inflates to more than its {most} bytes")
     return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
 
 
 def inflates_within(part: bytes, most: int, wbits: int = zlib.MAX_WBITS) -> bool:
-    """Return whether deflated bytes inflate to at most `most`; True for damaged ones, which fail when read."""
+    """Return True if deflated bytes inflate to at most `most` bytes, or are damaged (an error when they are read)."""
     try:
         return len(zlib.decompressobj(wbits).decompress(part, most + 1)) <= most
     except zlib.error:
@@ -749,7 +754,7 @@ def hdf5(data: bytes) -> File:
 
 
 def hdf5_below(group: Group, *names: str) -> Dataset:
-    """Return the object at a path below a group, None if there is none; only hard links, others leave the file."""
+    """Return the object at a path below a group, None if missing; links that may leave the file are ignored."""
     import h5py
 
     for name in names:
@@ -760,7 +765,7 @@ def hdf5_below(group: Group, *names: str) -> Dataset:
 
 
 def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
-    """Return an array of an HDF5 file; ValueError if it is outside the file, or larger than `size` bytes can hold."""
+    """Return an array of an HDF5 file of `size` bytes; ValueError if it is in another file, or too large for it."""
     import h5py
 
     if not isinstance(found, h5py.Dataset) or found.external or found.is_virtual or found.dtype.kind not in "iufS":
@@ -769,7 +774,7 @@ def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
         if found.nbytes > size:
             raise ValueError(f"it must be stored in one piece, got {found.nbytes} bytes of {size}")
         return np.asarray(found[()])
-    # Memory as float64 with masks; and no chunk may inflate to more than its size.
+    # Memory for the values as float64 with a mask. Chunks that inflate to more than their size are refused below.
     afford(3 * max(found.nbytes, 8 * found.size), size)
     chunk = math.prod(found.chunks) * found.dtype.itemsize
     filters = found.id.get_create_plist()
@@ -789,16 +794,16 @@ def hdf5_values(found: Dataset, size: int) -> NDArray[np.generic]:
 
 @contextmanager
 def quietly() -> Iterator[list[str]]:
-    """Suppress tifffile's log of damaged files, which an exception reports; yield the errors of this thread."""
-    log, errors, own = logging.getLogger("tifffile"), list[str](), threading.get_ident()
+    """Suppress tifffile's log; yield the list of errors that this thread logs, as the caller reports them."""
+    log, errors, this_thread = logging.getLogger("tifffile"), list[str](), threading.get_ident()
 
-    def nothing(record: logging.LogRecord) -> bool:
-        if record.levelno >= logging.ERROR and record.thread == own:
+    def collect(record: logging.LogRecord) -> bool:
+        if record.levelno >= logging.ERROR and record.thread == this_thread:
             errors.append(record.getMessage())
         return False
 
-    log.addFilter(nothing)  # one filter for each reader, since several threads may read
+    log.addFilter(collect)  # one filter for each reader, since several threads may read
     try:
         yield errors
     finally:
-        log.removeFilter(nothing)
+        log.removeFilter(collect)

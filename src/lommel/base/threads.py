@@ -1,4 +1,4 @@
-"""A function applied to several items on several threads, and products of matrices in it."""
+"""Application of a function to several items on several threads, and matrix products for such functions."""
 
 from __future__ import annotations
 
@@ -15,69 +15,69 @@ import numpy as np
 
 from lommel.base.arrays import Values
 
-Given = TypeVar("Given")
-Made = TypeVar("Made")
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 
-class _Left(BaseException):
-    """Ends the tasks of other threads after an error in one."""
+class _Cancelled(BaseException):
+    """Exception that ends the tasks of all other threads after an error in one thread."""
 
 
-_ALONE = 1 << 18  # multiplications of a product up to which OpenBLAS uses one thread
+_SINGLE_THREAD_PRODUCTS = 1 << 18  # number of multiplications up to which OpenBLAS uses one thread
 
 
-def side_by_side(task: Callable[[Given], Made], each: Sequence[Given], threads: int = 0) -> list[Made]:
+def side_by_side(task: Callable[[Item], Result], each: Sequence[Item], threads: int = 0) -> list[Result]:
     """Return the results of `task` for `each` item, in order, on at most `threads` threads (0: one per processor)."""
     most = min(threads or os.cpu_count() or 1, len(each))
     if most <= 1:
         return [task(one) for one in each]
-    left = deque(range(len(each)))
-    made: dict[int, Made] = {}
-    at_work: set[int] = set()
+    queue = deque(range(len(each)))
+    results: dict[int, Result] = {}
+    working_threads: set[int] = set()
     lock = threading.Lock()
 
-    def some() -> None:
-        # Threads take items from one queue: a future for each would cost more than a short task.
+    def work() -> None:
+        # Threads take items from a common queue, since a future for each item would take longer than a short task.
         with lock:
-            at_work.add(threading.get_ident())
+            working_threads.add(threading.get_ident())
         try:
             while True:
                 try:
-                    number = left.popleft()
+                    number = queue.popleft()
                 except IndexError:
                     return
-                made[number] = task(each[number])
+                results[number] = task(each[number])
         finally:
-            left.clear()  # after an error
+            queue.clear()  # after an error, no thread begins another item
             with lock:
-                at_work.discard(threading.get_ident())
+                working_threads.discard(threading.get_ident())
 
     with ThreadPoolExecutor(most - 1) as pool:
-        others = [pool.submit(some) for _ in range(most - 1)]
+        others = [pool.submit(work) for _ in range(most - 1)]
         try:
-            some()
+            work()
             for other in others:
                 other.result()
         except BaseException:
-            # Ctrl-C reaches this thread only; the others may be in the middle of a long task.
+            # Ctrl-C interrupts this thread only, while the other threads may run long tasks.
             with lock:
-                for thread in at_work:
-                    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_Left))
+                for thread in working_threads:
+                    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_Cancelled))
             raise
-    return [made[number] for number in range(len(each))]
+    return [results[number] for number in range(len(each))]
 
 
 def product(a: Values, b: Values) -> Values:
-    """Return ``a @ b``, in blocks small enough that OpenBLAS computes each on the calling thread.
+    """Return ``a @ b``, computed in blocks that are so small that OpenBLAS uses only the calling thread.
 
-    In tasks of :func:`side_by_side` its own threads would wait actively for one another: on a processor with other
-    work, twenty times as long as they compute.
+    Threads of OpenBLAS wait for one another in busy loops. In tasks of :func:`side_by_side`, on a computer with other
+    work, they would wait twenty times as long as they compute.
     """
-    made = np.empty((a.shape[0], b.shape[1]), np.result_type(a, b))
-    columns = max(1, math.isqrt(_ALONE // a.shape[1]))
+    result = np.empty((a.shape[0], b.shape[1]), np.result_type(a, b))
+    columns = max(1, math.isqrt(_SINGLE_THREAD_PRODUCTS // a.shape[1]))
     for first in range(0, b.shape[1], columns):
         part = b[:, first : first + columns]
-        rows = max(1, _ALONE // part.size)
+        rows = max(1, _SINGLE_THREAD_PRODUCTS // part.size)
         for top in range(0, a.shape[0], rows):
-            np.matmul(a[top : top + rows], part, out=made[top : top + rows, first : first + columns])
-    return made
+            np.matmul(a[top : top + rows], part, out=result[top : top + rows, first : first + columns])
+    return result

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 
 def tell(note: str) -> None:
-    """Give a UserWarning at the line of the caller outside of this package."""
-    # The number of frames differs from call to call, so that a fixed stacklevel would point into the package.
+    """Issue a UserWarning that refers to the line of the caller outside this package."""
+    # A fixed stacklevel would refer to a line of this package, since the number of frames varies.
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("lommel."):
         level, frame = level + 1, frame.f_back
@@ -34,13 +34,13 @@ MAX_SIDE = 16384
 """Largest image side, in pixels."""
 
 MAX_VALUES = 2**31
-"""Largest number of values in one answer (8 GiB of float32)."""
+"""Largest number of values of one result (8 GiB of float32)."""
 
 MAX_REACH = 1e6
-"""Farthest from the axis, in v; light there is less than 1e-17 of that of an aperture in focus."""
+"""Largest distance from the axis, in v; in focus, the intensity there is below 1e-17 of the peak."""
 
 
-_SHOWN = 120
+_SHOWN = 120  # maximum number of characters of a value in a message
 _brief = reprlib.Repr()
 _brief.maxstring = _brief.maxother = _brief.maxlong = _SHOWN
 _brief.maxlevel = 3
@@ -49,7 +49,7 @@ _Value = TypeVar("_Value")
 
 
 def shown(value: object) -> str:
-    """Return a value as messages show it: on one line, long ones by their beginning and end."""
+    """Return a value as text for a message: on one line, and without its middle if it is too long."""
     try:
         text = " ".join(_brief.repr(readable(value) if isinstance(value, str) else value).split())
     except ValueError:  # Python refuses to write integers of more than 4300 digits
@@ -63,7 +63,7 @@ def brief(text: str, most: int = _SHOWN) -> str:
 
 
 def key(text: str) -> str:
-    """Return a key or column name from a file as messages show it: on one line, and short."""
+    """Return a key or column name of a file as text for a message: on one line, at most 60 characters."""
     return brief(line(text), 60)
 
 
@@ -84,7 +84,7 @@ def readable(text: str) -> str:
 
 
 def _instead(value: object, *kinds: type[object]) -> str:
-    """Return hints on how to make one of `kinds` from a value of this type, as their `made_of` says."""
+    """Return hints on how to convert a value of this type to one of `kinds`, from their attribute `made_of`."""
     found = (getattr(kind, "made_of", {}).get(type(value).__name__) for kind in kinds)
     return "".join(f"; {hint}" for hint in found if hint)
 
@@ -116,7 +116,7 @@ def path(name: str, value: object) -> Path:
 
 
 def _is_quantity(value: object) -> bool:
-    """Return whether a value is text such as "550 nm"."""
+    """Return True for text that begins with a digit, such as "550 nm"."""
     return isinstance(value, str) and value.strip()[:1].isdigit()
 
 
@@ -196,7 +196,7 @@ def choice(name: str, value: object, allowed: Iterable[str]) -> str:
 
 
 def array(name: str, value: ArrayLike) -> Values:
-    """Return `value` as an array; TypeError if any of it is masked, since plain arrays would drop the mask."""
+    """Return `value` as an array; TypeError if some values are masked, since plain arrays would lose the mask."""
     held = computed(value)
     refuse_masked(name, held)
     try:
@@ -208,13 +208,13 @@ def array(name: str, value: ArrayLike) -> Values:
 def refuse_masked(name: str, value: object) -> None:
     """Raise TypeError for a container with a non-empty mask, of NumPy or astropy."""
     if _masked(value):
-        raise TypeError(f"{name} must not be masked; fill it, or leave out what is masked")
+        raise TypeError(f"{name} must not be masked; fill the masked values, or omit them")
 
 
 def parted(name: str, value: object) -> tuple[Values, NDArray[np.bool_] | None]:
-    """Return the numbers of a container (or of a list of them), and their mask: True where not used; None without.
+    """Return the numbers of a container, or of a list of containers, and their mask (True: ignored) or None.
 
-    TypeError if it holds something else, ValueError if masked containers in a list have different shapes.
+    TypeError if it does not hold numbers, ValueError if masked containers in a list have different shapes.
     """
     value = computed(value)
     if not _masked(value):
@@ -234,7 +234,7 @@ _NUMBERS = (float, int, np.ndarray, np.float64, str)  # types without a mask, te
 
 
 def computed(value: object) -> Any:
-    """Return a value, or the computed array of a lazy container (dask, astropy), whose mask is known only then."""
+    """Return a value unchanged, or the computed array of a lazy container (dask, astropy), to check its mask."""
     if type(value) in _NUMBERS or isinstance(value, np.ndarray):
         return value
     if isinstance(value, list | tuple):
@@ -252,7 +252,7 @@ def _masked(value: object) -> bool:
         return False
     if isinstance(value, list | tuple):
         return any(_masked(part) for part in value if type(part) not in _NUMBERS)
-    if type(value).__module__.partition(".")[0] == "lommel":  # apertures and maps: their mask has another meaning
+    if type(value).__module__.partition(".")[0] == "lommel":  # `mask` of an aperture is part of its shape
         return False
     mask = getattr(value, "mask", None)
     if mask is None or callable(mask):  # pandas has a method of this name
@@ -265,10 +265,10 @@ def _masked(value: object) -> bool:
 
 def number_array(name: str, value: ArrayLike) -> Values:
     """Return `value` as an array of integers or floats; TypeError otherwise."""
-    given = array(name, value)
-    if given.dtype.kind not in "iuf":
+    values = array(name, value)
+    if values.dtype.kind not in "iuf":
         raise TypeError(f"{name} must hold real numbers, got {shown(value)}")
-    return given
+    return values
 
 
 def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf, most: float = math.inf) -> Array:
@@ -276,7 +276,7 @@ def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf,
     if isinstance(value, float) and math.isfinite(value) and least <= value <= most:
         found = np.array(value, dtype=np.float64)  # a single number: checks of arrays are slow
     else:
-        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, and is refused below
+        with np.errstate(over="ignore"):  # a long double outside the range becomes infinite, which is refused below
             found = np.array(number_array(name, value), dtype=np.float64, subok=False)
         bad = ~(np.isfinite(found) & (found >= least))
         if most < math.inf:
@@ -284,13 +284,13 @@ def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf,
         if bad.any():
             limits = [f" and {sign} {x:g}" for sign, x in ((">=", least), ("<=", most)) if math.isfinite(x)]
             raise ValueError(f"{name} must be finite{''.join(limits)}, got {found[bad].flat[0]}")
-    # Pupils and grids cache what they compute from their arrays, which must therefore not change.
+    # The array is read-only, since pupils and grids cache values computed from it.
     found.flags.writeable = False
     return found
 
 
 def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
-    """Return strictly rising numbers, `count` or more, as a read-only one-dimensional array; ValueError otherwise."""
+    """Return at least `count` strictly increasing numbers as a read-only 1-D array; ValueError otherwise."""
     found = np.atleast_1d(real_array(name, value))
     if found.ndim != 1 or found.size < count or not np.all(np.diff(found) > 0.0):
         raise ValueError(f"{name} must rise, and be {count} or more, got {shown(value)}")
@@ -298,7 +298,7 @@ def rising(name: str, value: float | ArrayLike, *, count: int = 1) -> Array:
 
 
 def broadcast(names: str, *arrays: Values) -> tuple[Array, ...]:
-    """Return arrays in the shape that they broadcast to; ValueError with their `names`, as "x and y", otherwise."""
+    """Return arrays broadcast to a common shape; ValueError with their `names` ("x and y") if impossible."""
     try:
         return np.broadcast_arrays(*arrays)
     except ValueError:
@@ -317,9 +317,9 @@ def kind(name: str, value: object, *allowed: type[np.generic]) -> np.dtype[Any]:
     options = [np.dtype(one) for one in allowed]
     try:
         found: np.dtype[Any] = np.dtype(cast(DTypeLike, value))
-    except Exception:  # NumPy raises errors of many types for what is not a dtype
+    except Exception:  # NumPy raises errors of many types for an invalid dtype
         found = np.dtype(object)
-    number = isinstance(value, np.generic) and not isinstance(value, str)  # has a dtype, but does not name one
+    number = isinstance(value, np.generic) and not isinstance(value, str)  # a NumPy number has a dtype, but is none
     if value is None or number or found not in options:
         *others, last = map(str, options)
         raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
@@ -355,7 +355,7 @@ def stack_shape(shape: object, own: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def position(name: str, value: object) -> tuple[float, float]:
-    """Return ``(row, column)`` from a pair of finite numbers within 1e6 pixels."""
+    """Return ``(row, column)`` from a pair of numbers with absolute values below 1e6 pixels."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         raise ValueError(f"{name} must be (row, column), got {shown(value)}")
     row, column = (real(name, part, above=-1e6, below=1e6, unit="pixels") for part in value)
@@ -363,7 +363,7 @@ def position(name: str, value: object) -> tuple[float, float]:
 
 
 def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Array]:
-    """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape if either is an array."""
+    """Return :func:`position`; or, if a part is an array, read-only arrays ``(rows, columns)`` of a common shape."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         turned = f": give tuple({name}.T)" if isinstance(value, np.ndarray) and value.shape[1:] == (2,) else ""
         raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}{turned}")
@@ -381,11 +381,11 @@ def positions(name: str, value: object) -> tuple[float, float] | tuple[Array, Ar
 
 
 def wavelength(value: object, name: str = "wavelength") -> float:
-    """Return a wavelength in metres; a number that was meant in nm or um is refused with a hint."""
+    """Return a wavelength in metres; the error for a number that is likely in nm or um has a hint."""
     metres = real(name, value, above=0.0, unit="metres")
     if not 1e-12 <= metres <= 1e-2:
         hint = ""
-        # Numbers of this size were meant in nanometres or micrometres.
+        # Such numbers are probably in nanometres or micrometres.
         if 100 <= metres <= 20000:
             hint = f"; for {metres:g} nm give {metres:g}e-9"
         elif 0.05 <= metres < 100:
@@ -406,7 +406,7 @@ def pixel(value: object, *, metric: bool) -> float:
 
 
 def pitch(name: str, value: object) -> float | tuple[float, float]:
-    """Return the side of a square pixel, or its height and width where these differ; all above 0."""
+    """Return the side of a square pixel, or (height, width) if these differ; ValueError unless positive."""
     if not isinstance(value, tuple | list):
         return real(name, value, above=0.0)
     if len(value) != 2:
@@ -421,7 +421,7 @@ def fill(name: str, value: object) -> tuple[float, float]:
         side = math.sqrt(_part(name, value))
         return side, side
     if len(value) != 2:
-        raise ValueError(f"{name} must be one number, or (of height, of width), got {shown(value)}")
+        raise ValueError(f"{name} must be one number, or fractions (of height, of width), got {shown(value)}")
     return _part(f"{name}[0]", value[0]), _part(f"{name}[1]", value[1])
 
 
@@ -433,14 +433,14 @@ def _part(name: str, value: object) -> float:
 
 
 def reach(what: str, v: float, scale: float, unit: str) -> None:
-    """Raise ValueError if `what` reaches farther than MAX_REACH in v; `scale` is one lambda*N in `unit`."""
+    """Raise ValueError if `what` extends beyond MAX_REACH in v; `scale` is lambda*N in `unit`."""
     if not v <= MAX_REACH:
-        here = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
-        raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {here}")
+        limit = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
+        raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {limit}")
 
 
 def pixel_on(pitch: float, scale: float, *, metric: bool) -> None:
-    """Raise ValueError for a pixel pitch out of range; `scale` is one lambda*N in the same unit."""
+    """Raise ValueError for a pixel pitch out of range; `scale` is lambda*N in the same unit."""
     if metric and pitch > 0.1:
         pixel(pitch, metric=True)
     if not 1e-4 <= pitch / scale <= 1e6:

@@ -1,4 +1,7 @@
-"""FITS images and tables, plain or compressed by gzip or bzip2; their sizes are checked before they are decoded."""
+"""FITS images and tables, plain or compressed by gzip or bzip2; sizes are checked before any decoding.
+
+A "card" is an entry of a FITS header: a keyword, a value and a comment.
+"""
 
 from __future__ import annotations
 
@@ -22,19 +25,19 @@ SUFFIXES = (".fits", ".fit")
 PACKED = (".fits.gz", ".fit.gz")
 PACKED_STARTS = (b"\x1f\x8b", b"BZh")
 
-_MOST_AXES = 16
-_BLOCK, _MOST_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
+_MAX_AXES = 16
+_BLOCK, _MAX_HEADER = 2880, 2**20  # bytes; headers and data fill whole blocks (FITS standard 4.0, 3.1)
 _SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
 _END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
-_TIMES = 4  # times the unpacked file: memory used while its values are read
+_TIMES = 4  # memory for reading the values divided by the size of the decompressed file
 
 
 Cards: TypeAlias = Mapping[str, Any]
-"""A header: the values of its cards by name."""
+"""A header: the values of its cards by keyword."""
 
 
 class Image(NamedTuple):
-    """An image, its header from the name of a card to its value, its number in the file, and the primary header."""
+    """An image, its header, its number in the file, and the header of the primary unit of the file."""
 
     values: Values
     header: Cards
@@ -43,97 +46,100 @@ class Image(NamedTuple):
 
 
 def write(images: Sequence[tuple[Values, Cards]]) -> bytes:
-    """Return a FITS file; the values of cards may be pairs of value and comment."""
+    """Return the bytes of a FITS file; the value of a card may be a pair (value, comment)."""
     from astropy.io import fits
 
     file = fits.HDUList()
     for values, cards in images:
-        # Big-endian copies: astropy would swap the bytes of the caller's array.
+        # A big-endian copy, since astropy would swap the bytes of the caller's array.
         stored = values.astype(values.dtype.newbyteorder(">"))
-        made = fits.ImageHDU(stored) if file else fits.PrimaryHDU(stored)
+        unit = fits.ImageHDU(stored) if file else fits.PrimaryHDU(stored)
         for name, value in cards.items():
-            made.header[name] = value
-        made.add_checksum(when="of what follows")  # not of when it was written
-        file.append(made)
+            unit.header[name] = value
+        unit.add_checksum(when="of what follows")  # a fixed comment instead of the time of writing
+        file.append(unit)
     return atomic.contents(file.writeto)
 
 
 def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
-    """Return a function that writes the same, compressed, without a time stamp."""
+    """Return a function that compresses the result of `write` by gzip, without a time stamp."""
 
-    def made(*args: object) -> bytes:
+    def write_packed(*args: object) -> bytes:
         plain = write(*args)
-        small = gzip.compress(plain, 6, mtime=0)
-        return small if reading.affords(_TIMES * len(plain), len(small)) else gzip.compress(plain, 0, mtime=0)
+        compressed = gzip.compress(plain, 6, mtime=0)
+        # A file that this package would refuse to read, because it is compressed too much, is stored uncompressed.
+        return (
+            compressed if reading.affords(_TIMES * len(plain), len(compressed)) else gzip.compress(plain, 0, mtime=0)
+        )
 
-    return made
+    return write_packed
 
 
 def read(data: bytes, most: int) -> list[Image]:
-    """Return the images of a file, with at most `most` values in all; ValueError if there is none."""
+    """Return the images of a file; ValueError if it has no image, or more than `most` values in total."""
     from astropy.io import fits
 
     plain = _unpacked(data)
-    found, total, primary = list[Image](), 0, Json()
+    images, total, primary = list[Image](), 0, Json()
     with warnings.catch_warnings():
-        # Comments in other letters and cards that are not standard do no harm.
+        # Warnings of comments that are not ASCII and of cards that are not standard are ignored.
         warnings.simplefilter("ignore")
         warnings.filterwarnings("error", ".*truncated")
-        # One after the other: the next begins where the sizes of the last say, which are checked first.
+        # The sizes of a unit determine where the next unit begins, and are checked first.
         with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
             for number, unit in enumerate(file):
                 header, cards = unit.header, Json()
                 for card in header.cards:
-                    with suppress(Exception):  # of a card that nobody reads
+                    with suppress(Exception):  # an invalid card is skipped
                         cards[card.keyword] = card.value
                 primary = primary or cards
                 if header.get("XTENSION", "IMAGE").strip() != "IMAGE" or not header["NAXIS"]:
-                    continue  # a table, or a header alone
-                sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MOST_AXES))]
+                    continue  # a table, or a header without data
+                sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MAX_AXES))]
                 total += math.prod(sides)
                 if min(sides) < 1 or total > most or math.prod(sides) * abs(header["BITPIX"]) > 8 * len(plain):
                     raise ValueError(
-                        f"it has {' x '.join(map(str, sides))} values, more than it holds or than {most}"
+                        f"it states {' x '.join(map(str, sides))} values, more than the file holds or than {most}"
                     )
                 values = np.asarray(unit.data, unit.data.dtype.newbyteorder("="))
-                found.append(Image(values, cards, number, primary))
-    if not found:
-        raise ValueError("it holds no image; one in a compressed table (.fz) is to be unpacked first")
-    return found
+                images.append(Image(values, cards, number, primary))
+    if not images:
+        raise ValueError("it holds no image; decompress an image in a compressed table (.fz) first")
+    return images
 
 
 def only(images: Sequence[Image], name: str | None) -> Image:
-    """Return the image of a name, a name and version as SCI,2, or a number, 0 being the primary; or the only one.
+    """Return the image with a name: EXTNAME, EXTNAME,EXTVER such as SCI,2, or its number, 0 for the primary unit.
 
-    ValueError where there is none, or more.
+    Without a `name` return the only image. ValueError if no image or more than one fits.
     """
     if name is None and len(images) == 1:
         return images[0]
-    called = [str(image.header.get("EXTNAME", "")).strip().upper() for image in images]
-    versions = [f"{own},{image.header.get('EXTVER', 1)}" for own, image in zip(called, images, strict=True)]
-    asked = "" if name is None else name.upper().replace(" ", "")
-    wanted = [
+    extnames = [str(image.header.get("EXTNAME", "")).strip().upper() for image in images]
+    versions = [f"{own},{image.header.get('EXTVER', 1)}" for own, image in zip(extnames, images, strict=True)]
+    key = "" if name is None else name.upper().replace(" ", "")
+    fitting = [
         image
-        for image, own, version in zip(images, called, versions, strict=True)
-        if asked and asked in (own, version, str(image.number))
+        for image, own, version in zip(images, extnames, versions, strict=True)
+        if key and key in (own, version, str(image.number))
     ]
-    if len(wanted) == 1:
-        return wanted[0]
+    if len(fitting) == 1:
+        return fitting[0]
     names = [
         own
-        if own and called.count(own) == 1
+        if own and extnames.count(own) == 1
         else version
         if own and versions.count(version) == 1
         else str(image.number)
-        for image, own, version in zip(images, called, versions, strict=True)
+        for image, own, version in zip(images, extnames, versions, strict=True)
     ]
-    told = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(names, images, strict=True)]
-    listed = ", ".join(told[:4]) + (f" and {len(told) - 4} more" if len(told) > 4 else "")
+    texts = [f"[{own}] of {' x '.join(map(str, one.values.shape))}" for own, one in zip(names, images, strict=True)]
+    listed = ", ".join(texts[:4]) + (f" and {len(texts) - 4} more" if len(texts) > 4 else "")
     raise ValueError(f"it holds {len(images)} images, {listed}: name one, as in file.fits[{names[0]}]")
 
 
 def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
-    """Return name, unit and numbers of the columns of the first table of a file; ValueError if there is none."""
+    """Return (name, unit, values) of the numeric columns of the first table of a file; ValueError if it has none."""
     from astropy.io import fits
 
     with warnings.catch_warnings():
@@ -145,19 +151,19 @@ def read_columns(data: bytes, most: int) -> list[tuple[str, str, Values]]:
                     continue
                 if unit.header["NAXIS1"] * unit.header["NAXIS2"] > most:
                     raise ValueError(f"its table has more than {most} bytes")
-                found = [(c.name, (c.unit or "").strip(), np.asarray(unit.data[c.name])) for c in unit.columns]
-                numbers = [each for each in found if each[2].ndim == 1 and each[2].dtype.kind in "fiu"]
-                return [(name, of, values.astype(np.float64)) for name, of, values in numbers]
+                columns = [(c.name, (c.unit or "").strip(), np.asarray(unit.data[c.name])) for c in unit.columns]
+                numeric = [each for each in columns if each[2].ndim == 1 and each[2].dtype.kind in "fiu"]
+                return [(name, column_unit, values.astype(np.float64)) for name, column_unit, values in numeric]
     raise ValueError("it holds no table")
 
 
 def is_fits(data: bytes) -> bool:
-    """Return whether data begin as a FITS file, or as one compressed by gzip or bzip2."""
+    """Return True if data begin like a FITS file, or like any file compressed by gzip or bzip2."""
     return data.startswith((b"SIMPLE  =", *PACKED_STARTS))
 
 
 def _unpacked(data: bytes) -> bytes:
-    """Return the contents of a file, unpacked as far as its headers say."""
+    """Return the contents of a file, decompressed up to the end that its headers state."""
     packed, parts, at = data.startswith(PACKED_STARTS), list[bytes](), 0
     source: io.BufferedIOBase = io.BytesIO(data)
     if packed:
@@ -165,7 +171,7 @@ def _unpacked(data: bytes) -> bytes:
     try:
         block = source.read(_BLOCK)
         if packed and not block.startswith(b"SIMPLE"):
-            raise ValueError("what is packed in it is no FITS file; unpack it")
+            raise ValueError("the compressed file is not a FITS file; decompress it first")
         while not at or block.startswith(b"XTENSION"):
             start, cards = at, dict[str, int]()
             while True:
@@ -176,10 +182,10 @@ def _unpacked(data: bytes) -> bytes:
                         cards[size[1].decode().strip()] = int(size[2])
                 if _END.search(block):
                     break
-                if len(block) < _BLOCK or at - start > _MOST_HEADER:
-                    raise ValueError(f"a header of it has no END within {at - start} bytes")
+                if len(block) < _BLOCK or at - start > _MAX_HEADER:
+                    raise ValueError(f"one of its headers has no END within {at - start} bytes")
                 block = source.read(_BLOCK)
-            sides = [abs(cards.get(f"NAXIS{k + 1}", 0)) for k in range(min(cards.get("NAXIS", 0), _MOST_AXES))]
+            sides = [abs(cards.get(f"NAXIS{k + 1}", 0)) for k in range(min(cards.get("NAXIS", 0), _MAX_AXES))]
             values = math.prod(sides) if sides else 0
             values = abs(cards.get("GCOUNT", 1)) * (abs(cards.get("PCOUNT", 0)) + values)
             count = -(-values * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
@@ -191,5 +197,5 @@ def _unpacked(data: bytes) -> bytes:
                 source.seek(at)
             block = source.read(_BLOCK)
     except (OSError, EOFError, zlib.error) as error:
-        raise ValueError(f"it cannot be unpacked: {error}") from None
+        raise ValueError(f"it cannot be decompressed: {error}") from None
     return b"".join(parts) if packed else data

@@ -33,7 +33,7 @@ _HEAD = np.dtype(
 )  # fmt: skip
 _INVALID = 2147483640
 _STEPS = {0: 4096, 1: 32768, 2: 131072}  # steps per fringe, by the resolution of the phase
-_SCALE = 0.5  # waves per fringe: light is reflected
+_SCALE = 0.5  # waves of surface height per fringe, since light is reflected
 
 
 _SMALL = {"microinches": 25.4e-9, "milliinches": 25.4e-6, "mils": 25.4e-6, "angstroms": 1e-10}  # of Mx, metres
@@ -49,17 +49,17 @@ class Measured(NamedTuple):
 
 
 def read_dat(data: bytes) -> Measured:
-    """Return the map in a file of MetroPro, whose numbers are big-endian at fixed offsets."""
+    """Return the map in a file of MetroPro, which has big-endian numbers at fixed offsets."""
     head = np.frombuffer(data[: _HEADERS[0]].ljust(_HEADERS[0], b"\0"), _HEAD)[0].item()
     magic, _, size, across, down, buckets, width, height, _, scale, wavelength, obliquity, spacing, resolution = head
     if len(data) < _HEADERS[0] or magic not in _MAGIC:
-        raise ValueError("it does not begin as a file of MetroPro")
+        raise ValueError("it does not begin like a file of MetroPro")
     if size not in _HEADERS:
-        raise ValueError(f"its header has {size} bytes; 834 or 4096 are known")
+        raise ValueError(f"its header has {size} bytes; 834 and 4096 are supported")
     if resolution not in _STEPS:
-        raise ValueError(f"its phase has the resolution {resolution}; 0 to 2 are known")
+        raise ValueError(f"its phase has the resolution {resolution}; 0 to 2 are supported")
     reading.pixels(width, height)
-    start = size + 2 * across * down * max(buckets, 1)  # behind the intensities
+    start = size + 2 * across * down * max(buckets, 1)  # the phase follows the intensities
     if start + 4 * width * height > len(data):
         raise ValueError(f"{width} x {height} values end beyond its {len(data)} bytes")
     for name, value in (("scale factor", scale), ("wavelength", wavelength), ("obliquity factor", obliquity)):
@@ -71,7 +71,7 @@ def read_dat(data: bytes) -> Measured:
 
 
 def write_dat(opd: OPDMap) -> bytes:
-    """Return a file of MetroPro with a map but no intensities."""
+    """Return a file of MetroPro with a map and without intensities."""
     height, width = _single(opd, ".dat").values.shape
     if opd.wavelength is None:
         raise ValueError("a .dat needs the wavelength of the map, since its unit is a fringe")
@@ -134,7 +134,7 @@ def _digits(value: float) -> float:
 
 
 class OPDFileError(ValueError):
-    """A file that cannot be read as an OPD map; the message names it and says why."""
+    """A file that cannot be read as an OPD map; the message has the file name and the reason."""
 
 
 def load_opd(
@@ -251,7 +251,7 @@ def _in_metres(values: Values, unit: str, spacing: float | None, wavelength: flo
 
 
 def _unit(text: object) -> str | None:
-    """Return the unit that a file names, in this package's name if it has one."""
+    """Return the unit that a file states, by its name in this package if there is one."""
     plain = str(text).strip()
     if not plain:
         return None
@@ -297,7 +297,7 @@ def _read_csv(data: bytes) -> Measured:
         except ValueError:
             wrong = True
     if wrong or not width:
-        raise ValueError("it must hold rows of equally many numbers")
+        raise ValueError("it must hold rows with the same number of values")
     spacing, wavelength = (parse_length(said[name]) if name in said else None for name in ("spacing", "wavelength"))
     return Measured(np.array(values).reshape(-1, width), _unit(said.get("unit", "")), spacing, wavelength)
 

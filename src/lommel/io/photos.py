@@ -33,24 +33,29 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 PREFIX = b"Exif\0\0"
-"""Bytes before EXIF in a JPEG file."""
+"""Marker bytes before the EXIF block in a JPEG file."""
 
-Entry = tuple[int, int, bytes]  # type, number of values, and the values with their low bytes first
+Entry = tuple[int, int, bytes]  # type, number of values, and values as little-endian bytes
 Directory = dict[int, Entry]
 
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
 _BYTES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 129: 1}  # bytes of each type
-_WORDS = {3: "u2", 8: "u2", 12: "u8", **dict.fromkeys((4, 5, 9, 10, 11), "u4")}  # types that have a byte order
+_WORDS = {
+    3: "u2",
+    8: "u2",
+    12: "u8",
+    **dict.fromkeys((4, 5, 9, 10, 11), "u4"),
+}  # types of more than one byte, whose byte order matters
 _LONGEST, _MOST, _LARGEST = 2**12, 256, 2**16 - 256  # bytes of an entry, entries, and bytes of all that JPEG holds
-_LENS, _PLACE = 0x8769, 0x8825  # directories below the first
+_LENS, _PLACE = 0x8769, 0x8825  # tags of subdirectories: of the exposure, of the GPS position
 _KEPT = (0x010F, 0x0110, 0x0132, 0x013B, 0x8298)  # make, model, date, artist, copyright
-# Maker's notes name places in the file; the others describe the pixels that were.
+# Not copied: maker's notes contain offsets into the old file; the other tags describe the old pixels.
 _LEFT = {_LENS: (0x927C, 0xA001, 0xA002, 0xA003, 0xA005), _PLACE: ()}
 
 
 @dataclass(frozen=True)
 class Exif:
-    """Lens data in the EXIF of a photograph; None for unknown, which EXIF writes as 0.
+    """Lens data in the EXIF of a photograph; None for unknown values, which EXIF stores as 0.
 
     Attributes
     ----------
@@ -70,7 +75,7 @@ class Exif:
     block: bytes | None = field(default=None, repr=False, compare=False)
 
     def pixel(self, shape: tuple[int, ...]) -> float:
-        """Return the pixel pitch (metres) of an image of `shape` that has the diagonal of the whole sensor.
+        """Return the pixel pitch (metres) of an image of `shape` whose diagonal is that of the whole sensor.
 
         EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
 
@@ -99,7 +104,7 @@ class Exif:
 
 
 def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
-    """Return the EXIF of the tags of its directory of the lens, and of its bytes in a file."""
+    """Return the lens data from the tags of the exposure directory, with `raw`, the EXIF block of the file."""
 
     def known(tag: int) -> float | None:
         value = tags.get(tag)
@@ -112,7 +117,7 @@ def parsed(tags: dict[int, Any], stored: bytes | None) -> Exif:
 
 
 def _without_maker_notes(stored: bytes) -> bytes | None:
-    """Return the EXIF, or that of a TIFF file, which is passed on, as a TIFF file without image; None if empty."""
+    """Return the EXIF tags that are copied, from EXIF or a TIFF file, as a TIFF file without image; None if empty."""
     data = stored.removeprefix(PREFIX)
     order = {b"II*\0": "<", b"MM\0*": ">"}.get(data[:4])
     if order is None or len(data) < 8:
@@ -128,7 +133,7 @@ def _without_maker_notes(stored: bytes) -> bytes | None:
 
 
 def _directory(data: bytes, at: int, order: str) -> Directory:
-    """Return the entries of a directory, without damaged or long ones."""
+    """Return the entries of a directory; damaged and long entries are skipped."""
     found: Directory = {}
     (count,) = struct.unpack_from(order + "H", data, at) if at + 2 <= len(data) else (0,)
     for entry in range(at + 2, min(at + 2 + 12 * min(count, _MOST), len(data) - 11), 12):
@@ -143,12 +148,12 @@ def _directory(data: bytes, at: int, order: str) -> Directory:
 
 
 def _below(data: bytes, first: Directory, tag: int, order: str) -> Directory:
-    """Return the directory to which an entry of the first one points."""
+    """Return the subdirectory that an entry of the first directory refers to."""
     return _directory(data, int.from_bytes(first[tag][2][:4], "little"), order) if tag in first else {}
 
 
 def _block(first: Directory, below: dict[int, Directory], at: int) -> bytes:
-    """Return a directory at a place in a file and those below it, which it points to."""
+    """Return the bytes of a directory at a position in a file, followed by its subdirectories."""
     below = {tag: part for tag, part in below.items() if part}
     behind = at + len(_packed_entries(first | dict.fromkeys(below, (4, 1, bytes(4))), at))
     parts = b""
@@ -159,7 +164,7 @@ def _block(first: Directory, below: dict[int, Directory], at: int) -> bytes:
 
 
 def _packed_entries(found: Directory, at: int) -> bytes:
-    """Return a directory at a place in a file, and behind it the values that it has no room for."""
+    """Return the bytes of a directory at a position in a file, followed by values of more than four bytes."""
     head, rest = struct.pack("<H", len(found)), b""
     behind = at + 6 + 12 * len(found)
     for tag, (kind, number, values) in sorted(found.items()):
@@ -172,7 +177,7 @@ def _packed_entries(found: Directory, at: int) -> bytes:
 
 
 def in_tiff(file: bytes, block: bytes) -> bytes:
-    """Return a TIFF file of one page and low bytes first with EXIF: its directory is written anew at the end."""
+    """Return a little-endian TIFF file of one page with EXIF added: a new directory is appended to the file."""
     (at,) = struct.unpack_from("<I", file, 4)
     (count,) = struct.unpack_from("<H", file, at)
     rows = (struct.unpack_from("<HHI4s", file, at + 2 + 12 * k) for k in range(count))
@@ -189,12 +194,12 @@ START = (b"\x76\x2f\x31\x01",)
 
 @contextmanager
 def _opened(data: bytes) -> Iterator[dict[str, Values]]:
-    """Yield the channels of a file of one flat part whose size is within limits, by name."""
+    """Yield the channels of an EXR file by name; ValueError if it has several parts, is deep, or is too large."""
     exr = library("OpenEXR", "EXR files need", "exr")
     with exr.File(io.BytesIO(data), header_only=True) as file:
         if len(file.parts) != 1:
             raise ValueError(f"it has {len(file.parts)} parts; give a file of one")
-        header = dict(file.header())  # which the library empties when it closes the file
+        header = dict(file.header())  # a copy, since the library empties the header when it closes the file
     if header.get("type", exr.scanlineimage) not in (exr.scanlineimage, exr.tiledimage):
         raise ValueError("it is a deep image; flatten it first")
     window, shown = (
@@ -220,8 +225,8 @@ def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
     with _opened(data) as channels:
         alpha = channels.pop("A", None)
         if alpha is not None and not (alpha == 1.0).all():
-            raise ValueError("it has alpha that is not 1 everywhere: put it on a background first")
-        names = set(channels) - {"Z"}  # depth beside
+            raise ValueError("it has an alpha channel that is not 1 everywhere; composite it onto a background first")
+        names = set(channels) - {"Z"}  # Z is depth and not part of the photograph
         if names == {"R", "G", "B"}:
             values = np.stack([channels[name] for name in "RGB"], axis=-1)
         elif names == {"Y"}:
@@ -234,7 +239,7 @@ def read_exr(data: bytes) -> tuple[Values, Tags, bytes | None]:
 
 
 def read_depth(data: bytes, _scale: float | None) -> Values:
-    """Return the channel Z of a depth map, also of a layer, or its only one, which may be stored as three."""
+    """Return the channel Z of a depth map (of any layer), or its only channel, which may be stored three times."""
     with _opened(data) as channels:
         found = [name for name in channels if name.split(".")[-1] == "Z"]
         if len(found) != 1:
@@ -278,23 +283,23 @@ _RAW_SUFFIXES = (
     *(".nef", ".nrw", ".orf", ".pef", ".raf", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"),
 )
 
-# EXIF's Orientation, from 1 on: steps along the stored rows and columns, and whether these are then exchanged.
+# For EXIF orientation 1, 2, ...: steps along the stored rows and columns, and True if both are then exchanged.
 _TURNS = ((1, 1, 0), (1, -1, 0), (-1, -1, 0), (-1, 1, 0), (1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))
 
 _PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
 
 
 class PhotoError(ValueError):
-    """A file that cannot be read as a photograph or a depth map; the message names it and says why."""
+    """A file that cannot be read as a photograph or a depth map; the message has the file name and the reason."""
 
 
-_FIRST = 16  # bytes that show the kind of a file
-_SAMPLE = 2**17  # bytes that determine how the others are compressed
+_FIRST = 16  # number of first bytes that identify the format
+_SAMPLE = 2**17  # bytes of a sample from which the compression level is chosen
 
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A photograph as it is stored, upright.
+    """Stored values of a photograph, rotated upright.
 
     Attributes
     ----------
@@ -312,7 +317,7 @@ class Picture:
     profile: bytes | None = None
 
     def light(self, dtype: DTypeLike = np.float32) -> Values:
-        """Return linear light, 1 being white.
+        """Return linear light; 1 is white.
 
         Parameters
         ----------
@@ -337,7 +342,7 @@ class Picture:
 
 
 def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Picture:
-    """Read a photograph (PNG, JPEG, TIFF, EXR, WebP, BMP, HEIC), known by its content, and turn it as its EXIF says.
+    """Read a photograph (PNG, JPEG, TIFF, EXR, WebP, BMP, HEIC) and rotate it upright as its EXIF states.
 
     Parameters
     ----------
@@ -389,7 +394,7 @@ def recognized(source: Path, kind: str, data: bytes) -> Iterator[Format]:
 
 
 def require_developed(source: Path, data: bytes) -> None:
-    """Raise PhotoError for a raw photograph, by its name and its contents, of which the first bytes are enough."""
+    """Raise PhotoError for a raw photograph, from its name and its contents (or first bytes)."""
     if _is_raw(source, data):
         raise PhotoError(
             f"{validation.line(source)} is a raw photograph, of which only a preview could be read. Develop it, "
@@ -404,11 +409,11 @@ def _is_raw(source: Path, data: bytes) -> bool:
     try:
         return data.startswith(TIFF) and reading.is_raw(data if len(data) > _FIRST else source)
     except ValueError:
-        return False  # damaged, which is reported when it is read
+        return False  # a damaged file, which raises an error when it is read
 
 
 def upright(form: Format, data: bytes) -> tuple[Values, Exif, bytes | None]:
-    """Return the values, rotated as the EXIF says; a warning of Pillow, that parts are missing, is an error."""
+    """Return the values rotated upright; Pillow's warning about missing parts is an error."""
     with warnings.catch_warnings(), reading.quietly():
         warnings.simplefilter("error")
         values, tags, profile, *stored = form.read(data)
@@ -477,7 +482,7 @@ def write_photo(
 def write_like(
     picture: Picture, path: str | PathLike[str], light: Values, *, encoding: str, dtype: DTypeLike, quality: int = 95
 ) -> float:
-    """Write light made of a photograph as :func:`write_photo`, with its EXIF where the format holds any.
+    """Write light as :func:`write_photo`, with the EXIF of the photograph that it was made from.
 
     Its profile is kept where the encoding is: one of other values would be wrong.
     """
@@ -487,7 +492,7 @@ def write_like(
 
 
 def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, float]:
-    """Return light as values of uint8, uint16 or float32 in an encoding, and the fraction that is clipped."""
+    """Return encoded light as uint8, uint16 or float32, and the fraction of values that were clipped."""
     validation.choice("encoding", encoding, ENCODINGS)
     kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
     light = validation.array("light", light)
@@ -501,7 +506,7 @@ def stored(light: Values, encoding: str, dtype: DTypeLike) -> tuple[Values, floa
         return from_light(light, encoding, kind), 0.0
     half = 0.5 / np.iinfo(kind).max
     within = np.clip(light, 0.0, 1.0)
-    # Half a level of sRGB is less light at black than at white.
+    # In sRGB, half a level is a smaller difference of light at black than at white.
     low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
     clipped = float(np.mean((light < -low) | (light > 1.0 + high)))
     return from_light(within, encoding, kind), clipped
@@ -518,11 +523,11 @@ def encoded(
     return written
 
 
-_BAND = 2**20  # pixels that are converted to an array together
+_BAND = 2**20  # number of pixels that are converted to an array in one step
 
 
 def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, bytes | None, bytes | None]:
-    """Return the values, the tags, the ICC profile and the EXIF of a file of Pillow, with all 16 bits of a PNG."""
+    """Return values (16 bits if the PNG has 16), tags, ICC profile and EXIF of a file opened by Pillow."""
     with opener(data) as file:
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
@@ -532,10 +537,10 @@ def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, by
         mode = file.tile[0][3] if deep else ""
         if deep and "transparency" in file.info:
             raise ValueError(_ALPHA)
-        if mode == "LA;16B":  # of which Pillow keeps the high bytes: each byte as a channel
+        if mode == "LA;16B":  # Pillow keeps only the high bytes; as RGBA, each byte is a channel
             file.tile = [(*file.tile[0][:3], "RGBA")]
         values = _array(file)
-        # The tags of a PNG may stand behind the image.
+        # The tags of a PNG may follow the image data.
         more = file.getexif(), file.info.get("icc_profile"), file.info.get("exif")
     if not deep:
         return values, *more
@@ -548,7 +553,7 @@ def _read(opener: Callable[[bytes], Any], data: bytes) -> tuple[Values, Tags, by
     if mode not in ("RGB;16B", "RGBA;16B"):
         raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
     del file  # to save memory
-    # Pillow keeps the high bytes of 16-bit colour; read as if bytes were swapped, the low ones.
+    # Pillow keeps only the high bytes of 16-bit colour; with swapped byte order it keeps the low bytes.
     values = values.astype(np.uint16)
     values <<= 8
     with opener(data) as again:
@@ -564,7 +569,7 @@ _ALPHA = (
 
 
 def _array(image: Image) -> Values:
-    """Return the values of an image of Pillow without alpha, which must be opaque; band by band, to save copies."""
+    """Return the values of a Pillow image without alpha, which must be opaque, in bands of rows to save memory."""
     width, height = image.size
     plain = {"P": "RGB", "1": "L"}.get(image.mode)
     if "transparency" in image.info:
@@ -596,7 +601,7 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
         page = pages[0]
         alpha = tuple(page.extrasamples) in ((1,), (2,))
         if page.extrasamples and not alpha:
-            raise ValueError("it has further channels, which are not alpha; leave them out")
+            raise ValueError("it has further channels, which are not alpha; remove them")
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = reading.tiff_array(page), page.axes, page.iccprofile
@@ -621,7 +626,7 @@ def read_tiff(data: bytes, *, levels: bool = False) -> tuple[Values, Tags, bytes
 
 
 def write_png(values: Values, _quality: int, profile: bytes | None, block: bytes | None = None) -> bytes:
-    """Return a PNG file, uncompressed where it would else exceed the limits of :mod:`lommel.base.reading`."""
+    """Return a PNG file; it is not compressed if :mod:`lommel.base.reading` would refuse to inflate it."""
     bits = 8 * values.dtype.itemsize
     takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
     for level in (6, 0):
@@ -658,9 +663,9 @@ def _by_pillow(form: str, values: Values, profile: bytes | None, block: bytes | 
 def png_of_16_bits(
     values: NDArray[np.uint16], profile: bytes | None, level: int, block: bytes | None = None
 ) -> bytes:
-    """Return a 16-bit PNG, which Pillow writes for grey only, with each row as the difference from the one above."""
+    """Return a 16-bit PNG, also in colour (unlike Pillow), with rows stored as differences from the row above."""
     height, width = values.shape[:2]
-    # Rows with the filter "up" (PNG, 9.2): differences of neighbours, which deflate packs better than levels.
+    # The filter "up" (PNG, 9.2) stores differences between rows, which deflate compresses better.
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
     lines = np.full((height, 1 + rows.shape[1]), 2, dtype=np.uint8)
     lines[0, 1:] = rows[0]
@@ -677,7 +682,7 @@ def png_of_16_bits(
 
 
 def _packed(data: bytes, level: int) -> bytes:
-    """Return data compressed, at level 1 without a search for strings where a sample, as of noise, has none."""
+    """Return compressed data; if a sample does not compress, as for noise, with the fastest strategy."""
     part = data[len(data) // 2 :][:_SAMPLE]
 
     def pressed(what: bytes, strategy: int) -> bytes:
@@ -715,7 +720,7 @@ def _raster(data: bytes, _scale: float | None) -> Values:
     values = upright(form, data)[0]
     if values.ndim == 2:
         return values
-    reading.afford(13.0 * values.shape[0] * values.shape[1], len(data))  # as of grey
+    reading.afford(13.0 * values.shape[0] * values.shape[1], len(data))  # as for a grey PNG
     if any(np.any(row != row[:, :1]) for row in values):
         raise ValueError("it is in colour: its three channels differ, and a depth map has one")
     return np.ascontiguousarray(values[..., 0])
@@ -748,7 +753,7 @@ _NUMBER = re.compile(r"%0?\d?d")
 
 
 def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
-    """Return a path that frames can be written to, with one number such as ``%03d`` or none."""
+    """Check a path for frames, which has one number such as ``%03d``, or none for an animation."""
     target = validation.path("path", path)
     numbers = _NUMBER.findall(target.name)
     if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
@@ -767,7 +772,7 @@ def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
 
 
 def is_animation(path: str | PathLike[str]) -> bool:
-    """Return whether frames are written to one animation, which has 8 bits."""
+    """Return True if frames are written to one animation, whose levels have 8 bits."""
     target = validation.path("path", path)
     return not _NUMBER.search(target.name) and registry.find("frames", target).holds == (_8,)
 
@@ -780,7 +785,7 @@ def write_frames(
     quality: int = 95,
     exif: Exif | None = None,
 ) -> list[Path]:
-    """Write frames and return the files written; a failure leaves no file.
+    """Write frames and return the paths of the files; after an error there are no files.
 
     Parameters
     ----------
@@ -815,7 +820,7 @@ def write_frames(
         form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
         atomic.write(target, form.write(kept, duration, quality))
         return [target]
-    if not target.parent.is_dir():  # before the first frame is made
+    if not target.parent.is_dir():  # checked before the first frame is computed
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
     made, block = [], exif.block if exif is not None and _EXIF in find(target).holds else None
     with atomic.whole_files() as put:
@@ -836,7 +841,10 @@ def _of_one_shape(frames: Iterable[Values]) -> Iterable[Values]:
             )
         first = frame if first is None else first
         if (frame.shape, frame.dtype) != (first.shape, first.dtype):
-            raise ValueError(f"frames must be alike, got {first.shape} {first.dtype} and {frame.shape} {frame.dtype}")
+            raise ValueError(
+                f"frames must have the same shape and type, "
+                f"got {first.shape} {first.dtype} and {frame.shape} {frame.dtype}"
+            )
         yield frame
     if first is None:
         raise ValueError("there must be at least one frame")

@@ -1,4 +1,4 @@
-"""Formats of PSF files: NumPy, TIFF, PNG, FITS, HDF5 and bare numbers, with what other programs read in them."""
+"""Formats of PSF files: NumPy, TIFF, PNG, FITS, HDF5, MATLAB and raw numbers, with metadata for other programs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SLOPE = "derivative "
 """Prefix of the names of derivatives in a file."""
 
 LEVELS = 65535
-"""The value of the peak in a picture."""
+"""Pixel value of the peak in a 16-bit picture."""
 
 _TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
 _NOT_ASCII = re.compile(r"[^ -~]")
@@ -41,17 +41,17 @@ _MARK = b"\n#lommel "  # between the array and the description in a .npy file
 _SIDE = 512  # pixels; smaller PSFs are enlarged to this side or more, by an integer factor
 _ARCSEC = math.pi / 648000.0
 _UNEVEN = "planes are not evenly spaced along z: pupil.z has the position of each, metres"
-_EVEN = 1e-6  # of the step: largest deviation of even steps
-_EXTENSION = "LOMMEL"  # of a FITS file, whose bytes are the description
-_MOST_CARDS = 1000  # the names of cards have 8 characters
+_EVEN = 1e-6  # steps that differ by at most this fraction are considered equal
+_EXTENSION = "LOMMEL"  # name of the FITS extension with the description as bytes
+_MOST_CARDS = 1000  # maximum number of numbered cards, whose keywords have 8 characters
 _COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
-_BLOCK = 512  # bytes before HDF5 begins
+_BLOCK = 512  # bytes of a MATLAB file before its HDF5 part
 _SEAL, _CHECKED = 128, b"lommel crc32 "  # behind the head of MATLAB's files
 _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
 
 
 Kept: TypeAlias = PSFLike | ColourPSFLike
-"""Contents of a file: a PSF, or the PSFs of channels."""
+"""Contents of a file: a PSF, or PSFs in channels."""
 
 
 class Axis(NamedTuple):
@@ -63,7 +63,7 @@ class Axis(NamedTuple):
 
 
 def axes(psf: Kept, description: Description) -> list[Axis]:
-    """Return the axes of the values in order: stack (z of a microscope, places of a grid, depth), channel, y, x."""
+    """Return the axes of the values: stack (z of a microscope, grid positions, depth), channel, y, x."""
     pupil, grid = psf.pupil, psf.grid
     if field := description.get("field"):
         stack = [Axis(f"field_{side}", np.array(field[side]), psf.unit) for side in "yx"]
@@ -120,7 +120,7 @@ def _step(z: Array) -> float | None:
 
 
 def write_npy(psf: Kept, description: Description) -> bytes:
-    """Return an array with the description behind it."""
+    """Return a .npy file, followed by the description."""
     values = np.ascontiguousarray(psf.values)
     return (
         atomic.contents(np.save, values, allow_pickle=False) + _MARK + text(description, {"values": values}).encode()
@@ -142,7 +142,7 @@ def write_npz(psf: Kept, description: Description) -> bytes:
 
 def archive(arrays: Arrays, description: Description) -> bytes:
     """Return an archive of arrays and their description."""
-    # As bytes: readers of NumPy's files in other languages do not support texts.
+    # As bytes, since readers in other languages do not support arrays of text.
     said = np.frombuffer(text(description, arrays).encode(), np.uint8)
     stored = {
         name: atomic.contents(np.save, values, allow_pickle=False)
@@ -165,13 +165,13 @@ def read_npz(data: bytes) -> tuple[Arrays, str]:
     """Return the values, the derivatives and the description."""
     arrays = reading.npz(data)
     said = arrays.pop("description")(reading.MAX_PIXELS)
-    found = said.tobytes().decode() if said.dtype == np.uint8 else str(said)  # which it was at first
+    found = said.tobytes().decode() if said.dtype == np.uint8 else str(said)  # text in files of early versions
     most = math.prod(reading.json(found)["shape"])
     return {name: read(most) for name, read in arrays.items()}, found
 
 
 def write_raw(psf: Kept, description: Description) -> tuple[bytes, bytes]:
-    """Return the values, little-endian, the last axis fastest; and the .json beside that describes them."""
+    """Return the values as little-endian bytes in C order, and the contents of the .json file that describes them."""
     waves, shares = light(psf)
     stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
     said = {
@@ -199,7 +199,7 @@ def read_raw(data: bytes, beside: bytes) -> tuple[Arrays, str]:
     kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     values = np.frombuffer(data, np.dtype(kind).newbyteorder("<"))
     if values.size != math.prod(description["shape"]):
-        raise ValueError(f"it holds {values.size} values, the .json beside it says {description['shape']}")
+        raise ValueError(f"it holds {values.size} values, the .json beside it states {description['shape']}")
     return {"values": values.astype(kind)}, json.dumps(description)
 
 
@@ -214,7 +214,7 @@ def enlarged(grey: Values, times: int) -> Values:
 
 
 def write_png(psf: PSFLike, description: Description) -> bytes:
-    """Return a 16-bit grey picture, the square root of the values, with the description as a text in it."""
+    """Return a 16-bit grey picture of the square root of the values, with the description as a text chunk."""
     from PIL import Image, PngImagePlugin
 
     if psf.values.ndim != 2:
@@ -240,16 +240,16 @@ def write_png(psf: PSFLike, description: Description) -> bytes:
 def read_png(data: bytes) -> tuple[Arrays, str]:
     """Return one grey value for each pixel of the PSF, and the description."""
     with reading.png(data) as file:
-        said = str(file.info["lommel"])  # which stands before the picture
+        said = str(file.info["lommel"])  # this text chunk precedes the picture
         description = reading.json(said)
         times = validation.integer("scale", description["png"]["scale"], least=1, most=_SIDE)
         if list(file.size[::-1]) != [times * side for side in description["shape"]]:
-            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
+            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, unlike its description states")
         file.load()
         grey = np.asarray(file, dtype=np.uint16)
     values = np.ascontiguousarray(grey[::times, ::times])
     if not np.array_equal(enlarged(values, times), grey):
-        raise ValueError("its pixels are not enlarged as it says")
+        raise ValueError("its pixels are not enlarged as its description states")
     return {"values": values}, said
 
 
@@ -274,12 +274,12 @@ def ome(psf: Kept, order: str, description: Description) -> Description:
 
 
 def write_tiff(psf: PSFLike, description: Description, planes: Description | None = None) -> bytes:
-    """Return an OME-TIFF; `planes` are OME attributes of its pages, which are then no stack in depth."""
+    """Return an OME-TIFF; `planes` are OME attributes of its pages, for pages that are not a stack in depth."""
     import tifffile
 
     pupil, write = psf.pupil, partial(tifffile.imwrite, photometric="minisblack")
     if isinstance(pupil, ObjectivePupil) and pupil.z.size > 1 and _step(pupil.z) is None:
-        description = description | {"planes": _UNEVEN}  # which OME-XML cannot describe
+        description = description | {"planes": _UNEVEN}  # uneven steps, which OME-XML cannot describe
     fields = ome(psf, "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX", description)
     if planes:
         fields["Plane"] = planes
@@ -297,7 +297,7 @@ def write_tiff(psf: PSFLike, description: Description, planes: Description | Non
         f'<ObjectiveSettings ID="Objective:0" RefractiveIndex="{pupil.layers.immersion}"/>'
     )
     xml = made.tostring(declaration=True).replace("<Image ", f"{instrument}<Image ", 1)
-    xml = xml.replace("<Pixels ", f"{settings}<Pixels ", 1)  # the order of the schema
+    xml = xml.replace("<Pixels ", f"{settings}<Pixels ", 1)  # the schema prescribes this order
     return atomic.contents(write, values, description=xml.encode(), metadata=None)
 
 
@@ -384,7 +384,7 @@ def write_fits(psf: Kept, description: Description) -> bytes:
             cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
             cards[f"WGHT{k}"] = (float(weights[k]), "its share of the light")
     pitches = dict(zip("yx", psf.grid.pitch, strict=True))
-    # FITS counts its axes from the last, and their entries from 1 (FITS standard 4.0, 8.2).
+    # FITS numbers its axes from the last axis, and pixels from 1 (FITS standard 4.0, 8.2).
     for k, (name, places, unit) in enumerate(reversed(axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
         step = pitches[name] if name in pitches else places is not None and _step(places)
@@ -494,11 +494,11 @@ def _for_matlab(values: Values) -> Values:
 
 
 def _hdf5(fill: Callable[[File], None], head: bytes) -> bytes:
-    """Return a file filled by `fill`, with its head and a checksum."""
+    """Return a MATLAB file filled by `fill`, with its header and a checksum."""
     import h5py
 
     file = io.BytesIO()
-    # The oldest version, for old readers.
+    # The oldest version of the format, which old readers support.
     with h5py.File(file, "w", libver="earliest", userblock_size=_BLOCK) as made:
         fill(made)
     data = bytearray(file.getvalue())
@@ -523,7 +523,7 @@ def _opened(data: bytes) -> File:
 def _array(file: File, name: str, data: bytes) -> Values:
     """Return an array that is stored contiguously in the file itself."""
     found = reading.hdf5_below(file, name)
-    if not hasattr(found, "chunks"):  # a group, or nothing
+    if not hasattr(found, "chunks"):  # it is a group, or None
         raise ValueError(f"no array {name!r}")
     if found.chunks is not None or found.nbytes > 8 * validation.MAX_VALUES:
         raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes of {len(data)}")

@@ -55,30 +55,31 @@ _Function = TypeVar("_Function", bound=Callable[..., object])
 class Format:
     """One file format of one kind of contents.
 
-    Other packages add formats by entry points of the group ``lommel.formats``, each naming a Format. They are loaded
-    when a file has none of the formats known so far.
+    Other packages add formats by entry points of the group ``lommel.formats``, each of which refers to a Format. The
+    entry points are loaded when a file has none of the registered formats.
 
     Parameters
     ----------
     kind : str
         "psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd", "molecules" or "video".
     suffixes : tuple of str
-        Suffixes of its files, in lower case, each with its dot.
+        Suffixes of the files, in lower case and with a dot.
     write, read : callable, optional
-        See the notes; None where the format cannot be written or read.
+        Functions as described in the notes; None if the format cannot be written or read.
     starts : tuple of bytes, default ()
-        First bytes of its files, where the contents tell the format.
+        First bytes of the files, if they identify the format.
     holds : tuple of str, default ()
-        Contents that not all formats of the kind hold, in words that follow those of the kind: "with derivatives",
-        "of uint16".
+        Contents that only some formats of the kind support, as words that follow the name of the kind in messages:
+        "with derivatives", "of uint16".
     library : str, default ""
-        The library that it needs, as it is imported.
+        Import name of a required library.
     beside : str, default ""
-        Suffix of a second file that belongs to the first; ``write`` returns both and ``read`` takes both.
+        Suffix of a second file that belongs to the first; ``write`` returns the bytes of both files, and ``read`` has
+        them as arguments.
     what : str, default ""
-        A few words about the contents, for help texts: "OME-TIFF".
+        Short name of the format for help texts: "OME-TIFF".
     readers : str, default ""
-        Other programs that read it, for the table of formats.
+        Other programs that read the format, for the table of formats.
 
     Raises
     ------
@@ -87,28 +88,29 @@ class Format:
 
     Notes
     -----
-    ``write`` and ``read`` are, for each kind:
+    Signatures of ``write`` and ``read`` for each kind:
 
-    - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description);
-      a format with a file `beside`: to (bytes, bytes beside), and from both
-    - "colours": as "psf", of a ColourPSF; a picture has nothing to read
-    - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
-    - "photo": (values, quality, ICC profile or None) to bytes, and where it holds "with EXIF" a fourth, the bytes of
-      EXIF; bytes to (values, tags of EXIF, ICC profile or None), and perhaps a fourth, the bytes of EXIF
-    - "frames": (list of values, milliseconds each, quality) to bytes
-    - "depth map": values of float32 to bytes; (bytes, metres per level or None) to values
-    - "images": read only, (bytes, name of one of several images or None) to (values, header), values of the shape
-      (height, width) or (n, height, width), the header with the names of FITS
-    - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_files.Measured``
-    - "molecules": (path, path beside it, if any) to a context manager, which yields what is called with rows and a
-      ``lommel.localize.Recording`` in turn
-    - "video": (path, seconds from a frame to the next, comment) to a context manager, which is called with values and
-      the time in seconds of each frame; read by ``lommel.io.videos``
-    - "zernike": (settings, terms), both by name, to text; bytes to (ZernikeTable or None, list of errors)
+    - "psf": write(PSF, description) -> bytes; read(bytes) -> (dict of arrays: "values" and derivatives, description
+      as text). With a file `beside`: write returns (bytes, bytes beside), and read has both as arguments.
+    - "colours": as "psf", for a ColourPSF; pictures are not read
+    - "field": write(PSFGrid, description, path), which writes the file itself; read(path, class of PSF) -> (PSF,
+      description)
+    - "photo": write(values, quality, ICC profile or None) -> bytes, and if `holds` has "with EXIF" a fourth argument,
+      the EXIF bytes; read(bytes) -> (values, EXIF tags, ICC profile or None), optionally followed by the EXIF bytes
+    - "frames": write(list of values, milliseconds of each frame, quality) -> bytes
+    - "depth map": write(float32 values) -> bytes; read(bytes, metres per level or None) -> values
+    - "images": read(bytes, name of one of several images or None) -> (values, header); the values have the shape
+      (height, width) or (n, height, width), the header has the names of FITS
+    - "opd": write(OPDMap) -> bytes; read(bytes) -> ``lommel.io.opd_files.Measured``
+    - "molecules": write(path[, path beside]) -> context manager that yields a function of rows and a
+      ``lommel.localize.Recording``, which is called repeatedly
+    - "video": write(path, seconds between frames, comment) -> context manager that yields a function of values and
+      time (seconds) of a frame; ``lommel.io.videos`` reads videos
+    - "zernike": write(settings, terms) -> text, both dicts by name; read(bytes) -> (ZernikeTable or None, errors)
 
-    Bytes are moved into place as a whole. Contents that a format cannot hold, or that are damaged, are a ValueError.
-    A description is a dictionary of plain types, written as JSON after ``lommel.base.atomic.sealed`` has added the
-    checksum of the arrays.
+    Files are moved into place when they are complete. ``write`` raises ValueError for contents that the format does
+    not support, ``read`` for damaged contents. A description is a dictionary of plain types, written as JSON after
+    ``lommel.base.atomic.sealed`` has added a checksum of description and arrays.
     """
 
     kind: str
@@ -127,11 +129,11 @@ class Format:
 
     @property
     def name(self) -> str:
-        """The name in messages: the longest of its suffixes, such as JPEG."""
+        """Name in messages: the longest suffix in capitals without its dot, such as JPEG."""
         return max(self.suffixes, key=len).lstrip(".").upper()
 
     def places(self, path: Path) -> tuple[Path, ...]:
-        """Return the files of a `path`: itself, and the one beside it if there is one."""
+        """Return the paths of all files of this format at `path`: `path` and the file beside it, if any."""
         return (path, path.with_suffix(self.beside)) if self.beside else (path,)
 
     def ready(self) -> Format:
@@ -151,7 +153,7 @@ def register(*new_formats: Format) -> None:
     Raises
     ------
     TypeError, ValueError
-        If one is not a Format, or another format of its kind has one of its suffixes.
+        If an argument is not a Format, or if another format of the same kind has one of its suffixes.
     """
     for new in new_formats:
         validation.instance("format", new, Format)
@@ -164,15 +166,16 @@ def register(*new_formats: Format) -> None:
 def find(
     kind: str, path: str | PathLike[str], name: str = "path", *, verb: str = "write", holding: str = ""
 ) -> Format:
-    """Return the format of a path by its suffix, ready to write or read; ValueError with all suffixes if none fits.
+    """Return the format of a path from its suffix; ValueError with all suffixes if the suffix is unknown.
 
-    `name` is the path's name in messages, `holding` one of :attr:`Format.holds`.
+    `verb` is "write" or "read", `name` the name of the path in messages, and `holding` a required entry of
+    :attr:`Format.holds`. ImportError if the library of the format is missing.
     """
     suffixes = validation.path(name, path).suffixes
     suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # .fits.gz has two
-    if not any(end.endswith(form.suffixes) for form in _able(kind, verb)):
+    if not any(end.endswith(form.suffixes) for form in _formats_with(kind, verb)):
         _load_others()
-    fit = [form for form in _able(kind, verb) if not holding or holding in form.holds]
+    fit = [form for form in _formats_with(kind, verb) if not holding or holding in form.holds]
     for form in fit:
         if end.endswith(form.suffixes):
             return form.ready()
@@ -186,36 +189,38 @@ def find(
 
 
 def identify(kind: str, data: bytes) -> Format:
-    """Return the format of the contents of a file by their first bytes, ready to read; ValueError if none fits."""
+    """Return the format of a file from its first bytes; ValueError if unknown, ImportError as :func:`find`."""
     for load in (None, _load_others) if data else ():
         if load:
             load()
-        for form in _able(kind, "read"):
+        for form in _formats_with(kind, "read"):
             if data.startswith(form.starts):
                 return form.ready()
-    *most, last = dict.fromkeys(form.name for form in _able(kind, "read") if form.starts)
+    *most, last = dict.fromkeys(form.name for form in _formats_with(kind, "read") if form.starts)
     raise ValueError(f"is not a {', '.join(most)} or {last} file" if data else "is empty")
 
 
 def suffixes(kind: str, *, described: bool = False) -> str:
-    """Return the suffixes that can be written in one line, perhaps with a few words about the contents of each."""
+    """Return the writable formats of a kind on one line: one suffix each, with its description if `described`."""
     return ", ".join(
-        form.suffixes[0] + (f" ({form.what})" if described and form.what else "") for form in _able(kind, "write")
+        form.suffixes[0] + (f" ({form.what})" if described and form.what else "")
+        for form in _formats_with(kind, "write")
     )
 
 
 def documented(kind: str) -> Callable[[_Function], _Function]:
-    """Return a decorator that puts the list of a kind's formats in place of ``{formats}`` in a docstring."""
+    """Return a decorator that replaces ``{formats}`` in a docstring by the list of the formats of a kind."""
     lines = [
-        f"{', '.join(f'``{suffix}``' for suffix in form.suffixes)}: {form.what}." for form in _able(kind, "write")
+        f"{', '.join(f'``{suffix}``' for suffix in form.suffixes)}: {form.what}."
+        for form in _formats_with(kind, "write")
     ]
 
-    def made(function: _Function) -> _Function:
-        if function.__doc__:  # there is none with python -OO
+    def decorate(function: _Function) -> _Function:
+        if function.__doc__:  # None with python -OO
             function.__doc__ = function.__doc__.replace("{formats}", "\n    ".join(f"- {line}" for line in lines))
         return function
 
-    return made
+    return decorate
 
 
 def formats(kind: str) -> list[Format]:
@@ -223,18 +228,19 @@ def formats(kind: str) -> list[Format]:
     return [form for form in _FORMATS if form.kind == kind]
 
 
-def _able(kind: str, verb: str) -> list[Format]:
+def _formats_with(kind: str, verb: str) -> list[Format]:
+    """Return the formats of a kind that have the function `verb`, "write" or "read"."""
     return [form for form in formats(kind) if getattr(form, verb)]
 
 
 @cache
 def _load_others() -> None:
-    """Register the formats of other packages, once; one that fails is left out with a warning."""
-    from importlib.metadata import entry_points  # takes long
+    """Register the formats of other packages, once per process; warn of a format that cannot be loaded."""
+    from importlib.metadata import entry_points  # late, since the import is slow
 
     for entry in entry_points(group="lommel.formats"):
         try:
             register(entry.load())
         except Exception as error:
-            said = f"the format {entry.name} ({entry.value}) is left out: {reading.reason(error)}"
-            warnings.warn(said, RuntimeWarning, stacklevel=4)
+            note = f"the format {entry.name} ({entry.value}) is left out: {reading.reason(error)}"
+            warnings.warn(note, RuntimeWarning, stacklevel=4)

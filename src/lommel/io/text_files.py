@@ -1,4 +1,4 @@
-"""Text files: the cells of CSV tables, and errors named by key and line, all of a file at once."""
+"""Text files: rows of CSV tables, wavefronts in INT files of Code V, lines of TOML keys, joined error messages."""
 
 from __future__ import annotations
 
@@ -24,30 +24,30 @@ from lommel.base.validation import brief, key, line
 _SIZES = {"GRD": 2, "ZRN": 1, "ZFR": 1}
 _NUMBERS = ("WVL", "SSZ", "NDA", "XSC")
 _FLAGS = ("NNB",)  # ways to interpolate between the points of a grid
-_HOLDS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filter of intensity"}
+_CONTENTS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filter of intensity"}
 
 
 class Interferogram(NamedTuple):
-    """A grid (GRD), Zernike terms in Code V's order (ZRN), or Fringe terms (ZFR)."""
+    """Contents of an INT file: a grid (GRD), Zernike terms in Code V's order (ZRN), or Fringe Zernike terms (ZFR)."""
 
-    kind: str
+    kind: str  # "GRD", "ZRN" or "ZFR"
     size: tuple[int, ...]  # columns and rows of a grid, or the number of terms
     wavelength: float  # metres
     values: Array  # waves at this wavelength
-    missing: NDArray[np.bool_]  # marked by NDA
+    missing: NDArray[np.bool_]  # True for points without data (value NDA)
 
 
 def parse(text: str) -> Interferogram:
-    """Return the contents of a file that is a wavefront."""
-    # The first line is a title, the second one such as ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767; lines that begin
-    # with ! are comments. A value over SSZ is in waves at WVL micrometres.
+    """Return the contents of an INT file; ValueError if it is damaged or not a wavefront."""
+    # The first line is a title, the second a line such as ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767; lines that begin
+    # with ! are comments. The wavefront is value / SSZ, in waves at WVL micrometres.
     lines = (line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("!"))
     title, sizes = next(lines, ""), next(lines, "")
     values = np.array(
         array("d", (_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
     )
     if not title or not sizes or not values.size:
-        raise ValueError("it has no title, line of sizes and values")
+        raise ValueError("it lacks a title, a line of sizes, or values")
     kind, *words = sizes.upper().split()
     if kind not in _SIZES:
         raise ValueError(f"its second line must begin with {', '.join(_SIZES)}, got {validation.shown(kind)}")
@@ -56,32 +56,32 @@ def parse(text: str) -> Interferogram:
     stated = _stated(words[count:])
     wavelength = validation.wavelength(1e-6 * stated["WVL"])
     if len(size) != count or values.size != math.prod(size):
-        raise ValueError(f"it says {' x '.join(map(str, size))} values, got {values.size}")
+        raise ValueError(f"it states {' x '.join(map(str, size))} values, got {values.size}")
     missing = values == stated["NDA"] if "NDA" in stated else np.zeros(values.shape, np.bool_)
     return Interferogram(kind, size, wavelength, values / stated["SSZ"], missing)
 
 
 def _stated(words: Sequence[str]) -> dict[str, float]:
-    """Return the numbers behind the sizes by name, WVL and SSZ at least; ValueError if it is not of a wavefront."""
-    left, holds, found = list(words), [], dict[str, float]()
-    while left:
-        word = left.pop(0)
-        if word in _HOLDS:
-            holds.append(word)
-        elif word in _NUMBERS and left:
-            found[word] = _number(left.pop(0), word)
+    """Return the numbers of the second line by name, with WVL and SSZ; ValueError if it is not a wavefront."""
+    remaining, contents, stated = list(words), [], dict[str, float]()
+    while remaining:
+        word = remaining.pop(0)
+        if word in _CONTENTS:
+            contents.append(word)
+        elif word in _NUMBERS and remaining:
+            stated[word] = _number(remaining.pop(0), word)
         elif word not in _FLAGS:
             raise ValueError(f"its second line holds {validation.shown(word)}, which is unknown")
-    if holds != ["WFR"]:
-        what = " and ".join(_HOLDS[word] for word in holds) or "nothing that it names"
+    if contents != ["WFR"]:
+        what = " and ".join(_CONTENTS[word] for word in contents) or "a second line without WFR"
         raise ValueError(f"it must hold a wavefront (WFR), got {what}")
-    if missing := [word for word in ("WVL", "SSZ") if not found.get(word, 0.0) > 0.0]:
-        raise ValueError(f"it does not state {' and '.join(missing)}, the wavelength and the value of one wave")
-    return found
+    if missing := [word for word in ("WVL", "SSZ") if not stated.get(word, 0.0) > 0.0]:
+        raise ValueError(f"it lacks a positive {' and '.join(missing)} (WVL: wavelength, SSZ: value of one wave)")
+    return stated
 
 
 def term(index: int) -> tuple[int, int]:
-    """Return (n, m) of a term in Code V's order (ZRN), from 1: by n, and from cos(n theta) to sin(n theta)."""
+    """Return (n, m) of term `index` >= 1 in Code V's order (ZRN): n increasing, for each n from m = n to m = -n."""
     n = 0
     while index > (n + 1) * (n + 2) // 2:
         n += 1
@@ -107,8 +107,8 @@ TOLD = 12
 
 
 def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
-    """Yield the number and the cells of each line that is neither empty nor a comment (``#``)."""
-    for place, text_line in enumerate(io.StringIO(text), 1):  # not all of them at once: the text may be long
+    """Yield the line number and the cells of each line that is neither empty nor a comment (``#``)."""
+    for place, text_line in enumerate(io.StringIO(text), 1):  # no list of all lines, since the text may be long
         try:
             quoted = '"' in text_line or len(text_line) > csv.field_size_limit()
             cells = next(csv.reader([text_line], delimiter=between), []) if quoted else text_line.split(between)
@@ -120,7 +120,7 @@ def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
 
 
 def settings(text: str) -> Iterator[tuple[int, str, str]]:
-    """Yield the line, the name and the value of each comment such as ``# unit: nm``."""
+    """Yield the line number, the name and the value of each comment of the form ``# unit: nm``."""
     for place, text_line in enumerate(io.StringIO(text), 1):
         comment, colon, value = text_line.partition(":")
         if colon and comment.lstrip().startswith("#"):
@@ -128,7 +128,7 @@ def settings(text: str) -> Iterator[tuple[int, str, str]]:
 
 
 def number(text: str) -> float | str:
-    """Return the number in a cell, or its text, for the error message."""
+    """Return the number in a cell; the text itself if it is not a number, which later validation refuses."""
     try:
         return float(text)
     except ValueError:
@@ -136,12 +136,13 @@ def number(text: str) -> float | str:
 
 
 def line_of(text: str, keys: Sequence[str]) -> int | None:
-    """Return the number of the line of a TOML file that sets `keys`, if it is written in the usual way."""
+    """Return the number of the line of a TOML file that sets `keys`, None if its syntax is unusual."""
     return _lines(text).get(tuple(keys))
 
 
 @lru_cache(maxsize=2)
 def _lines(text: str) -> dict[tuple[str, ...], int]:
+    """Return the line numbers of the keys and tables of a TOML file."""
     found: dict[tuple[str, ...], int] = {}
     numbers: Counter[tuple[str, ...]] = Counter()
     section: tuple[str, ...] = ()
@@ -159,19 +160,19 @@ def _lines(text: str) -> dict[tuple[str, ...], int]:
 
 
 def nearest_line(text: str, keys: Sequence[str]) -> int | None:
-    """Return the number of the line that sets `keys`, or of the surrounding table where these have none."""
+    """Return the number of the line that sets `keys`; if it is unknown, the line of the surrounding table."""
     lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
     return next((number for number in lines if number), None)
 
 
 def place(text: str, keys: Sequence[str]) -> str:
-    """Return ``"lens.wavelength (line 8)"``, with the line of the surrounding table where a key has none."""
+    """Return key and line as text, ``"lens.wavelength (line 8)"``, with the line of :func:`nearest_line`."""
     number = nearest_line(text, keys)
     return f"{'.'.join(map(key, keys))}{f' (line {number})' if number else ''}"
 
 
 def joined_errors(path: Path, errors: Sequence[str], count: int | None = None) -> str:
-    """Return one message about the first errors of a file, on one line if there is one; `count` is the total."""
+    """Return one message with the first errors of a file, one error per line; `count` is the number of all errors."""
     count, shown = len(errors) if count is None else count, [line(error) for error in errors[:TOLD]]
     if count > TOLD:
         shown.append(f"and {count - TOLD} more")
@@ -179,12 +180,12 @@ def joined_errors(path: Path, errors: Sequence[str], count: int | None = None) -
 
 
 MANY = 1000
-"""Number of errors in a table after which the rest need not be read."""
+"""Number of errors after which reading of a table may stop."""
 
 
 @contextmanager
 def collected(errors: list[str], place: str) -> Iterator[None]:
-    """Add an error of a value to those of a file, with its place."""
+    """Append a ValueError or TypeError to `errors`, with its `place`, instead of raising it."""
     try:
         yield
     except (ValueError, TypeError) as error:

@@ -1,4 +1,4 @@
-"""Video: frames of files, streams, cameras and numbered images, in pairs by their times; videos that are written."""
+"""Video: reading frames, or pairs of frames, from files, streams, cameras and numbered images; writing videos."""
 
 from __future__ import annotations
 
@@ -36,25 +36,25 @@ Source: TypeAlias = int | str | PathLike[str]
 Tell: TypeAlias = Callable[[str], object]
 
 MAX_FRAME = 2**26
-"""Most pixels of a frame."""
+"""Maximum number of pixels of a frame."""
 
 USUAL_RATE = 25.0
-"""Frames a second of sources that state neither times nor a rate, as numbered images."""
+"""Frame rate (1/s) of sources that state neither times nor a rate, such as numbered images."""
 
 _SCHEMES = ("http", "https", "rtmp", "rtp", "rtsp", "rtsps", "srt", "tcp", "udp")
 _LOSSY = (b"MJPG", b"JPEG", b"H264", b"HEVC")  # codes of cameras with lossy compression
 _PATIENCE = 10.0  # seconds without a frame after which a live source has ended
 _KEPT = 4  # largest number of waiting frames of a live source
-_FIRST = 6  # frames after which the interval is known
+_FIRST = 6  # number of frames from which the interval is estimated first
 _STEPS = 31  # differences of times whose median is the interval
-_SHORT = 0.02  # of a file's stated length: frames that may be missing at its end
+_SHORT = 0.02  # fraction of the stated length of a file that may be missing at its end
 _SHIFTS = 250  # frames of a stream whose delays are compared
 _FAULTS = 100  # largest number of damaged packets, or frames of another size, in a row
-_ALONE = 100  # frames without a partner, in a row, that are reported
+_ALONE = 100  # number of consecutive frames without a partner that is reported
 
 
 class VideoError(ValueError):
-    """A source that cannot be read as video; the message names it and says why."""
+    """A source that cannot be read as video; the message has its name and the reason."""
 
 
 class VideoFrame(NamedTuple):
@@ -73,7 +73,7 @@ class VideoFrame(NamedTuple):
 
 
 class FramePair(NamedTuple):
-    """Two grey frames of one moment.
+    """Two grey frames recorded at the same time.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ _Numbered: TypeAlias = tuple[int, VideoFrame]
 
 
 class _Closed:
-    """An iterator that ``with`` closes."""
+    """An iterator that is closed at the end of a ``with`` block."""
 
     def __enter__(self) -> Self:
         return self
@@ -177,19 +177,19 @@ class VideoFrames(_Closed):
 
     @property
     def bits(self) -> float | None:
-        """Bits a pixel so far, if the source is compressed with losses; None if it is not, or that is not known."""
+        """Bits per pixel so far of a source with lossy compression; None if it is lossless or unknown."""
         return self._reader.bits
 
     @property
     def interval(self) -> float:
-        """Seconds from a frame to the next: the median of what was seen, or as stated."""
+        """Seconds between frames: the median of the measured intervals, or the stated interval."""
         seen = list(self._times)
         if len(seen) > 2:
             return median(seen)
         return self._reader.interval or min(seen, default=1.0 / USUAL_RATE)
 
     def _numbered(self) -> Iterator[_Numbered]:
-        """Yield frames with numbers that grow by more than 1 where times show that some are missing."""
+        """Yield frames with numbers, which increase by more than 1 if the times show missing frames."""
         frames = self._reader.frames()
         # Stated rates may be wrong, and a frame may be missing among the first: no number without some differences.
         waiting, end = deque[VideoFrame](), None
@@ -200,7 +200,7 @@ class VideoFrames(_Closed):
             end = error
         self._times.extend(step for a, b in pairwise(waiting) if (step := b.time - a.time) > 0.0)
         number, last = 0, math.nan
-        first = (waiting.popleft() for _ in range(len(waiting)))  # which are not kept
+        first = (waiting.popleft() for _ in range(len(waiting)))  # frames are released when yielded
         for k, frame in enumerate(chain(first, frames)):
             step = frame.time - last
             if k >= _FIRST and step > 0.0:
@@ -234,7 +234,7 @@ class VideoFrames(_Closed):
         if first is not None:
             if self._waiting is None:
                 return first
-            self._waiting.clear()  # of the time before anybody asked
+            self._waiting.clear()  # drops frames that arrived before the first request
         try:
             return next(self._waiting or self._frames)
         except VideoError as error:
@@ -249,7 +249,7 @@ class VideoFrames(_Closed):
 
 
 class _Waiting:
-    """The last few frames of a live source, which a thread reads."""
+    """Queue of the latest frames of a live source, which are read by a thread."""
 
     def __init__(self, frames: Iterator[_Numbered], name: str) -> None:
         self._frames, self._name = frames, name
@@ -276,7 +276,7 @@ class _Waiting:
             self._changed.notify()
 
     def clear(self) -> None:
-        """Forget the frames that wait."""
+        """Drop all waiting frames."""
         with self._changed:
             self._kept.clear()
 
@@ -293,14 +293,14 @@ class _Waiting:
             raise self._end
 
     def stop(self) -> bool:
-        """Return whether the thread ended within a few seconds of being told to."""
+        """Stop the thread; return True if it ended within a few seconds."""
         self._stopped = True
         self._thread.join(timeout=3.0)
         return not self._thread.is_alive()
 
 
 class FramePairs(_Closed):
-    """Pairs of frames of one moment: an iterator of :class:`~lommel.io.FramePair`.
+    """Pairs of frames recorded at the same time: an iterator of :class:`~lommel.io.FramePair`.
 
     Made by :func:`frame_pairs`; closed by ``with`` or `close`. It holds a few frames at a time.
 
@@ -337,32 +337,32 @@ class FramePairs(_Closed):
 
     @property
     def dropped(self) -> int:
-        """Frames that are missing by the times of the others, of all sources."""
+        """Number of missing frames of all sources, estimated from the times of the other frames."""
         return sum(one.dropped for one in self.sources)
 
     @property
     def refused(self) -> int:
-        """Frames of another size or type, which were left out."""
+        """Number of frames that were omitted since they have another size or type."""
         return sum(one.refused for one in self.sources)
 
     @property
     def lost(self) -> str | None:
-        """Why a source ended early, or None."""
+        """Reason why a source ended early, or None."""
         return next((one.lost for one in self.sources if one.lost), None)
 
     @property
     def interval(self) -> float:
-        """Seconds from a pair to the next."""
+        """Seconds between pairs."""
         return (2.0 if len(self.sources) == 1 else 1.0) * max(one.interval for one in self.sources)
 
     @property
     def bits(self) -> float | None:
-        """Bits a pixel so far of the source that is compressed most, as of :class:`VideoFrames`."""
+        """Smallest bits per pixel so far of all sources; see :attr:`VideoFrames.bits`."""
         return min((one.bits for one in self.sources if one.bits is not None), default=None)
 
     @property
     def live(self) -> bool:
-        """Whether a source is a camera or a stream."""
+        """True if a source is a camera or a stream."""
         return any(one.live for one in self.sources)
 
     def close(self) -> None:
@@ -371,7 +371,7 @@ class FramePairs(_Closed):
             one.close()
 
     def _alternating(self) -> Iterator[FramePair]:
-        """Yield each even frame with the odd one after it; a dropped frame moves no other to the wrong side."""
+        """Yield each even frame with the following odd frame; a dropped frame does not exchange near and far."""
         (source,) = self.sources
         held: VideoFrame | None = None
         start = expected = -1
@@ -454,19 +454,19 @@ def video_frames(source: Source, *, grey: bool = False, tell: Tell | None = None
     if isinstance(source, str) and (found := re.match(r"([a-z]\w*)://", source, re.IGNORECASE)):
         if found[1].lower() not in _SCHEMES:
             raise ValueError(f"source must be of {', '.join(_SCHEMES)}, got {validation.shown(found[0])}")
-        named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # without a password
+        named = validation.line(re.sub(r"//[^/@]*@", "//", source))  # removes user name and password
         return VideoFrames(_Coded(source, named, True, grey, say), say)
     path = validation.path("source", source)
     if path.is_dir() or "%" in path.name:
         return VideoFrames(_Images(path, grey, say), say)
-    reading.size(path)  # a pipe is not waited for
+    reading.size(path)  # raises an error for a pipe, on which reading would wait
     return VideoFrames(_Coded(fspath(path), validation.line(path), False, grey, say), say)
 
 
 def frame_pairs(
     a: Source, b: Source | None = None, *, alternating: bool = False, tell: Tell | None = None
 ) -> FramePairs:
-    """Open pairs of grey frames that differ in focus: of two sources, or of one whose focus alternates.
+    """Open pairs of grey frames that differ in focus, from two sources or from one with alternating focus.
 
     Parameters
     ----------
@@ -526,16 +526,16 @@ def _limited(name: str, width: int, height: int) -> None:
         raise VideoError(f"{name} has frames of {width} x {height} pixels; the limit is {MAX_FRAME} pixels")
 
 
-# Each reader states: `interval`, seconds from a frame to the next, 0 if not known; `levels` of stored values,
-# 0 for floats; `grey`, whether the source has no colour; `bits` a pixel of compression with losses, None if unknown.
+# Each reader class has: `interval`, seconds between frames, 0 if unknown; `levels` of stored values,
+# 0 for floats; `grey`, True without colour; `bits` per pixel of a lossy compression, None if unknown.
 class _Coded:
-    """A video file or a stream, by PyAV."""
+    """A video file or a stream, read by PyAV."""
 
     def __init__(self, source: str, name: str, live: bool, grey: bool, tell: Tell) -> None:
         self._av = optional.library("av", "reading video needs", "video")
         self.name, self.live, self._grey, self._tell = name, live, grey, tell
         self._bytes = self._pixels = 0
-        # A file may be a list of others, which may not be addresses.
+        # A file may be a playlist; addresses in it are refused.
         options = {"protocol_whitelist": "file"}
         if live:
             options = {"rtsp_transport": "tcp"} if source.lower().startswith("rtsp") else {}
@@ -557,11 +557,11 @@ class _Coded:
         self._stream = self._container.streams.video[0]
         codec = self._stream.codec_context
         if codec is None:
-            raise VideoError(f"{self.name} has video of a kind that is not known, or is cut off")
+            raise VideoError(f"{self.name} has video in an unknown format, or is truncated")
         _limited(self.name, codec.width, codec.height)
         codec.options = {"max_pixels": str(MAX_FRAME)}
-        codec.thread_type = "SLICE" if self.live else "AUTO"  # threads of frames are some frames late
-        # Other formats have their length estimated, and another stream may be longer.
+        codec.thread_type = "SLICE" if self.live else "AUTO"  # frame threading would delay live frames
+        # For other formats the length is only an estimate, and another stream of the file may be longer.
         known = len(self._container.streams) == 1 and re.search("matroska|mp4", self._container.format.name)
         self._stated = 1e-6 * (self._container.duration or 0) if known and not self.live else 0.0
         rate = self._stream.guessed_rate or self._stream.average_rate
@@ -569,7 +569,7 @@ class _Coded:
         try:
             form = self._av.VideoFormat(codec.pix_fmt or "")
         except ValueError:
-            raise VideoError(f"{self.name} has pixels of a format that is not known") from None
+            raise VideoError(f"{self.name} has an unknown pixel format") from None
         self.levels = 2 ** min(16, max(8, form.components[0].bits))
         self.grey = len(form.components) == 1 and not form.has_palette and not form.name.startswith("bayer")
         deep, plain = self.levels > 256, self.grey or self._grey
@@ -579,7 +579,7 @@ class _Coded:
         """Yield all frames."""
         packets = self._packets()
         told, faults, number, end = False, 0, 0, 0.0
-        # Of a stream, whose times begin anywhere: by the least late of the last frames, for clocks drift.
+        # Times of a stream have an arbitrary origin. As clocks drift, the least delayed of the last frames sets it.
         shifts: deque[float] = deque([] if self.live else [0.0], maxlen=_SHIFTS)
         while True:
             try:
@@ -613,7 +613,7 @@ class _Coded:
 
     @property
     def bits(self) -> float | None:
-        """Bits a pixel, from the packets so far."""
+        """Bits per pixel, from the packets read so far."""
         lossy = self._stream.codec_context.codec.lossy
         return 8.0 * self._bytes / self._pixels if lossy and self._pixels else None
 
@@ -630,17 +630,17 @@ def _reason(error: Exception) -> str:
 
 
 class _Camera:
-    """A camera by its number, by OpenCV."""
+    """A camera, given by its number and read by OpenCV."""
 
     live, levels, grey, bits = True, 256, False, None
 
     def __init__(self, number: int, grey: bool, tell: Tell) -> None:
         self._cv2 = optional.library("cv2", "cameras need", "video")
-        self._cv2.utils.logging.setLogLevel(0)  # errors are told
+        self._cv2.utils.logging.setLogLevel(0)  # errors are raised as exceptions instead
         self.name, self._grey = f"camera {number}", grey
         self._capture = self._cv2.VideoCapture(number)
         if not self._capture.isOpened():
-            raise VideoError(f"{self.name} cannot be opened: there is none of this number, or it is in use")
+            raise VideoError(f"{self.name} cannot be opened: no camera has this number, or it is in use")
         rate = self._capture.get(self._cv2.CAP_PROP_FPS)
         self.interval = 1.0 / rate if 0.0 < rate < 1e4 else 0.0
         code = int(self._capture.get(self._cv2.CAP_PROP_FOURCC)) & 0xFFFFFFFF
@@ -650,7 +650,7 @@ class _Camera:
             )
 
     def frames(self) -> Iterator[VideoFrame]:
-        """Yield all frames, at the times when they arrive."""
+        """Yield all frames, with their times of arrival."""
         while self._capture.grab():
             arrived = time.monotonic()
             taken, values = self._capture.retrieve()
@@ -694,7 +694,7 @@ class _Images:
         return values.astype(np.float32) if values.dtype.kind == "f" else values
 
     def frames(self) -> Iterator[VideoFrame]:
-        """Yield all images but those that cannot be read, of which the first is told."""
+        """Yield all readable images; a warning names the first that cannot be read."""
         told = False
         for number, path in self._files:
             try:
@@ -711,15 +711,15 @@ class _Images:
 
     @property
     def bits(self) -> float | None:
-        """Bits a pixel of JPEG files so far."""
+        """Bits per pixel of the JPEG files read so far."""
         return 8.0 * self._bytes / self._pixels if self._pixels else None
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Do nothing, since no file is kept open."""
 
 
 def _numbered(name: str) -> str:
-    """Return the regular expression of a name with one number such as %04d."""
+    """Return a regular expression for file names with one number such as %04d."""
     parts = re.split(r"%0?\d?d", name)
     if len(parts) != 2 or "%" in "".join(parts):
         raise ValueError(f"source must have one number such as %04d and no other %, got {validation.shown(name)}")

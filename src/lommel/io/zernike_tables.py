@@ -30,12 +30,12 @@ UNITS = ("radians", "waves", "metres", *LENGTHS)
 UNIT_NAMES = {"wave": "waves", "rad": "radians", "radian": "radians", "meter": "m", "meters": "m"}
 UNIT_NAMES |= dict.fromkeys(("micron", "microns", "micrometer", "micrometers"), "um")
 UNIT_NAMES |= {"nanometer": "nm", "nanometers": "nm", "millimeters": "mm", "inches": "in"}
-"""Units as other programs name them."""
+"""Units of this package, by their names in other programs."""
 
 
 @dataclass(frozen=True)
 class ZernikeTable:
-    """Zernike coefficients as they were written down, of a single wavefront.
+    """Zernike coefficients of a single wavefront in the order, unit and normalization of their source.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class ZernikeTable:
         object.__setattr__(self, "terms", terms)
         Wavefront.zernike(
             terms, order=self.order, obscuration=self.obscuration
-        )  # which names the terms that do not exist
+        )  # its error names the terms that do not exist
 
     @classmethod
     def from_wavefront(
@@ -188,7 +188,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
 
 
 def save_table(path: str | PathLike[str], table: ZernikeTable, errors: Mapping[int, float]) -> None:
-    """Write a table with the standard errors of some of its terms, in its unit; readers leave these out."""
+    """Write a table with standard errors of some terms, in the unit of the table; readers ignore the errors."""
     settings: Json = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
@@ -221,17 +221,17 @@ def save_wavefront(wavefront: Wavefront, path: str | PathLike[str], **options: A
     OSError
         If the file cannot be written.
     """
-    find(path)  # before anything is computed
+    find(path)  # raises an error for an unknown suffix before any computation
     save_zernike(path, ZernikeTable.from_wavefront(wavefront, **options))
 
 
 def _unit(unit: str) -> tuple[str, float]:
-    """Return a unit of :meth:`lommel.Wavefront.zernike`, and how many of it one `unit` is."""
+    """Return a unit of :meth:`lommel.Wavefront.zernike`, and the value of one `unit` in it."""
     return ("metres", LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)
 
 
 SETTINGS = ("order", "unit", "normalization", "wavelength", "obscuration")
-_MOST_TERMS = 4096  # largest number of terms: more than there are
+_MOST_TERMS = 4096  # maximum number of terms, larger than the number of supported terms
 _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
 
@@ -264,12 +264,12 @@ def build(
         return ZernikeTable(
             values, settings["order"], settings["unit"], settings["normalization"], wavelength, obscuration
         ), []
-    except ValueError as error:  # annular terms of too high a degree
+    except ValueError as error:  # the degree of annular terms is too high
         return None, [f"{where('obscuration')}: {error}"]
 
 
 def _faults_of_settings(settings: Json, where: Callable[[str], str]) -> list[str]:
-    """Return what is wrong with settings that are words: unknown, missing, or none of those allowed."""
+    """Return the errors of settings that are words: unknown keys, missing keys, and values that are not allowed."""
     stray = [key for key in settings if key not in SETTINGS]
     found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: text_files.TOLD]]
     found += ["unknown keys"] * len(stray[text_files.TOLD :])
@@ -283,7 +283,7 @@ def _faults_of_settings(settings: Json, where: Callable[[str], str]) -> list[str
 
 
 def _coefficients(terms: Sequence[tuple[str, object, str]], order: object, errors: list[str]) -> dict[Index, float]:
-    """Return the coefficients by their indices in an order; `errors` gets what is wrong with them."""
+    """Return the coefficients by their indices in an order; append their errors to `errors`."""
     values: dict[Index, float] = {}
     places: dict[tuple[int, int], str] = {}
     for text, value, at in terms:
@@ -352,7 +352,7 @@ class _CsvSettings:
             self.values["unit"] = UNIT_NAMES.get(self.values["unit"].lower(), self.values["unit"])
 
     def add(self, key: str, value: str, place: int) -> None:
-        """Add what the columns state; an error if a setting states something else."""
+        """Add a setting that a column states; an error if a comment states another value."""
         if (other := self.values.setdefault(key, value)) != value:
             self.errors.append(
                 f"line {place}: the columns say the {key} {value}, line {self.lines[key]} {validation.key(other)}"
@@ -398,7 +398,7 @@ def read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
 
 
 def _column_roles(columns: Sequence[str], order: str | None) -> tuple[list[str], str, str]:
-    """Return the index columns, the value column and its unit, or nothing if the columns are others."""
+    """Return the index columns, the value column and its unit, or None if the columns are unknown."""
     *index, last = columns or [""]
     value = _COLUMN.fullmatch(last)
     pair = index == ["n", "m"] and order in (None, "nm")
@@ -456,7 +456,7 @@ def read_listing(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
         found.append("the obscuration of the annulus is not stated")
     terms = _listed_terms(text, kind, found)
     if not terms:
-        # Nothing of a listing is there: one sentence says more than each thing that is missing.
+        # No part of a listing was recognised: one message is clearer than a list of all missing parts.
         what = "is no listing of Zernike coefficients of OpticStudio, which begins with 'Listing of Zernike ...'"
         what += " and has lines such as 'Z   4     0.25'"
         found = [*found, "it lists no term, such as 'Z   4     0.25'"] if kinds else [what]
@@ -479,7 +479,7 @@ def _listed_wavelength(text: str, errors: list[str]) -> float | None:
 
 
 def _listed_terms(text: str, kind: str, errors: list[str]) -> dict[int, float]:
-    """Return the coefficients of a listing by the index of their terms; `errors` gets what is wrong with lines."""
+    """Return the coefficients of a listing by the index of their terms; append errors of lines to `errors`."""
     terms: dict[int, float] = {}
     spherical = {"standard": 11, "fringe": 9}.get(kind)
     for place, line in enumerate(text.splitlines(), 1):
@@ -631,7 +631,7 @@ def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     return (None if twice else table), [*twice, *found]
 
 
-_ERRORS = "standard_errors"  # ignored by readers: for people and other programs
+_ERRORS = "standard_errors"  # key for other programs; readers of this package ignore it
 
 
 def _write_json(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
@@ -649,7 +649,7 @@ def _write_toml(settings: Mapping[str, str], terms: Mapping[str, float], errors:
 
 def _write_csv(settings: Mapping[str, str], terms: Mapping[str, float], errors: Mapping[str, float]) -> str:
     head = [f"# {key}: {value}" for key, value in settings.items()]
-    # Without a colon, which settings have.
+    # Without a colon, so that the comment is not read as a setting.
     head += [f"# standard error of {key} = {error!r}" for key, error in errors.items()]
     columns = "n,m,value" if settings["order"] == "nm" else "index,value"
     return "\n".join([*head, columns, *(f"{key},{c!r}" for key, c in terms.items()), ""])

@@ -37,7 +37,7 @@ def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lens
     [
         (("--between", "3 m", "1 m"), "--between must be two rising distances, got 3 and 1 metres"),
         (("-o", "a.tif"), "store must end in .zarr, got 'a.tif'"),
-        (("-o", "a.h5"), "store must end in .zarr, which stacks are written to instead of HDF5, got 'a.h5'"),
+        (("-o", "a.h5"), "store must end in .zarr (stacks are not written to HDF5), got 'a.h5'"),
         (("--chunk", "0"), "chunk must be from 1 to"),
     ],
 )

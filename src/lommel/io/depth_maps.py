@@ -20,7 +20,7 @@ RESAMPLE = ("nearest",)
 
 
 class DepthKeywords(TypedDict, total=False):
-    """Options on the meaning of the values of a depth map: see :class:`DepthValues`."""
+    """Options for the conversion of stored values to metres; see :class:`DepthValues`."""
 
     scale: float | None
     inverse: tuple[float, float] | None
@@ -32,7 +32,7 @@ class DepthKeywords(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class DepthValues:
-    """Meaning of the values of a depth map in a file, validated; at most one of the first three is given.
+    """Conversion of the stored values of a depth map to metres; at most one of the first three options is given.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ class DepthValues:
     def __post_init__(self) -> None:
         valid: Json = {"zero_is_unknown": validation.truth("zero_is_unknown", self.zero_is_unknown)}
         if sum(option is not None for option in (self.scale, self.inverse, self.disparity)) > 1:
-            raise ValueError("give one of `scale`, `inverse` and `disparity`, which say how metres are stored")
+            raise ValueError("give only one of `scale`, `inverse` and `disparity`, which state how metres are stored")
         if self.scale is not None:
             valid["scale"] = validation.real("scale", self.scale, above=0.0, unit="metres per level")
         if self.inverse is not None:
@@ -89,7 +89,7 @@ class DepthValues:
 
     @property
     def states_metres(self) -> bool:
-        """Whether a conversion to metres is given: `scale`, `inverse` or `disparity`."""
+        """True if `scale`, `inverse` or `disparity` is given."""
         return (self.scale, self.inverse, self.disparity) != (None, None, None)
 
     def metres(self, values: Values, name: str) -> Array:
@@ -99,7 +99,7 @@ class DepthValues:
                 f"{name} is an integer image; give the scale, e.g. scale=0.001 for millimetres, or `inverse` or "
                 "`disparity`"
             )
-        # Ignored warnings: a signalling NaN in the file raises them.
+        # Warnings are ignored, since a signalling NaN in the file would raise them.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             distances: Array = values.astype(np.float64)  # stored values, converted in place
             distances[np.isin(values, self.unknown)] = np.nan
@@ -176,7 +176,7 @@ class DepthValues:
             return values
         (height, width), (rows, columns) = shape, values.shape
         text = f"{name} must have the size of the upright photo, {width} x {height}, got {columns} x {rows}"
-        # The same aspect ratio, if sides were rounded up or down.
+        # The aspect ratios are equal if each side differs by less than one pixel, by rounding.
         if abs(rows - height * columns / width) >= 1.0 and abs(columns - width * rows / height) >= 1.0:
             raise ValueError(text)
         if self.resample is None:
@@ -242,7 +242,7 @@ def read_depth(
     with recognized(source, "depth map", data) as form:
         # For inverse depth and disparity the scale in a PFM header is not one of metres, and is ignored.
         values = form.read(data, 1.0 if meant.scale is None and meant.states_metres else meant.scale)
-    del data  # to save memory
+    del data  # frees memory
     if values.ndim != 2 or 0 in values.shape:
         raise PhotoError(f"{name} has the shape {values.shape}; a depth map has (height, width)")
     if values.dtype.kind not in "iuf":

@@ -1,4 +1,4 @@
-"""Files of PSFs, also in colour channels; each describes how its values were computed."""
+"""Files of PSFs, also in colour channels, with a description of how the values were computed."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ find = partial(registry.find, "psf")
 
 
 class FileError(ValueError):
-    """A file that cannot be read as a PSF of this package."""
+    """A file that is damaged, or was not written by this package."""
 
 
 @display.save.register(PSFLike)
@@ -93,7 +93,7 @@ def save(psf: PSFLike, path: str | PathLike[str]) -> None:
 
 
 def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description: Description) -> None:
-    """Write PSFs and their description, with the file beside, if there is one."""
+    """Write PSFs and their description, in two files if the format has a second file."""
     made = form.write(psf, description)
     with atomic.whole_files() as put:
         for place, data in zip(form.places(target), made if form.beside else (made,), strict=True):
@@ -102,12 +102,12 @@ def write(form: Format, target: Path, psf: PSFLike | ColourPSFLike, description:
 
 @display.register("load PSF")
 def load(path: str | PathLike[str], kind: Callable[..., Made]) -> Made:
-    """Read a PSF of this kind; FileError if the file is damaged or was not written by this package."""
+    """Read a PSF as an object made by `kind`; FileError if the file is damaged or was not written by this package."""
     return read(find(path, verb="read"), Path(path), "a PSF", partial(rebuild, kind=kind))
 
 
 def read(form: Format, source: Path, what: str, rebuild: Callable[[Arrays, Description], _Rebuilt]) -> _Rebuilt:
-    """Return what `rebuild` makes of the arrays and the description of a file; FileError if it is damaged."""
+    """Return ``rebuild(arrays, description)`` for a file; FileError if the file is damaged."""
     data = [reading.contents(place) for place in form.places(source)]
     with as_file_error(source, what):
         arrays, text = form.read(*data)
@@ -131,7 +131,7 @@ def describe(psf: PSFLike) -> Description:
     dict
         Everything but the values; ``lommel.base.atomic.sealed`` adds the checksum.
     """
-    # Only where needed, so that most files stay as older versions wrote them.
+    # Optional entries are written only if needed, so that most files equal those of older versions.
     beyond: Description = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
     if psf.blur:
         beyond["blur"] = [blur.to_dict() for blur in psf.blur]
@@ -155,17 +155,17 @@ def describe(psf: PSFLike) -> Description:
 
 
 def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made]) -> Made:
-    """Return the PSF of the arrays of a file and their sealed description."""
+    """Return the PSF made by `kind` from the arrays of a file and their sealed description."""
     if "channels" in description:
         raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
-    said = dict(description["pupil"])  # without a kind that of a lens
+    said = dict(description["pupil"])  # files of older versions have no kind: their pupil is that of a lens
     kinds = {one.__name__: one for one in (Pupil, ObjectivePupil, FieldPupil)}
     pupil: BasePupil = kinds[validation.choice("kind", said.pop("kind", "Pupil"), kinds)].from_dict(said)
     method = method_from_dict(description["method"])
     method.require(pupil)
     bound, picture = description["error_bound"], description.get("png")
     if bound is not None:
-        # A picture adds half a level of the square root, at its steepest.
+        # Quantization of a picture adds at most half a level of the square root, where its slope is largest.
         bound = validation.real("error_bound", bound, least=0.0) + (1.0 / LEVELS if picture else 0.0)
     dtype = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     scale = validation.real_array("scale", description["scale"], least=0.0)
@@ -194,7 +194,7 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
         blur=blurs_from_dicts(description.get("blur", ())),
         derivative_bounds={derivative_name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
-    # Values that are computed as sums may lie below 0 by their error.
+    # Values computed as sums may be negative, by at most their error.
     least = -(bound or 0.0) * float(scale.max())
     if float(made.values.min()) < least:
         raise ValueError(f"its values must be >= 0, got {made.values.min():g}")
@@ -206,7 +206,7 @@ def rebuild(arrays: Arrays, description: Description, kind: Callable[..., Made])
 
 
 def _values(stored: Values, kind: str, picture: Description | None = None) -> Values:
-    """Return the values that a file stores, which must be finite and of the stated type."""
+    """Return the stored values; ValueError unless they are finite and have the type `kind`."""
     if picture:
         peak = validation.real("peak", picture["peak"], above=0.0)
         return np.asarray(peak * (stored.astype(np.float64) / LEVELS) ** 2, dtype=kind)
@@ -217,8 +217,11 @@ def _values(stored: Values, kind: str, picture: Description | None = None) -> Va
     return stored.astype(kind, copy=False)
 
 
-PICTURES = (psf_formats.write_tiff, psf_formats.write_png)  # formats with colours of their own
-_EACH = ("pupil", "method", "error_bound", "scale")  # entries that differ between channels
+PICTURES = (
+    psf_formats.write_tiff,
+    psf_formats.write_png,
+)  # formats for which PSFs in channels have separate functions
+_EACH = ("pupil", "method", "error_bound", "scale")  # entries of the description that differ between channels
 
 
 def _tiff(answer: ColourPSFLike, description: Description) -> bytes:
@@ -285,13 +288,13 @@ def save_colours(answer: ColourPSFLike, path: str | PathLike[str]) -> None:
 
 @display.register("load channels")
 def load_colours(path: str | PathLike[str], kind: Callable[..., Made]) -> tuple[Channels, tuple[Made, ...]]:
-    """Read the channels and a PSF of this kind for each; FileError for a damaged file or another."""
+    """Read the channels and their PSFs, made by `kind`; FileError if the file is damaged or has other contents."""
     form = find_colours(path, verb="read")
     return read(form, Path(path), "a PSF in channels", partial(rebuild_colours, kind=kind))
 
 
 def describe_colours(answer: ColourPSFLike) -> Description:
-    """Return the description of the first PSF and what differs between channels; ValueError for derivatives."""
+    """Return the description of the first PSF, with entries of each channel; ValueError for derivatives."""
     if any(psf.derivatives for psf in answer.psfs):
         raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
     said = [describe(psf) for psf in answer.psfs]
@@ -302,7 +305,7 @@ def describe_colours(answer: ColourPSFLike) -> Description:
 def rebuild_colours(
     arrays: Arrays, description: Description, kind: Callable[..., Made]
 ) -> tuple[Channels, tuple[Made, ...]]:
-    """Return the channels and their PSFs from the arrays of a file and its sealed description."""
+    """Return the channels and their PSFs, made by `kind`, from the arrays and sealed description of a file."""
     if "channels" not in description:
         raise ValueError("it has no channels; PSF.load reads it")
     values = np.ascontiguousarray(arrays["values"]).reshape(description["shape"])

@@ -220,7 +220,7 @@ def _values(stored: Values, kind: str, picture: Description | None = None) -> Va
 PICTURES = (
     psf_formats.write_tiff,
     psf_formats.write_png,
-)  # formats for which PSFs in channels have separate functions
+)  # formats with separate functions for PSFs in channels
 _EACH = ("pupil", "method", "error_bound", "scale")  # entries of the description that differ between channels
 
 

@@ -62,7 +62,9 @@ def test_the_order_of_arguments_is_that_of_photographs_and_another_is_refused():
     image, depth = scene()
     blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
     for turned in ((PIXEL, depth, LENS), (LENS, depth, PIXEL)):
-        with pytest.raises(TypeError, match=r"^lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
+        with pytest.raises(
+            TypeError, match=r"^lens must be a Lens, got ndarray; the order of arguments is depth, lens, pixel$"
+        ):
             DepthBlur(*turned)
     with pytest.raises(TypeError, match=r"^blur must be a DepthBlur"):
         BlurSlopes(blur, image)
@@ -107,7 +109,7 @@ def test_an_object_in_focus_stays_sharp_and_one_out_of_focus_does_not():
         ({"encoding": "gamma"}, "encoding must be one of"),
         ({"border": "wrap"}, "border must be one of"),
         ({"depth": np.full((5, 6), 0.2)}, "windows of more than 5 pixels"),
-        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must be one for each of the 1 channels"),
+        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must have one entry for each of the 1 channels"),
     ],
 )
 def test_what_makes_no_photograph_is_refused_by_name(change, message):

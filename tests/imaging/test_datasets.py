@@ -143,7 +143,7 @@ def test_draws_are_uniform_in_what_they_say():
 
 
 def test_what_does_not_fit_is_refused(files, tmp_path):
-    with pytest.raises(ValueError, match=r"holds pictures of other arguments \(seed\); give another folder"):
+    with pytest.raises(ValueError, match=r"holds pictures of other arguments \(seed\); choose another folder"):
         rendered(files), rendered(files, seed=4)
     with pytest.raises(ValueError, match=r"must be a new or empty folder"):
         rendered(files, "photos")
@@ -155,7 +155,7 @@ def test_what_does_not_fit_is_refused(files, tmp_path):
         rendered(files, "x", depth_scale=0.0)
     with pytest.raises(ValueError, match="give one of `depth_scale`, `inverse_depth` and `disparity`"):
         rendered(files, "x", depth_scale=1.0, inverse_depth=(1.0, 2.0))
-    with pytest.raises(ValueError, match="f_number must rise"):
+    with pytest.raises(ValueError, match="f_number must be a pair"):
         LensRanges(focal_length=50e-3, f_number=(4, 2), focus_distance=1.0, pixel=4e-6)
     with pytest.raises(ValueError, match="focus_distance must exceed the focal length"):
         LensRanges(focal_length=50e-3, f_number=4, focus_distance=0.04, pixel=4e-6)
@@ -332,5 +332,5 @@ def test_damaged_shards_and_records_are_named(files):
     assert len(shard.read_bytes()) == len(good)
     for text in ("", "[1]"):
         (files / "set" / "dataset.json").write_text(text)
-        with pytest.raises(ValueError, match=r"dataset\.json is damaged; remove .*set, or give another folder"):
+        with pytest.raises(ValueError, match=r"dataset\.json is damaged; remove .*set, or choose another folder"):
             rendered(files, shard=2, psfs=0)

@@ -145,7 +145,7 @@ def test_gaps_in_the_depth_are_filled_as_asked():
         ({"threads": 0}, ValueError, "threads must be"),
         ({"lens": "nikon"}, TypeError, "lens must be a Lens, got str"),
         ({"wavelengths": [[(500e-9, 0.0)]]}, ValueError, "a channel must have a wavelength with a weight"),
-        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence, one for each channel, got 5e-07"),
+        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence of one entry for each channel, got 5e-07"),
         ({"image": np.zeros((50, 60, 0))}, ValueError, "image must have the shape"),
     ],
 )
@@ -183,9 +183,13 @@ def test_what_narrows_the_aperture_is_refused_and_never_dropped(way, shape):
 def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
     image = np.ones((61, 61))
     for order in ((LENS, image, image, 8e-6), (image, LENS, image, 8e-6), (image, image, 8e-6, LENS)):
-        with pytest.raises(TypeError, match=r"lens must be a Lens, got \w+; the order is image, depth, lens, pixel$"):
+        with pytest.raises(
+            TypeError, match=r"lens must be a Lens, got \w+; the order of arguments is image, depth, lens, pixel$"
+        ):
             way(*order, encoding="linear")
-    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
+    with pytest.raises(
+        TypeError, match=r"lens must be a Lens, got ndarray; the order of arguments is depth, lens, pixel$"
+    ):
         DepthBlur(8e-6, image, LENS)
 
 

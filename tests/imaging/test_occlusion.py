@@ -189,14 +189,14 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     assert len(made) == 3
     assert np.abs(operator.forward(light) - first).max() > 0.1
     # No more is kept than is said: after one call the layers, after a second what pixels see.
-    layering, shares, groups = operator._made[2:]
+    layering, shares, groups = operator._cache[2:]
     assert (len(shares), len(groups)) == (2, 0)
     assert layering.layers.nbytes + layering.behind.nbytes == 5 * one.size
     operator = Occlusion(blur)
     operator.forward(light)
-    assert not operator._made[3]
+    assert not operator._cache[3]
     operator.adjoint(light)
-    _, shares, groups = operator._made[2:]
+    _, shares, groups = operator._cache[2:]
     arrays = {id(array): array for each in shares.values() for array in each}
     points = [points for each in groups.values() for points in points_of(each)]
     arrays |= {id(a): a for each in points for a in each if a is not None}

@@ -260,7 +260,7 @@ class TestChunks:
         image, depth = scene()
         arrays = (da.from_array(a, chunks=40) for a in (image, depth))
         made = depth_of_field(*arrays, LENS, PIXEL, encoding="linear", depths=(1.9, 2.0))
-        with pytest.raises(ValueError, match="as the depths named for the whole image"):
+        with pytest.raises(ValueError, match="the range of the whole image"):
             made.compute(scheduler="synchronous")
 
     def test_holes_are_refused_at_once(self, da):

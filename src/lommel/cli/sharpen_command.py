@@ -21,7 +21,7 @@ from lommel.cli.output import Steps, progress, require_folder, written
 from lommel.cli.photo_commands import DepthMap, depth_facts, output_type
 from lommel.cli.video_input import ENCODING, Coding, Stop, VideoNoise, coding_of
 from lommel.imaging import LiveSharpen, read_depth, read_photo
-from lommel.imaging.blur import tell_of_depths
+from lommel.imaging.blur import warn_of_depths
 from lommel.imaging.focal_engine import BLOCK
 from lommel.imaging.photograph import fill_missing
 from lommel.io import photos, videos
@@ -97,7 +97,7 @@ def sharpen(
         depth_map = np.array([[at]]) if map_ is None else _map(map_, cast("DepthKeywords", vars(values)), shape[:2])
         distance: float | Array = fill_missing(depth_map, "nearest") if at is None else at
         if map_ is not None:
-            tell_of_depths(lens_in_use, instrument.side, distance)
+            warn_of_depths(lens_in_use, instrument.side, distance)
         if coding.guess:
             status.tell(coding.guess)
         status("computing the filters")

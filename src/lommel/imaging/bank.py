@@ -1,4 +1,7 @@
-"""Banks of pixel-integrated PSFs over defocus: windows to interpolate between, and a remainder of the light beyond.
+"""Banks: tables of PSF windows over defocus, between which the compiled core interpolates.
+
+A window is the pixel-integrated PSF on a square of pixels. A remainder is the light of the PSF outside its window. A
+ring is the set of pixels at one Chebyshev distance from the centre. The reach is the largest radius tabulated.
 
 References
 ----------
@@ -31,8 +34,8 @@ from lommel.imaging.sensor_light import (
 from lommel.methods.pixel_rule import cells_alike, octant, quarters
 
 _MAX_WINDOWS = 20_000
-_MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_GAPS = 12  # gaps between the windows tried first (doubled until at most a radian wide)
+_MAX_VALUES = 2**27  # numbers in a bank: 1 GiB in double precision
+_GAPS = 12  # initial number of gaps between windows; doubled until a gap is at most 1 rad wide
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,25 +45,26 @@ class Bank:
     Attributes
     ----------
     start, spacing : float
-        Defocus C_d of the first window, and its step between windows (radians at the wavelength of the lens).
+        Defocus C_d of the first window, and the step of C_d between windows (rad at the wavelength of the lens).
     windows : ndarray, shape (count + 1, half + 1, stride)
-        Fraction of the light of a point on each pixel, for the quadrant from the central row and column on; the other
-        quadrants mirror it. Columns beyond the window, and the last window, are padding for the compiled core.
+        Fraction of the light of a point source on each pixel of one quadrant; row 0 and column 0 are the central row
+        and column. The last window, and the columns after the first half + 1, are padding for the compiled core.
     cuts : ndarray, shape (count,)
-        Half width in use of each window, a real number h: the ring at the Chebyshev distance k has the weight
-        ``h + 1 - k``, clipped to 0 to 1 and averaged over the neighbours (1/6, 2/3, 1/6), so that the blur changes
-        continuously as a point moves.
+        Half width h of each window, a real number of pixels. The ring at the Chebyshev distance k is multiplied by
+        ``h + 1 - k``, clipped to [0, 1] and averaged over adjacent windows with the weights 1/6, 2/3, 1/6. The blur
+        therefore changes continuously with defocus.
     energies : ndarray, shape (count,)
-        Sum of each window; interpolated windows are divided by their sums. Ones with a remainder, where nothing is
-        divided.
+        Sum of each window. An interpolated window is divided by the interpolated sum. With a remainder windows are
+        not divided, and `energies` are 1.
     lost : float
-        Largest fraction of the light beyond the pixels in use, which is spread over these instead.
+        Largest fraction of the light of a point outside its window; this light is spread over the window.
     error : float
-        Largest difference found between interpolated and exact windows half-way between nodes, relative to the peak.
+        Largest difference between an interpolated and a computed window, half-way between two windows, plus the error
+        bound of the computed window; relative to the peak of the window.
     remainder : Remainder, optional
-        Light beyond the windows, for ``energy=1``; the windows then hold the PSF minus this.
+        Light outside the windows, for ``energy=1``; `windows` then hold the PSF minus the remainder.
     filled : ndarray, optional
-        The remainder within the windows, stored like `windows`.
+        Values of the remainder on the pixels of the windows, in the layout of `windows`.
     """
 
     start: float
@@ -85,56 +89,56 @@ class Bank:
 
     @property
     def halves(self) -> NDArray[np.int64]:
-        """Half width in use of each window, pixels, shape (count,)."""
+        """Half width of each window and its two neighbours, rounded up to whole pixels, shape (count,)."""
         return of_neighbours(np.ceil(self.cuts)).astype(np.int64)
 
     @property
     def beyond(self) -> tuple[int, int]:
-        """Rows and columns that the compiled core needs beyond the image, on either side."""
+        """Margin that the compiled core needs around an image: rows above and below, columns left and right."""
         return self.half, self.windows.shape[2]
 
     def positions(self, defocus: ArrayLike) -> Array:
-        """Return the position in the bank of a `defocus` C_d in radians, 0 at the first window, 1 at the second."""
+        """Return the positions in the bank of defocus values C_d (rad): 0 at the first window, 1 at the second."""
         positions = np.asarray(defocus, dtype=np.float64) - self.start
         positions /= self.spacing
         return positions
 
     def used(self, defocus: float) -> Array:
-        """Return the weight of each pixel, about 0 to 1, at one `defocus` C_d (radians), shape (side, side)."""
-        # Cubic interpolation over four windows, as the compiled core has it.
+        """Return the weight of each pixel, about 0 to 1, at one `defocus` C_d (rad), shape (side, side)."""
+        # Cubic interpolation from four windows, as in the compiled core.
         first, weights = self._mixture(defocus)
-        return self._spread_out(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
+        return self._mirror(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
 
     def window(self, defocus: float) -> Array:
-        """Return the window that the compiled core interpolates at a `defocus` C_d in radians, shape (side, side)."""
+        """Return the window that the compiled core interpolates at one `defocus` C_d (rad), shape (side, side)."""
         first, weights = self._mixture(defocus)
-        made = self._spread_out(np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1))
-        return made / (weights @ self.energies[first : first + 4])
+        quarter = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
+        return self._mirror(quarter) / (weights @ self.energies[first : first + 4])
 
     def holding(self, kernels: Array, cuts: Array | None = None) -> Bank:
-        """Return a bank of other `kernels` (count, side, side) that end at `cuts`, by default as here."""
+        """Return a bank of other `kernels` (count, side, side), cut to the half widths `cuts` or ``self.cuts``."""
         ends = self.cuts if cuts is None else cuts
         quarter = kernels[:, self.half :, self.half :] * shares_used(ends, self.half)
         windows, energies = stored_windows(quarter, self.windows.dtype), sums_of_quarters(quarter)
         return replace(self, windows=windows, cuts=ends, energies=energies)
 
     def apart(self) -> tuple[Bank, Bank]:
-        """Return banks of the PSF within its windows, and of the remainder there."""
+        """Return two banks: the whole PSF on the pixels of its windows, and the remainder on these pixels."""
         assert self.filled is not None
         return replace(self, windows=self.windows + self.filled), replace(self, windows=self.filled)
 
     def _mixture(self, defocus: float) -> tuple[int, Array]:
-        """Return the first of the four windows that one defocus is interpolated from, and their weights."""
-        # Positions outside of the bank are clipped to its ends.
+        """Return the index of the first of four consecutive windows, and their weights in the interpolation."""
+        # Positions outside the bank are clipped to its first or last window.
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
-        # At either end the four are the outermost ones, which makes the interpolation one-sided there.
+        # Near an end of the bank the four outermost windows serve, and the interpolation is one-sided.
         t = position - first
         return first, np.array([math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)])
 
-    def _spread_out(self, quarter: Array) -> Array:
-        """Return all quadrants of one that is stored."""
+    def _mirror(self, quarter: Array) -> Array:
+        """Return the whole window whose lower right quadrant is `quarter`."""
         away = np.abs(np.arange(-self.half, self.half + 1))
         return quarter[away[:, None], away]
 
@@ -151,14 +155,14 @@ def build_bank(
     """Return the bank of one channel over a range of C_d; ValueError if it would be too large."""
     low, high = defocus
     assert light.pupil.wavelength is not None
-    # Shorter wavelengths have more radians of defocus: windows must resolve the fastest.
+    # The shortest wavelength has the largest defocus in radians: the windows must resolve it.
     per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
     whole = energy == 1.0
     step = math.pi * per_radian * light.pixel / light.pupil.scale
     inner = inner_energy(step) if whole else energy
     half, parabola = light.enough(defocus, inner, largest)
     reach = reach_of(half, step) if whole else half
-    # One window beyond either end, so that every point lies in the middle gap of four.
+    # Windows outside the range on both sides: every point then lies between the inner two of its four windows.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
     at = DefocusNodes.of(
@@ -185,9 +189,9 @@ def build_bank(
         error = _interpolation_error(exact, together[1::2]) + truncated
         if error <= tol:
             break
-        # Cubic interpolation: the error falls sixteenfold where windows are twice as close, less far apart.
+        # Cubic interpolation: halving a small spacing divides the error by 16; halving a large one, by less.
         spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
-    cuts = find_cuts(exact, half, inner + 1e-12)  # rounding must not leave less than requested
+    cuts = find_cuts(exact, half, inner + 1e-12)  # despite rounding, windows hold at least the energy requested
     if whole:
         used = math.ceil(cuts.max())
         cells = (used + 1) * (used + 2) // 2
@@ -197,7 +201,7 @@ def build_bank(
         return Bank(start, spacing, windows, cuts, np.ones(count), 0.0, error, remainder, filled)
     quarter = cut(exact, cuts)
     energies = sums_of_quarters(quarter)
-    # Sums are interpolated with the weights (-1, 9, 9, -1) / 16 of a cubic half-way.
+    # The weights (-1, 9, 9, -1) / 16 interpolate the sums half-way between two windows by a cubic.
     between = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
     held = min(float(energies.min()), float(between.min()))
     return Bank(start, spacing, stored_windows(quarter, np.dtype(dtype)), cuts, energies, 1.0 - held, error)
@@ -207,7 +211,7 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
     """Return windows, shape (count + 1, half + 1, stride), with the padding that the compiled core needs."""
     count, side, _ = quarter.shape
     shape = count + 1, side, ((side - 1) // 16 + 1) * 16
-    # Rows begin at cache lines where the stride allows: vector loads are faster then.
+    # Rows begin at cache lines where the stride allows it, for faster vector loads.
     size = math.prod(shape) * dtype.itemsize
     room = np.zeros(size + 64, dtype=np.uint8)
     first = -room.ctypes.data % 64
@@ -217,8 +221,8 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
 
 
 def _interpolation_error(exact: Array, middle: Array) -> float:
-    """Return the largest error half-way between windows, over the peak there, without the first and last gap."""
-    # (-1, 9, 9, -1) / 16, in place: the arrays are as large as the bank.
+    """Return the largest interpolation error over the peak, half-way in all gaps between windows but the end ones."""
+    # Weights (-1, 9, 9, -1) / 16, applied in place: the arrays are as large as the bank.
     off = exact[1:-2] + exact[2:-1]
     off *= 9.0
     off -= exact[:-3]
@@ -229,42 +233,42 @@ def _interpolation_error(exact: Array, middle: Array) -> float:
     return float((np.abs(off, out=off).max(axis=1) / inner.max(axis=1)).max())
 
 
-_GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
-_MOST = 16  # most products
-_LOOSE = 1.2  # error of all products over the tolerance: one product more costs a twentieth of a photograph
-_TURNS = 4  # alternations: further ones change the error by less than one product more does
-_SAMPLES = 4  # values of defocus, per pixel of the windows, from which the products are found
+_GAP = 3.0  # approximate distance, in pixels, from the geometric shadow of the aperture to the edge of a window
+_MAX_RANK = 16  # largest number of products a_r g_r
+_TOLERANCE_RATIO = 1.2  # error allowed for the products / tol; each product adds 5 % to the time of a photograph
+_ITERATIONS = 4  # of alternating least squares: a fifth changes the error by less than a further product does
+_SAMPLES = 4  # defocus values used in the fit, for each pixel of difference between the half widths of windows
 
 
 def inner_energy(step: float) -> float:
-    """Return the share of light held by windows that have a remainder, for pixels `step` in v wide."""
-    # Encircled energy 1 - 2 / (pi v) of a disc, at about three pixels beyond the shadow.
+    """Return the fraction of light that windows hold beside a remainder; `step` is the pixel pitch in units of v."""
+    # 1 / (pi v) approximates the light farther than v = _GAP * step outside the shadow.
     return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
 
 
 def reach_of(half: int, step: float) -> int:
-    """Return the radius in pixels up to which the remainder is tabulated, for windows up to `half`."""
+    """Return the reach (radius of the remainder's table, pixels) for windows of half width up to `half`."""
     return max((3 * half) // 2 + 6, min(96, int(math.cbrt(7e6 / step**2))))
 
 
-# Beyond the shadow of the aperture a PSF hardly depends on defocus: it is nearly sum_r a_r(c) g_r(q) there; a window
-# holds the exact PSF less this sum. The g_r are tabulated up to a reach, by alternating least squares in which a
-# pixel counts only for those values of defocus whose windows exclude it. Farther out they are sums of
-# (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, the mean tail of an aperture without its fine rings, with Fourier transforms in
-# closed form; the light beyond the reach is known and held exactly. The a_r minimise the error under the condition
-# that no light is lost (certificate, section 13).
+# Outside the geometric shadow of the aperture a PSF hardly depends on defocus: it is nearly sum_r a_r(c) g_r(q) at
+# the defocus c and the pixel q. A window holds the exact PSF minus this sum. Alternating least squares yield the g_r
+# up to the reach; a pixel counts only at defocus values whose windows exclude it. Beyond the reach each g_r is a sum
+# of (r^2 + s^2)^(-3/2 - j), j = 0, 1, 2, with Fourier transforms in closed form. This sum describes the mean tail of
+# an aperture without its fine diffraction rings, and has the total light of g_r beyond the reach. The a_r minimise
+# the error under the condition that no light is lost (certificate, section 13).
 @dataclass(frozen=True, eq=False)
 class Remainder:
-    """Light beyond the windows of one channel."""
+    """Light outside the windows of one channel, as the sum of products a_r g_r."""
 
-    knots: Array  # (count, rank): a_r at the windows of the bank, interpolated by the same cubics
-    table: Array  # (rank, reach + 1, reach + 1): g_r less the smooth part, from the middle row and column on
-    smooth: Array  # (rank, 3): factors of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
+    knots: Array  # (count, rank): a_r at the defocus of each window, interpolated by the cubics of the windows
+    table: Array  # (rank, reach + 1, reach + 1): g_r minus its smooth part; one quadrant, from its centre on
+    smooth: Array  # (rank, 3): coefficients of s^(2 j) (r^2 + s^2)^(-3/2 - j), r in pixels
     scale: float  # s, pixels
-    off: NDArray[np.float32]  # (count - 3, near): largest errors of K in each gap between windows
-    far: Array  # largest errors of the further pixels up to the reach, at any defocus
-    rings: float  # estimated sum of the fine rings beyond the reach, which are left out
-    held: float  # largest error of the light beyond the reach
+    off: NDArray[np.float32]  # (count - 3, near): largest error of K in each gap, on pixels that windows can include
+    far: Array  # largest error of K, at any defocus, on each pixel between the largest window and the reach
+    rings: float  # estimated sum over pixels of the fine diffraction rings beyond the reach, which are omitted
+    held: float  # largest error of the total light beyond the reach
 
     def error(self, positions: ArrayLike | None = None, shape: tuple[int, int] | None = None) -> float:
         """Return the sum over pixels of the largest error of K at `positions`, within an image of `shape`."""
@@ -274,24 +278,25 @@ class Remainder:
             off = off[np.flatnonzero(np.bincount(gaps))]
         reach = self.table.shape[1] - 1
         table = quarters(np.append(off.max(axis=0), self.far)[None], reach)[0]
-        # Each pixel of the quadrant stands for its mirror images, those on an axis once.
-        once = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
+        # A row or column of the quadrant counts for its mirror image as well, unless it is the central one.
+        copies = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
         height, width = (reach + 1, reach + 1) if shape is None else shape
-        near = float(once[:height] @ table[:height, :width] @ once[:width])
+        near = float(copies[:height] @ table[:height, :width] @ copies[:width])
         if shape is None:
             return near + self.rings + self.held
         if max(shape) - 1 <= reach:
             return near
-        # Rings fall as the tail does: the integral of r^-3 outside of an a by b rectangle is hypot(a, b) / (a b).
+        # The diffraction rings fall like r^-3, whose integral over the part of a quadrant outside an a by b rectangle
+        # is hypot(a, b) / (a b).
         sides = height - 0.5, width - 0.5
-        known = min(sides[0], reach + 0.5), min(sides[1], reach + 0.5)
-        some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
-        return near + self.rings * (some - others) / all_ + self.held
+        tabulated = min(sides[0], reach + 0.5), min(sides[1], reach + 0.5)
+        begin, end, whole = (math.hypot(a, b) / (a * b) for a, b in (tabulated, sides, (reach + 0.5,) * 2))
+        return near + self.rings * (begin - end) / whole + self.held
 
     def factors(
         self, positions: ArrayLike, dtype: DTypeLike = np.float64, *, slopes: bool = False, threads: int = 1
     ) -> Values:
-        """Return the a_r at positions in the bank, shape (rank, ...), or their derivatives by these."""
+        """Return the a_r at positions in the bank, shape (rank, ...); with `slopes` da_r / dposition."""
         cubics, rank = self._cubics, self.knots.shape[1]
         if slopes:
             cubics = np.concatenate([cubics[:, 1:] * np.arange(1.0, 4.0)[:, None], 0.0 * cubics[:, :1]], axis=1)
@@ -303,18 +308,18 @@ class Remainder:
 
     @cached_property
     def _cubics(self) -> Array:
-        """Coefficients of the cubics through four knots, in the distance from the second, shape (gaps, 4, rank)."""
+        """Coefficients (gaps, 4, rank) of cubics through four knots, in powers of the distance from the second."""
         powers = np.linalg.inv(np.vander(np.arange(-1.0, 3.0), increasing=True))
-        four = np.lib.stride_tricks.sliding_window_view(self.knots, 4, axis=0)  # (gaps, rank, 4)
-        return np.ascontiguousarray(np.moveaxis(four @ powers.T, 2, 1))
+        quadruples = np.lib.stride_tricks.sliding_window_view(self.knots, 4, axis=0)  # (gaps, rank, 4)
+        return np.ascontiguousarray(np.moveaxis(quadruples @ powers.T, 2, 1))
 
     def values(self, half: int) -> Array:
-        """Return the g_r from the middle row and column on, up to `half` pixels, possibly beyond the reach."""
+        """Return a quadrant of each g_r, (rank, half + 1, half + 1); `half` may exceed the reach."""
         away = np.arange(half + 1.0)
-        made = np.tensordot(self.smooth, _smooth(away[:, None] ** 2 + away**2, self.scale), axes=1)
-        known = min(half + 1, self.table.shape[1])
-        made[:, :known, :known] += self.table[:, :known, :known]
-        return np.asarray(made)
+        quadrants = np.tensordot(self.smooth, _smooth(away[:, None] ** 2 + away**2, self.scale), axes=1)
+        side = min(half + 1, self.table.shape[1])
+        quadrants[:, :side, :side] += self.table[:, :side, :side]
+        return np.asarray(quadrants)
 
 
 def fit(
@@ -327,38 +332,41 @@ def fit(
     reach: int,
     tol: float,
 ) -> tuple[Remainder, Array]:
-    """Return the remainder of a bank, and its part within the windows (count, cells), to be subtracted there."""
+    """Return the remainder of a bank, and its values on the pixels of the windows, (count, cells).
+
+    PSFs are arrays over one octant of pixels; `alike` is the number of pixels that each octant cell represents.
+    """
     near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
     at = start + spacing * np.arange(len(exact), dtype=np.float64)
-    # The extremes of the reach are always among the samples: there pixels count for one defocus only.
+    # Samples include the smallest and the largest window: some pixels lie outside the smallest window only.
     some = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(cuts))).astype(np.int64)
     some = np.unique(np.append(some, [cuts.argmin(), cuts.argmax()]))
     all_left = 1.0 - ring_shares(cuts, reach)
     shown, left = nodes.values(at[some]), all_left[some][:, distance]
-    # Errors count relative to the typical brightness of each pixel, which falls as r^-3.
+    # Errors are weighted by 1 / typical brightness of each pixel, which falls like r^-3.
     typical = np.maximum((left * shown).sum(axis=0), 1e-300) / np.maximum(left.sum(axis=0), 1e-300)
     weights: Array = alike / typical
-    kernels, factors = _products(shown, left, weights, alike, _LOOSE * tol)
-    # The light beyond the reach is treated as one more pixel, which no window holds.
+    kernels, factors = _fit_products(shown, left, weights, alike, _TOLERANCE_RATIO * tol)
+    # The total light beyond the reach is fitted like the light of one more pixel, outside all windows.
     beyond = 1.0 - shown @ alike
     held = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
-    # Farther than any window reaches all pixels count, and sums over them replace the pixels.
+    # Outside the largest window every pixel counts at every defocus: sums over these pixels replace the pixels.
     first, last = kernels[:, :near], kernels[:, near:]
     rest = nodes.sums(last * weights[near:]).values(at)
     left = all_left[:, distance[:near]]
-    knots = _all_light(
-        _normal(left**2 * weights[:near], first) + (last * weights[near:]) @ last.T,
+    knots = _conserve_light(
+        _normal_matrices(left**2 * weights[:near], first) + (last * weights[near:]) @ last.T,
         (left**2 * weights[:near] * exact) @ first.T + rest,
         (left * alike[:near]) @ first.T + last @ alike[near:] + held,
         1.0 - ((1.0 - left) * exact) @ alike[:near],
     )
     begin = (3 * reach) // 4
     ring = distance > begin
-    smooth, scale = _far(kernels, held, ring, alike, reach)
+    smooth, scale = _fit_tail(kernels, held, ring, alike, reach)
     column, row = octant(reach)
     squared = (column**2 + row**2).astype(np.float64)
     table = quarters(kernels - smooth @ _smooth(squared, scale), reach)
-    # Errors are evaluated at each window and half-way between; farther out, where all is smooth, at some.
+    # Errors are evaluated at each window and half-way between windows; outside the largest window, at the samples.
     within, halfway = knots @ first, _halfway(knots)
     missed = left * (within - exact)
     between = np.abs(_halfway(exact + missed) - middle)
@@ -367,41 +375,41 @@ def fit(
     inner = some[(some > 0) & (some < len(at) - 2)]
     there = nodes.values(at[inner] + 0.5 * spacing)
     wrong = np.vstack([knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:]])
-    # Beyond the reach the misfit falls as the tail r^-3 or faster: its sum is to that of the ring as 1 / reach to
-    # 1 / begin - 1 / reach (certificate, section 13).
+    # `ring`: pixels farther from the centre than `begin`. Beyond the reach the misfit falls like r^-3 or faster, and
+    # (sum beyond the reach) / (sum over `ring`) = (1 / reach) / (1 / begin - 1 / reach) (certificate, section 13).
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
-    # Rings of points with different defocus differ: no single misfit is the worst everywhere.
+    # The largest of the sums over pixels, not the sum of the largest misfits: diffraction rings vary with defocus.
     rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
     lacking = float(np.abs(knots[some] @ held - beyond).max())
     return Remainder(knots, table, smooth, scale, off, np.abs(wrong).max(axis=0), rings, lacking), within
 
 
-def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
-    """Return the g_r on the octant, (rank, cells), and the a_r of the samples, (samples, rank)."""
+def _fit_products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
+    """Return the g_r on the octant, (rank, cells), and the a_r at the sampled defocus values, (samples, rank)."""
     seen, far = left.max(axis=0) > 0.0, left.min(axis=0) == 1.0
     near = seen & ~far
     values, parts, scale = shown[:, near], left[:, near], scales[near]
     weights = parts**2 * scale
-    # Pixels outside of all windows count for all samples alike: their Gram matrix replaces them.
+    # Pixels outside all windows have equal weights in all samples: their Gram matrix replaces them.
     beyond = shown[:, far]
     common = beyond * np.sqrt(scales[far])
     gram = common @ common.T
-    # Principal components of the far pixels, largest last, as the start of the alternation.
+    # Initial values of the alternation: principal components of the far pixels, in ascending order.
     sizes, basis = np.linalg.eigh(gram)
     basis = basis[:, ::-1]
-    most, factors = min(_MOST, len(shown)), basis[:, :0]
+    most, factors = min(_MAX_RANK, len(shown)), basis[:, :0]
     for rank in range(1, most + 1):
-        # An omitted component is missed by little less than its size: below ten tolerances products suffice.
+        # Ranks whose largest omitted component exceeds 10 tol cannot reach tol: they are skipped.
         if rank < most and sizes[-rank - 1] > (10.0 * tol) ** 2:
             factors = basis[:, :rank]
             continue
         factors = np.column_stack([factors, basis[:, rank - 1]])
-        for _ in range(_TURNS):
-            # Alternating least squares: each factor is linear given the other (Gabriel and Zamir).
-            found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
-            onto = np.linalg.solve(_normal(np.ones((1, len(shown))), factors.T, 1e-10)[0], factors.T)
-            factors = _solved(
-                _normal(weights, found, 1e-14, onto @ gram @ onto.T),
+        for _ in range(_ITERATIONS):
+            # Alternating least squares (Gabriel and Zamir): for fixed a_r, linear in the g_r, and conversely.
+            found = _solve_rows(_normal_matrices(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
+            onto = np.linalg.solve(_normal_matrices(np.ones((1, len(shown))), factors.T, 1e-10)[0], factors.T)
+            factors = _solve_rows(
+                _normal_matrices(weights, found, 1e-14, onto @ gram @ onto.T),
                 (weights * values) @ found.T + gram @ onto.T,
             )
             wrong = float(np.abs((factors @ found - values) * parts).max(axis=0) @ alike[near])
@@ -416,21 +424,21 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
     return kernels, factors
 
 
-def _normal(weights: Array, basis: Array, ridge: float = 0.0, more: Array | float = 0.0) -> Array:
-    """Return the normal matrices, (rows, rank, rank), of rows of weights for a basis (rank, n), each plus `more`."""
+def _normal_matrices(weights: Array, basis: Array, ridge: float = 0.0, more: Array | float = 0.0) -> Array:
+    """Return ``basis @ diag(w) @ basis.T + more`` for each row w of `weights`, shape (rows, rank, rank)."""
     rank = len(basis)
     normal = (weights @ (basis[:, None] * basis).reshape(rank * rank, -1).T).reshape(-1, rank, rank) + more
-    # A tiny ridge keeps the matrix invertible where products coincide.
+    # A tiny ridge keeps the matrix invertible where rows of the basis coincide.
     normal += (ridge / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
     return np.asarray(normal)
 
 
-def _solved(normal: Array, right: Array) -> Array:
+def _solve_rows(normal: Array, right: Array) -> Array:
     return np.asarray(np.linalg.solve(normal, right[..., None])[..., 0])
 
 
-def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
-    """Return the least-squares solution of each row whose product with `sums` is `light` (Lagrange multiplier)."""
+def _conserve_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
+    """Return for each row the least-squares solution x with ``x @ sums = light``, by a Lagrange multiplier."""
     rank = sums.shape[1]
     normal = normal + (1e-14 / rank) * np.trace(normal, axis1=1, axis2=2)[:, None, None] * np.eye(rank)
     both = np.linalg.solve(normal, np.stack([right, sums], axis=-1))
@@ -439,15 +447,18 @@ def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
     return np.asarray(free + lacking[:, None] * along)
 
 
-def _far(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
-    """Return the smooth parts with the least error on a ring that hold the light beyond the reach; and s."""
-    scale = max(8.0, reach / 8.0)  # large enough that sums over pixels equal integrals (certificate, section 13)
+def _fit_tail(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
+    """Return the coefficients of the smooth part of each g_r, and s.
+
+    The coefficients minimise the error on the cells of `ring`, with the total light `held` beyond the reach.
+    """
+    scale = max(8.0, reach / 8.0)  # so large that sums over pixels equal integrals (certificate, section 13)
     first, second = octant(reach)
     smooth = _smooth((first**2 + second**2).astype(np.float64), scale)
     totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ alike
     basis = smooth[:, ring]
     weighted = basis * (alike[ring] / basis[0] ** 2)
-    # Least squares with a Lagrange multiplier for the light.
+    # Least squares with a Lagrange multiplier for the total light.
     system = np.block([[weighted @ basis.T, totals[:, None]], [totals, np.zeros(1)]])
     found = np.linalg.solve(system, np.vstack([weighted @ kernels[:, ring].T, held]))
     return np.ascontiguousarray(found[:-1].T), scale
@@ -462,9 +473,10 @@ def _smooth(squared: Array, scale: float) -> Array:
 
 
 def smooth_transforms(frequency: Array, scale: float) -> Array:
-    """Return the Fourier transforms of the smooth parts over the plane, at up to 1/2 cycle per pixel.
+    """Return the 2-D Fourier transforms of the three smooth terms at a `frequency` up to 1/2 cycle per pixel.
 
-    Those of values on pixels differ by less than ``exp(-pi s)`` of the largest, except at frequencies near 1/2.
+    Transforms of their samples at pixels differ by less than ``exp(-pi s)`` of the largest, except at frequencies
+    near 1/2.
     """
     phase = (2.0 * math.pi * scale) * frequency
     near = (2.0 * math.pi / scale) * np.exp(-phase)
@@ -475,16 +487,16 @@ def _halfway(knots: Array) -> Array:
     return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
 
 
-_COPIES = 9.04  # sum of |k|^-3 over a square lattice without its origin: 9.0336
+_LATTICE_SUM = 9.04  # at least the sum of abs(k)^-3 over all points k != 0 of the square lattice, 9.0336
 
 
-# For an image between two mirrors, half a pixel beyond its first and last pixel, convolution with an even kernel is
-# diagonal in the discrete cosine transform of type II, however far the kernel reaches: it multiplies by
-# sum_q g(q) cos(pi k q / n), the kernel's transform at the frequencies k / 2 n (Martucci 1994). Without mirrors the
-# image is first continued: "extend" repeats the last pixels over half of height and width, and "zero" adds darkness
-# wide enough that light from the mirrors is below half of the tolerance.
+# For an image that is mirrored half a pixel outside its first and last pixel, the discrete cosine transform of type
+# II diagonalises convolution with an even kernel of any width. The eigenvalue of the index k is
+# sum_q g(q) cos(pi k q / n), the kernel's transform at the frequency k / (2 n) (Martucci 1994). For the other borders
+# the image is first padded: for "extend" with copies of its edges over half of height and width on each side, for
+# "zero" with so many dark pixels that the light from mirror images is below half of the tolerance.
 class MirroredKernels:
-    """The g_r of a remainder as convolutions of images of one shape and border."""
+    """Convolutions with the g_r of a remainder, for images of one shape and border."""
 
     def __init__(
         self, remainder: Remainder, shape: tuple[int, int], border: str, dtype: np.dtype[np.floating], tol: float
@@ -497,8 +509,8 @@ class MirroredKernels:
             from scipy.fft import next_fast_len
 
             tail = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
-            light = _COPIES * math.prod(shape) * tail
-            # A n 9.04 / (2 m)^3 <= tol / 2, solved for m: certificate, section 13, "Between mirrors".
+            light = _LATTICE_SUM * math.prod(shape) * tail
+            # Solution m = `dark` of A n 9.04 / (2 m)^3 = tol / 2; certificate, section 13, "Between mirrors".
             dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
             self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
             self.error = light / (2.0 * dark) ** 3
@@ -508,15 +520,15 @@ class MirroredKernels:
 
     @cached_property
     def eigenvalues(self) -> Values:
-        """Transforms of the g_r, shape (rank, height, width) of the continued image; kept."""
+        """Transforms of the g_r, shape (rank, height, width) of the padded image; cached."""
         table, scale = self.remainder.table.astype(self.dtype), self.remainder.scale
         down, across = (_cosines(side, table.shape[1] - 1, self.dtype.char) for side in self._sides)
-        made = down @ table @ across.T
-        known = _smooth_spectra(*self._sides, scale, self.dtype.char)
-        for each, parts in zip(made, self.remainder.smooth.astype(self.dtype), strict=True):
-            for part, transform in zip(parts, known, strict=True):
-                each += part * transform
-        return np.asarray(made)
+        eigenvalues = down @ table @ across.T
+        smooth_terms = _smooth_spectra(*self._sides, scale, self.dtype.char)
+        for plane, coefficients in zip(eigenvalues, self.remainder.smooth.astype(self.dtype), strict=True):
+            for coefficient, transform in zip(coefficients, smooth_terms, strict=True):
+                plane += coefficient * transform
+        return np.asarray(eigenvalues)
 
     def transformed(self, r: int, plane: Values) -> Values:
         """Return the transform of a plane convolved with g_r."""
@@ -529,24 +541,24 @@ class MirroredKernels:
         return np.asarray(made)
 
     def image(self, transform: Values, threads: int = 1) -> Values:
-        """Return the image of a transform, without its continuation."""
+        """Return the inverse of `transform`, cropped to the image."""
         from scipy.fft import idctn
 
         return np.asarray(idctn(transform, overwrite_x=True, workers=threads)[self._image])
 
     def known(self, plane: Values, threads: int = 1) -> Values:
-        """Return the transform of a plane surrounded by darkness: the transpose of :meth:`image` up to a scale."""
+        """Return the transform of a plane padded with zeros: the transpose of :meth:`image` up to a factor."""
         from scipy.fft import dctn
 
         return np.asarray(dctn(np.pad(plane, self._around), workers=threads))
 
     def taken(self, r: int, known: Values) -> Values:
-        """Return the transpose of :meth:`transformed` (up to that scale) applied to a transform."""
+        """Return the transpose of :meth:`transformed` applied to the transform `known`, up to the inverse factor."""
         from scipy.fft import idctn
 
         taken = idctn(self.eigenvalues[r] * known, overwrite_x=True)
         if self.border == "extend":
-            # The transpose of repeating edges: what the copies collected is added to the edges.
+            # The transpose of repeating the edges: values on the copies are added to the edges.
             for lines, (before, after) in zip((taken, taken.T), self._around, strict=True):
                 lines[before] += lines[:before].sum(axis=0)
                 lines[-after - 1] += lines[-after:].sum(axis=0)
@@ -555,8 +567,8 @@ class MirroredKernels:
 
 @lru_cache(maxsize=8)
 def _cosines(side: int, reach: int, kind: str) -> Values:
-    """Return the cosines of an even kernel, doubled where a value stands for two."""
-    # Modulo a period: large arguments would lose digits in the cosine.
+    """Return the matrix (side, reach + 1) that transforms the non-negative half of an even kernel."""
+    # Reduced modulo the period: the cosine of a large argument would lose digits.
     turns = np.outer(np.arange(side), np.arange(reach + 1)) % (2 * side)
     made = 2.0 * np.cos((math.pi / side) * turns)
     made[:, 0] = 1.0
@@ -566,6 +578,6 @@ def _cosines(side: int, reach: int, kind: str) -> Values:
 
 @lru_cache(maxsize=4)
 def _smooth_spectra(height: int, width: int, scale: float, kind: str) -> Values:
-    """Return the transforms of the smooth parts, shape (3, height, width)."""
+    """Return the transforms of the three smooth terms, shape (3, height, width)."""
     down, across = ((np.arange(side) / (2.0 * side)).astype(kind) for side in (height, width))
     return smooth_transforms(np.hypot(down[:, None], across), scale)

@@ -30,13 +30,13 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import LinearOperator
 
 
-_BAND = 2**17  # points spread at a time while progress is watched
+_BAND = 2**17  # number of points that are spread together if `watch` is set
 
 
 class Points(NamedTuple):
     """Points of one channel that spread light."""
 
-    positions: Array  # in the bank; negative for points that spread nothing
+    positions: Array  # positions in the bank of windows; negative for points that spread no light
     layers: Values | None = None  # layer of each point, counted from the front
 
 
@@ -44,46 +44,46 @@ class Points(NamedTuple):
 class DepthBlur(LinearBlur):
     r"""Blur by depth, a linear operator without occlusion: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
-    K is the pixel-integrated PSF at the defocus of each source point, truncated to a window that holds `energy` of
-    its light and divided by the light in the window, so that light is conserved; with ``energy=1`` it is the sum of a
-    window and an unbounded smooth remainder. Between the windows of a bank it is interpolated by cubics. For
-    occlusion see :class:`lommel.imaging.Occlusion`.
+    K is the pixel-integrated PSF at the defocus C_d of the source point p. It is truncated to a window that holds the
+    fraction `energy` of its light, and divided by this fraction: the blur conserves light. With ``energy=1``, K is
+    the sum of a window and an unbounded smooth remainder. A bank is a table of windows over defocus; K is
+    interpolated between them by cubics. For occlusion see :class:`lommel.imaging.Occlusion`.
 
     Parameters
     ----------
     depth : array_like, shape (height, width)
-        Distance of each point from the lens along the axis, metres, positive; may be infinite.
+        Distance of each point from the lens along the axis, metres, positive or infinite.
     lens : Lens
         Its aberrations must be radially symmetric.
     pixel : float
         Pixel pitch, metres.
     channels : sequence, default (lens.wavelength,)
-        For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
+        For each channel a wavelength (metres), or a spectrum: a sequence of pairs (wavelength, weight).
     {options}
 
     Attributes
     ----------
     banks : tuple of Bank
-        One for each channel.
+        Bank of windows of each channel.
     spectra : tuple
-        Pairs of a wavelength (metres) and a weight for each channel.
+        Spectrum of each channel: pairs of a wavelength (metres) and a weight.
     lost : float
-        Largest fraction of the light beyond the windows, of any point and channel; 0 for the whole PSF.
+        Largest fraction of the light outside the window, over all points and channels; 0 with ``energy=1``.
     error : float
-        Largest error of interpolated windows over their peak, checked half-way between windows. For the whole PSF the
-        sum over pixels of the largest error of K, at the distances of the scene: no pixel is off by more than this
-        times the brightest point. A warning is given where that exceeds twice `tol`.
+        Largest error of interpolated windows relative to their peaks, checked half-way between windows. With
+        ``energy=1``: the sum over pixels of the largest error of K at the distances of the scene. The error of a
+        blurred pixel is at most this sum times the brightest point; a warning is issued if the sum exceeds 2 tol.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range; if the blur exceeds `largest`.
+        If an argument is of the wrong type or out of range, or if a window would be wider than `largest` allows.
     """
 
-    # Called with the number of points spread since the last call, if set; see `_bands`.
+    # Optional progress callback: its argument is the number of points spread since the last call; see `_bands`.
     watch: Callable[[int], object] | None = None
 
-    # Positions of the points in the banks, with the defocus and the banks that they belong to.
+    # Cache of `positions`: defocus map, banks, and the positions of the points of this map in each bank.
     _placed: tuple[Array, tuple[Bank, ...], tuple[Array, ...]] | None = None
 
     def __init__(
@@ -104,9 +104,9 @@ class DepthBlur(LinearBlur):
         self.border, self.energy = settings.border, settings.energy
         self.dtype, self.threads = cast("np.dtype[np.floating]", settings.dtype), settings.threads or 0
         self.place(depth)
-        tell_of_depths(lens, self.pixel, depth)
+        warn_of_depths(lens, self.pixel, depth)
         reach = (float(self.defocus.min()), float(self.defocus.max()))
-        # Half the image at most: a larger window would spread more light outside than inside.
+        # By default at most half of the image: a larger window would spread most of its light outside the image.
         largest = settings.largest or max(1, min(self.shape) // 2)
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
         self.channels = len(self.spectra)
@@ -117,26 +117,26 @@ class DepthBlur(LinearBlur):
                 light, reach, tol=settings.tol, energy=settings.energy, largest=largest, dtype=self.dtype
             )
 
-        # Channels with equal spectra share a bank, and distinct ones are computed side by side.
+        # Channels with equal spectra share a bank; the banks of different spectra are computed in parallel.
         distinct = tuple(dict.fromkeys(self.spectra))
-        known = dict(zip(distinct, side_by_side(bank, distinct, self.threads), strict=True))
-        self.banks = tuple(known[spectrum] for spectrum in self.spectra)
+        bank_of = dict(zip(distinct, side_by_side(bank, distinct, self.threads), strict=True))
+        self.banks = tuple(bank_of[spectrum] for spectrum in self.spectra)
         self.beyond = (
             Beyond([bank.remainder for bank in self.banks if bank.remainder is not None], settings.tol)
             if settings.energy == 1.0
             else None
         )
         if self.beyond is not None and (error := self.error) > 2.0 * settings.tol:
-            rounding = "for dtype=float64, " if 2.0 * self.beyond.rounding(self.dtype) > error else ""
+            rounding = "dtype=float64, " if 2.0 * self.beyond.rounding(self.dtype) > error else ""
             warnings.warn(
-                f"with energy=1 a pixel may be off by {error:.2g} of the brightest point, more than "
-                f"tol={settings.tol:g}; ask {rounding}for a tol of that size, or for energy=0.9999, whose windows "
-                "err by less than tol",
+                f"with energy=1 the error of a pixel may reach {error:.2g} of the brightest point, more than twice "
+                f"tol={settings.tol:g}; choose {rounding}a larger tol, or energy=0.9999, with an interpolation error "
+                "below tol",
                 stacklevel=3,
             )
 
     def place(self, depth: ArrayLike) -> None:
-        """Set another `depth` (metres) within the range of the first; ValueError unless it is > 0."""
+        """Replace the depth map by `depth` (metres), within the range of the first map; ValueError unless > 0."""
         distances = require_depth(depth)
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
@@ -144,22 +144,22 @@ class DepthBlur(LinearBlur):
 
     @property
     def lost(self) -> float:
-        """Largest fraction of the light beyond the windows, of any point and channel."""
+        """Largest fraction of the light outside the window, over all points and channels."""
         return max(bank.lost for bank in self.banks)
 
     @property
     def error(self) -> float:
-        """Largest error of interpolated windows over their peak; with ``energy=1`` that of K, summed over pixels."""
+        """Largest error of windows relative to their peaks; with ``energy=1`` sum over pixels of the errors of K."""
         return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
 
     def forward(self, image: Values, weight: Values | None = None) -> Values:
-        """Return the blurred image of an `image`, or of only its points in the bool map `weight`."""
+        """Return the blurred `image`; if the bool map `weight` is given, only its points spread light."""
         return np.stack(self.act(self.planes(image), weight), axis=-1).reshape(np.shape(image))
 
     def adjoint(self, image: Values, weight: Values | None = None) -> Values:
         """Return the transpose of :meth:`forward` applied to an `image`; points outside of `weight` receive 0."""
-        taken = self.act(self.planes(image), weight, transposed=True)
-        return np.stack(taken, axis=-1).reshape(np.shape(image))
+        planes = self.act(self.planes(image), weight, transposed=True)
+        return np.stack(planes, axis=-1).reshape(np.shape(image))
 
     def act(
         self,
@@ -169,24 +169,25 @@ class DepthBlur(LinearBlur):
         slopes: bool = False,
         transposed: bool = False,
     ) -> list[Values]:
-        """Return what :meth:`forward` makes of the `planes` of all channels, or with `transposed` :meth:`adjoint`.
+        """Apply :meth:`forward`, or with `transposed` :meth:`adjoint`, to the `planes` of all channels.
 
-        `weight` is as there; with `slopes` windows are replaced by their derivatives by positions.
+        `weight` is the bool map of :meth:`forward`. With `slopes`, windows are replaced by their derivatives with
+        respect to the position in the bank.
         """
-        made = []
+        images = []
         for channel, plane in enumerate(planes):
             points = Points(self._positions(channel, weight))
             if transposed:
-                made.append(next(self.collect(channel, plane, [points], slopes=slopes)))
+                images.append(next(self.collect(channel, plane, [points], slopes=slopes)))
             else:
-                made.append(self.spread(channel, [(plane, points)], slopes=slopes))
+                images.append(self.spread(channel, [(plane, points)], slopes=slopes))
         if self.beyond is not None:
             light = planes if weight is None or transposed else [plane * weight for plane in planes]
-            # Light beyond the windows is smooth and common to all points: it is added to the whole image.
+            # Light outside the windows is computed for all points together and added to the whole image.
             far = self.beyond.act(self, range(self.channels), light, slopes=slopes, transposed=transposed)
-            for onto, more in zip(made, far, strict=True):
-                onto += more if weight is None or not transposed else more * weight
-        return made
+            for image, more in zip(images, far, strict=True):
+                image += more if weight is None or not transposed else more * weight
+        return images
 
     def spread(
         self,
@@ -199,30 +200,30 @@ class DepthBlur(LinearBlur):
     ) -> Values:
         """Return the blurred light of several `sources` in one `channel`.
 
-        Each source is a plane of light, shape (height, width), and its points. `seen` is the number of layers that
-        each pixel sees, a real number, by default all; `bank` replaces the bank of the channel by another of the same
-        layout; `slopes` replaces windows by their derivatives with respect to position. Raises TypeError or
-        ValueError if there is no such channel, or a plane is not of the dtype of the operator.
+        Each source is a pair: light, shape (height, width), and the points that spread it. `seen` is the number of
+        layers that each pixel sees, a real number; None for all layers. `bank` has the layout of the bank of the
+        channel and replaces it. `slopes` replaces windows by their derivatives with respect to position. Raises
+        TypeError or ValueError if the channel does not exist, or a plane is not of the dtype of the operator.
         """
-        rows, columns, around = self._room(channel)
+        rows, columns, around = self._padded_indices(channel)
         if not isinstance(sources, Sequence):
             raise TypeError(f"sources must be a sequence of planes and points, got {validation.shown(sources)}")
         for plane, points in sources:
             self._require(plane, points)
-        room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
-        shown = self._shown(seen, around)
+        padded = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], self.dtype)
+        shown = self._pad_layers(seen, around)
         used = bank or self.banks[channel]
         for plane, points in sources:
             for band, rim in self._bands(rows, used.half):
                 where = points.positions, rows[band], columns
                 limits = points.layers, None if shown is None else shown[rim]
-                engine.spread(parts(used), where, plane, self.threads, room[rim], *limits, slopes)
+                engine.spread(parts(used), where, plane, self.threads, padded[rim], *limits, slopes)
                 if self.watch is not None:
                     self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
-        if self.border == "reflect":  # light that leaves a mirrored image enters from the mirror
-            return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
+        if self.border == "reflect":  # light that leaves the image is reflected into it
+            return folded(folded(padded, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
         (top, _), (left, _) = around
-        return room[top:, left:][: self.shape[0], : self.shape[1]]
+        return padded[top:, left:][: self.shape[0], : self.shape[1]]
 
     def collect(
         self,
@@ -234,49 +235,49 @@ class DepthBlur(LinearBlur):
         bank: Bank | None = None,
         slopes: bool = False,
     ) -> Iterator[Values]:
-        """Yield the transpose of :meth:`spread` of a `plane`, for each of the `sources`.
+        """Yield the transpose of :meth:`spread`, applied to a `plane`, for each of the `sources`.
 
         `channel`, `seen`, `bank` and `slopes` are those of :meth:`spread`.
         """
-        rows, columns, around = self._room(channel)
+        rows, columns, around = self._padded_indices(channel)
         for points in sources:
             self._require(plane, points)
-        room = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
-        shown = self._shown(seen, around)
+        padded = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
+        shown = self._pad_layers(seen, around)
         for points in sources:
-            taken = np.empty((rows.size, columns.size), dtype=self.dtype)
+            sums = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
             engine.collect(
-                parts(bank or self.banks[channel]), where, room, self.threads, taken, points.layers, shown, slopes
+                parts(bank or self.banks[channel]), where, padded, self.threads, sums, points.layers, shown, slopes
             )
-            yield without_copies(taken, rows, columns, self.shape)
+            yield without_copies(sums, rows, columns, self.shape)
 
     def _require(self, plane: object, points: object) -> None:
-        """Raise TypeError unless a plane has the shape and dtype of the operator."""
+        """Raise TypeError unless `points` are Points, and `plane` has the shape and dtype of the operator."""
         validation.instance("points", points, Points)
         if not isinstance(plane, np.ndarray) or plane.shape != self.shape or plane.dtype != self.dtype:
             raise TypeError(
                 f"plane must be an array of {self.dtype} of the shape {self.shape}, got {validation.shown(plane)}"
             )
 
-    def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
-        """Return the rows and columns of the image with copies of its edges, and the margins for their windows."""
+    def _padded_indices(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
+        """Return the row and column indices of the image, padded with edge copies, and the margins of the result."""
         bank = self.banks[validation.integer("channel", channel, least=0, most=len(self.banks) - 1)]
-        # A reflected edge is folded back afterwards; darkness needs no copies.
+        # Other borders need no copies: a reflected border is folded back after blurring, and a dark border is empty.
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (copies(side, margin, self.border) for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
 
     def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
-        """Yield bands of rows that are spread together (all unless `watch` is set), and the rows that they reach."""
-        # Bands of at least eight windows: the overlap of neighbouring bands is computed twice.
+        """Yield bands of rows, and the rows that receive their light; one band of all rows unless `watch` is set."""
+        # Each band has at least eight half widths: rows near its ends are computed again for the adjacent band.
         height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
         for first in range(0, len(rows), height):
             last = min(first + height, len(rows))
             yield slice(first, last), slice(first, last + 2 * half)
 
-    def _shown(self, seen: Values | None, around: list[tuple[int, int]]) -> Values | None:
-        """Return the layers seen by each pixel, with margins."""
+    def _pad_layers(self, seen: Values | None, around: list[tuple[int, int]]) -> Values | None:
+        """Return the number of layers that each pixel sees, padded by the margins `around`."""
         return (
             None if seen is None else np.pad(seen, around, mode="symmetric" if self.border == "reflect" else "edge")
         )
@@ -286,19 +287,19 @@ class DepthBlur(LinearBlur):
         channel = validation.integer("channel", channel, least=0, most=len(self.banks) - 1)
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
-            known = {(b.start, b.spacing): np.maximum(b.positions(self.defocus), 0.0) for b in self.banks}
-            each = tuple(known[bank.start, bank.spacing] for bank in self.banks)
-            self._placed = placed = self.defocus, self.banks, each
+            on_grid = {(b.start, b.spacing): np.maximum(b.positions(self.defocus), 0.0) for b in self.banks}
+            in_banks = tuple(on_grid[bank.start, bank.spacing] for bank in self.banks)
+            self._placed = placed = self.defocus, self.banks, in_banks
         return placed[2][channel]
 
     def _positions(self, channel: int, weight: Values | None) -> Array:
-        """Return positions as :meth:`positions`, negative for the points outside of `weight`."""
+        """Return the :meth:`positions` of all points, with negative values outside of `weight`."""
         positions = self.positions(channel)
         if weight is None:
             return positions
-        given = validation.array("weight", weight)
-        if not isinstance(weight, np.ndarray) or given.dtype != np.bool_ or given.shape != self.shape:
-            got = f"{given.dtype} of the shape {given.shape}"
+        mask = validation.array("weight", weight)
+        if not isinstance(weight, np.ndarray) or mask.dtype != np.bool_ or mask.shape != self.shape:
+            got = f"{mask.dtype} of the shape {mask.shape}"
             raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
         return np.where(weight, positions, -1.0)
 
@@ -309,13 +310,13 @@ def parts(bank: Bank) -> tuple[Values, NDArray[np.int64], Array]:
 
 
 def require_lens(lens: object, order: str) -> None:
-    """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
+    """Raise TypeError unless `lens` is a Lens; the message repeats the `order` of the arguments."""
     if not isinstance(lens, Lens):
-        raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
+        raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order of arguments is {order}")
 
 
 def require_depth(depth: ArrayLike) -> Array:
-    """Return depth as float64; raise TypeError or ValueError unless it is an image of metres above 0."""
+    """Return depth as float64; raise TypeError or ValueError unless it is a 2-D array of distances > 0 in metres."""
     distances = validation.array("depth", depth)
     require_metres(distances.dtype)
     if distances.ndim != 2 or 0 in distances.shape:
@@ -324,30 +325,30 @@ def require_depth(depth: ArrayLike) -> Array:
     if not np.all(metres > 0.0):
         if (unknown := np.isnan(metres)).any():
             count = int(unknown.sum())
-            raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
+            raise ValueError(f"depth is NaN at {count} of {metres.size} points; choose their depth by `missing`")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
 
 
 def require_metres(kind: DType) -> None:
-    """Raise TypeError unless depth is in floats: the scale of integer levels is known to their author only."""
+    """Raise TypeError unless depth has a float dtype: the unit of integer levels is unknown."""
     if kind.kind != "f":
         raise TypeError(
-            f"depth must hold metres in floats, got {kind}; for levels of a millimetre give 0.001 * depth"
+            f"depth must hold metres in floats, got {kind}; if one level is a millimetre, pass 0.001 * depth"
         )
 
 
-_IN_FOCUS = 2.0  # pixels, the largest blur that `lommel info` calls sharp
+_IN_FOCUS = 2.0  # circle of confusion, pixels, up to which `lommel info` reports a point as sharp
 
 
-def tell_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
-    """Warn if all finite distances are implausible as metres for this lens."""
+def warn_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
+    """Warn if the whole depth map is implausible for this lens, such as millimetres instead of metres."""
     distances = np.asarray(depth, dtype=np.float64)
     low, high = (float(end(distances, initial=other)) for end, other in ((np.min, math.inf), (np.max, 0.0)))
     # Hyperfocal distance f (1 + D / c), c the circle of confusion.
     hyperfocal = lens.focal_length * (1.0 + lens.aperture_diameter / (_IN_FOCUS * pixel))
     if hyperfocal < low < math.inf:
-        where = f"beyond the hyperfocal distance, {format_length(hyperfocal)}, where blur hardly depends on it"
+        where = f"beyond the hyperfocal distance, {format_length(hyperfocal)}, where blur hardly depends on depth"
     elif high < lens.focal_length:
         where = f"within the focal length, {format_length(lens.focal_length)}"
     else:
@@ -356,12 +357,12 @@ def tell_of_depths(lens: Lens, pixel: float, depth: ArrayLike) -> None:
     validation.tell(f"all of the depth, {ends}, is {where}: is it in metres?")
 
 
-_ROUNDING = 32.0  # units of rounding of a sum in single precision; measured: 9
-_LARGE = 2**16  # pixels from which starting threads pays
+_ROUNDING = 32.0  # rounding error of a sum / machine epsilon; the largest measured, in single precision, was 9
+_LARGE = 2**16  # number of pixels above which threads are used: smaller images take less time than starting threads
 
 
 class Beyond:
-    """Remainders of all channels of a blur (a little light from every point on every pixel), with the transpose."""
+    """Light outside the windows, from every point to every pixel, as an operator with its transpose."""
 
     def __init__(self, remainders: Sequence[Remainder], tol: float) -> None:
         self._remainders, self._tol = remainders, tol
@@ -369,18 +370,18 @@ class Beyond:
         self._factors: dict[Remainder, tuple[Array, Values]] = {}
 
     def error(self, blur: DepthBlur) -> float:
-        """Return the sum over pixels of the largest error of K, of any channel, for this scene."""
-        # With darkness around, light comes from no farther than the size of the image.
+        """Return the sum over pixels of the largest error of K in this scene: the maximum over channels."""
+        # Within a dark border, light travels no farther than the size of the image.
         shape = blur.shape if blur.border == "zero" else None
-        found = max(
+        largest = max(
             remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error
             for channel, remainder in enumerate(self._remainders)
         )
-        return found + self.rounding(blur.dtype)
+        return largest + self.rounding(blur.dtype)
 
     @staticmethod
     def rounding(dtype: np.dtype[np.floating]) -> float:
-        """Return the rounding error of sums of this type, over the brightest point."""
+        """Return the rounding error assumed for a pixel of this `dtype`, relative to the brightest point."""
         return _ROUNDING * float(np.finfo(dtype).eps)
 
     def act(
@@ -392,32 +393,32 @@ class Beyond:
         slopes: bool = False,
         transposed: bool = False,
     ) -> list[Values]:
-        """Return the light beyond the windows of planes of these channels, as :meth:`DepthBlur.act`."""
+        """Return the light outside the windows for one plane of each of the `channels`; see :meth:`DepthBlur.act`."""
         threads = (blur.threads or os.cpu_count() or 1) if math.prod(blur.shape) >= _LARGE else 1
         kernels = [self._kernels_of(blur, channel) for channel in channels]
         factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         if transposed:
-            given = [each.known(plane, threads) for each, plane in zip(kernels, planes, strict=True)]
+            inputs = [kernel.known(plane, threads) for kernel, plane in zip(kernels, planes, strict=True)]
         else:
-            given = [np.ascontiguousarray(plane) for plane in planes]
+            inputs = [np.ascontiguousarray(plane) for plane in planes]
 
-        def part(at: tuple[int, int]) -> Values:
+        def term(at: tuple[int, int]) -> Values:
             index, r = at
             if transposed:
-                return np.asarray(kernels[index].taken(r, given[index]) * factors[index][r])
-            return kernels[index].transformed(r, factors[index][r] * given[index])
+                return np.asarray(kernels[index].taken(r, inputs[index]) * factors[index][r])
+            return kernels[index].transformed(r, factors[index][r] * inputs[index])
 
-        each = [(index, r) for index, found in enumerate(factors) for r in range(len(found))]
+        pairs = [(index, r) for index, rows in enumerate(factors) for r in range(len(rows))]
         sums: list[Values] = []
-        for (_, r), found in zip(each, side_by_side(part, each, threads), strict=True):
+        for (_, r), summand in zip(pairs, side_by_side(term, pairs, threads), strict=True):
             if r == 0:
-                sums.append(found)
+                sums.append(summand)
             else:
-                sums[-1] += found
-        return sums if transposed else [each.image(total, threads) for each, total in zip(kernels, sums, strict=True)]
+                sums[-1] += summand
+        return sums if transposed else [one.image(total, threads) for one, total in zip(kernels, sums, strict=True)]
 
     def _kernels_of(self, blur: DepthBlur, channel: int) -> MirroredKernels:
-        """Return the kernels of a channel for images of this shape and border; kept."""
+        """Return the kernels of a channel for images of the shape and border of `blur`; cached."""
         remainder = self._remainders[channel]
         key = (remainder, blur.shape, blur.border)
         if key not in self._kernels:
@@ -425,7 +426,7 @@ class Beyond:
         return self._kernels[key]
 
     def _factors_of(self, blur: DepthBlur, channel: int, slopes: bool) -> Values:
-        """Return the a_r of all points, kept for the depth of the last call, or their derivatives, which are not."""
+        """Return the a_r of all points, cached for one depth map; with `slopes` their derivatives, not cached."""
         remainder, positions = self._remainders[channel], blur.positions(channel)
         if slopes:
             return remainder.factors(positions, blur.dtype, slopes=True, threads=blur.threads)
@@ -438,33 +439,34 @@ class Beyond:
         return last[1]
 
 
-# Differences of fourth order: over steps of so much of C_d, of which phases turn by twice as much, and of the scale.
+# Central differences of fourth order, as pairs (offset in steps, weight). A step of ln d, d the sensor distance, is
+# so small that it changes C_d by at most _STEP_OF_DEFOCUS (rad) and ln d by at most _STEP_OF_SCALE.
 _DIFFERENCES = ((-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0))
 _STEP_OF_DEFOCUS, _STEP_OF_SCALE = 0.03, 1e-3
 
 
-# Where a point moves by delta, its light x moves by x delta dC_d/dz dK/dC_d (chain rule). K is a mixture of four
-# windows by cubic weights, and its derivative one of the same four by the derivatives of the weights. Of
-# C_d = k (1/d - 1/f + 1/z), k = pi R^2 / (2 lambda), the derivative is -k / z^2 by the distance z of a point, and
-# -k / d^2 by the distance d of the sensor, for all points; but the sensor also scales all windows in proportion to d.
+# If the distance z of a point with the light x changes by delta, its image changes by x delta (dC_d/dz) (dK/dC_d).
+# K is a sum of four windows with cubic weights; dK/dC_d is the sum of these windows with the derivatives of the
+# weights. C_d is k (1/d - 1/f + 1/z) at the sensor distance d, with k = pi R^2 / (2 lambda): dC_d/dz = -k / z^2, and
+# dC_d/dd = -k / d^2 for all points. A change of d also scales all windows in proportion to d.
 class BlurSlopes:
     """Derivatives of ``blur.forward(image)`` with respect to the depth of every point and to the focus.
 
-    A linear operator from changes of depth to changes of the photograph, with its exact transpose; each costs about
-    as much as the blur. Derivatives are those of the interpolated windows: their error is about `tol` of the peak per
-    radian of C_d, and more where windows are far apart.
+    A linear operator from changes of depth to changes of the photograph, with its exact transpose. Applying either
+    takes about as long as the blur. The interpolated windows are differentiated: the error of dK/dC_d, relative to
+    the peak, is about `tol` per radian, and more where windows are far apart.
 
     Parameters
     ----------
     image : ndarray of float
         The scene, linear light, of the shape that :meth:`lommel.imaging.DepthBlur.forward` takes.
     blur : DepthBlur
-        Placed at the depths of the derivatives; must not be placed elsewhere afterwards.
+        Blur at the depth map of the derivatives; a later ``blur.place`` does not change them.
 
     Raises
     ------
     TypeError, ValueError
-        If `blur` is not a DepthBlur, or as :meth:`lommel.imaging.DepthBlur.forward`.
+        If `blur` is not a DepthBlur, or if :meth:`lommel.imaging.DepthBlur.forward` does not accept `image`.
 
     Examples
     --------
@@ -485,68 +487,68 @@ class BlurSlopes:
         self._shape = np.shape(image)
         lens = blur.lens
         infinite = float(lens.defocus(math.inf))
-        # 0 at an infinite distance.
+        # dC_d/dz; it is 0 at an infinite distance.
         self._per_metre = -((blur.defocus - infinite) ** 2) / (float(lens.defocus(1.0)) - infinite)
 
     def forward(self, change: Values) -> Values:
-        """Return the first-order change of the photograph with a `change` of depth (metres); or ValueError."""
+        """Return the first-order change of the photograph for a `change` of depth (metres); ValueError by shape."""
         metres = validation.real_array("change", change)
         if metres.shape != self.shape:
             raise ValueError(f"change must have the shape of the depth, {self.shape}, got {metres.shape}")
         radians = metres * self._per_metre
-        moved = [plane * self._steps(channel, radians) for channel, plane in enumerate(self._planes)]
-        return np.stack(self._blur.act(moved, slopes=True), axis=-1).reshape(self._shape)
+        products = [plane * self._position_changes(channel, radians) for channel, plane in enumerate(self._planes)]
+        return np.stack(self._blur.act(products, slopes=True), axis=-1).reshape(self._shape)
 
     def adjoint(self, image: Values) -> Values:
         """Return the gradient, per metre of depth, of the sum of `image` times the photograph."""
-        taken = self._blur.act(self._blur.planes(image), slopes=True, transposed=True)
+        by_position = self._blur.act(self._blur.planes(image), slopes=True, transposed=True)
         total = np.zeros(self.shape, dtype=self._blur.dtype)
         for channel, plane in enumerate(self._planes):
-            total += taken[channel] * plane * self._steps(channel, self._per_metre)
+            total += by_position[channel] * plane * self._position_changes(channel, self._per_metre)
         return total
 
     def focus(self) -> Values:
         """Return the derivative of the photograph with respect to the sensor distance, light per metre.
 
-        The aperture keeps its diameter. The derivative with respect to the focus distance is ``-(d / s)**2`` times
-        this, d being ``lens.sensor_distance`` and s ``lens.focus_distance``. Raises ValueError for ``energy=1``.
+        The aperture keeps its diameter. The derivative with respect to the focus distance s is ``-(d / s)**2`` times
+        the derivative returned, with d = ``lens.sensor_distance``. Raises ValueError for ``energy=1``.
         """
         blur = self._blur
         if blur.beyond is not None:
-            raise ValueError("energy must be below 1 for the derivative by focus, such as 0.9999, got 1")
-        moved = copy.copy(blur)
+            raise ValueError("energy must be below 1 for the derivative by focus, for example 0.9999, got 1")
+        operator = copy.copy(blur)
         distinct = dict(zip(blur.banks, blur.spectra, strict=True))
-        slopes = {bank: _by_sensor(blur, bank, spectrum) for bank, spectrum in distinct.items()}
-        moved.banks = tuple(slopes[bank] for bank in blur.banks)
-        return np.stack(moved.act(self._planes), axis=-1).reshape(self._shape) / blur.lens.sensor_distance
+        slopes = {bank: _differentiate_by_focus(blur, bank, spectrum) for bank, spectrum in distinct.items()}
+        operator.banks = tuple(slopes[bank] for bank in blur.banks)
+        return np.stack(operator.act(self._planes), axis=-1).reshape(self._shape) / blur.lens.sensor_distance
 
     def as_linear_operator(self) -> LinearOperator:
-        """Return the operator for SciPy's solvers, from depths in metres to values of the photograph, as vectors."""
+        """Return the operator for SciPy's solvers: from vectors of depth changes (m) to vectors of pixel changes."""
         return linear_operator(self.forward, self.adjoint, self._shape, self.shape, self._blur.dtype)
 
-    def _steps(self, channel: int, radians: Array) -> Values:
-        """Return changes of C_d as changes of positions in a bank."""
+    def _position_changes(self, channel: int, radians: Array) -> Values:
+        """Convert changes of C_d in radians to changes of the position in the bank of a channel."""
         return (radians / self._blur.banks[channel].spacing).astype(self._blur.dtype)
 
 
-def _by_sensor(blur: DepthBlur, bank: Bank, spectrum: tuple[tuple[float, float], ...]) -> Bank:
-    """Return a bank of the derivatives of windows by ln d, of points that stay where they are while the sensor moves.
+def _differentiate_by_focus(blur: DepthBlur, bank: Bank, spectrum: tuple[tuple[float, float], ...]) -> Bank:
+    """Return a bank of the derivatives of windows with respect to ln d at fixed points, d the sensor distance.
 
-    By differences of windows as they are cut and divided, which are smooth in d but for bends of the cuts.
+    Finite differences of truncated and normalised windows, which are smooth in d except for kinks of the half widths.
     """
     lens, infinite = blur.lens, float(blur.lens.defocus(math.inf))
     defocus = bank.start + bank.spacing * np.arange(bank.count, dtype=np.float64)
     rate = (float(lens.defocus(1.0)) - infinite) / lens.sensor_distance
     step = min(_STEP_OF_SCALE, _STEP_OF_DEFOCUS / rate)
-    made = []
+    terms = []
     for steps, weight in _DIFFERENCES:
-        there = replace(lens, sensor_distance=lens.sensor_distance * (1.0 + steps * step))
-        light = SensorLight.of(there, spectrum, blur.pixel, blur.threads)
-        pupils = light.defocused(defocus + (float(there.defocus(math.inf)) - infinite))
+        refocused = replace(lens, sensor_distance=lens.sensor_distance * (1.0 + steps * step))
+        light = SensorLight.of(refocused, spectrum, blur.pixel, blur.threads)
+        pupils = light.defocused(defocus + (float(refocused.defocus(math.inf)) - infinite))
         octants = light.shares(pupils, bank.half + 2)
         quarter = cut(octants, find_cuts(octants, bank.half + 2, blur.energy))
-        made.append(weight / step * quarter / sums_of_quarters(quarter)[:, None, None])
-    widest = max(quarter.shape[1] for quarter in made)
-    sums = sum(np.pad(quarter, ((0, 0), *[(0, widest - quarter.shape[1])] * 2)) for quarter in made)
+        terms.append(weight / step * quarter / sums_of_quarters(quarter)[:, None, None])
+    widest = max(quarter.shape[1] for quarter in terms)
+    sums = sum(np.pad(quarter, ((0, 0), *[(0, widest - quarter.shape[1])] * 2)) for quarter in terms)
     whole, ones = np.full(bank.count, widest - 1.0), np.ones(bank.count)
     return replace(bank, windows=stored_windows(np.asarray(sums), blur.dtype), cuts=whole, energies=ones)

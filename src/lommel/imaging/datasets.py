@@ -59,7 +59,7 @@ PathOf = str | PathLike[str]
 
 @dataclass(frozen=True, kw_only=True)
 class LensRanges:
-    """Random lenses: each parameter is a number, or a pair of its least and greatest value.
+    """Random lenses: each parameter is a number, or a pair (smallest value, largest value).
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ class LensRanges:
     Raises
     ------
     TypeError, ValueError
-        If a value is not a number in its valid range, or a pair does not rise.
+        If a value is not a number in its valid range, or the first value of a pair exceeds the second.
 
     Examples
     --------
@@ -108,10 +108,10 @@ class LensRanges:
 
     def draw(self, random: np.random.Generator) -> tuple[Lens, float]:
         """Return a random lens and pixel pitch in metres, from five numbers of `random`."""
-        # Five numbers even if some parameters are constant: the values of the others do not depend on that.
+        # Always five numbers: a parameter that is constant does not change the values of the other parameters.
         length, stops, dioptres, pitch, spherical = random.random(5)
         (nearest, farthest), (least, most) = _ends(self.focus_distance), _ends(self.f_number)
-        # Uniform in 1 / distance, as blur is linear in it.
+        # Uniform in 1 / distance: blur is linear in 1 / distance.
         inverse = _between((1.0 / nearest, 1.0 / farthest), dioptres)
         lens = Lens(
             focal_length=_between(self.focal_length, length),
@@ -125,14 +125,14 @@ class LensRanges:
 
 
 def _range(name: str, value: object) -> Range:
-    """Return a checked number, or pair of numbers that rises."""
-    given = value if isinstance(value, tuple | list) else (value,)
-    if len(given) not in (1, 2):
+    """Return a valid number, or a valid pair (smallest, largest)."""
+    values = value if isinstance(value, tuple | list) else (value,)
+    if len(values) not in (1, 2):
         raise TypeError(f"{name} must be a number or a pair, got {validation.shown(value)}")
     above, infinite = -math.inf if name == "spherical" else 0.0, name == "focus_distance"
-    ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in given)
+    ends = tuple(validation.real(name, each, above=above, infinite=infinite) for each in values)
     if ends[0] > ends[-1]:
-        raise ValueError(f"{name} must rise (least, greatest), got {validation.shown(value)}")
+        raise ValueError(f"{name} must be a pair (smallest, largest), got {validation.shown(value)}")
     return ends[0] if len(ends) == 1 else (ends[0], ends[1])
 
 
@@ -147,14 +147,14 @@ def _between(value: Range, fraction: float) -> float:
 
 @dataclass(frozen=True)
 class Rendered:
-    """One picture of a data set that :func:`lommel.imaging.render_dataset` has written or, for a reason, skipped.
+    """One picture of a data set, written or skipped by :func:`lommel.imaging.render_dataset`.
 
     Attributes
     ----------
     number : int
         Number of the picture, from 0; its photo is ``number // copies``.
     done, total : int
-        Number of pictures that are complete, and that of the whole data set.
+        Number of complete pictures, and number of all pictures of the data set.
     files : tuple of path
         The files of the picture, or with `shard` the tar file into which they are packed; empty if it was skipped.
     facts : dict
@@ -200,14 +200,14 @@ def pair_files(photos: PathOf | Sequence[PathOf], depths: PathOf | Sequence[Path
     first, second = listed
     for one, other, what in ((first, second, "depth map"), (second, first, "photo")):
         if missing := [file for key, file in one.items() if key not in other]:
-            more = f", nor have {len(missing) - 1} other files" if len(missing) > 1 else ""
+            more = f"; so have {len(missing) - 1} other files" if len(missing) > 1 else ""
             raise ValueError(f"{validation.line(missing[0])} has no {what} of the same name{more}")
     return [(first[key], second[key]) for key in first]
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Job:
-    """The arguments that all pictures of a data set share."""
+    """Arguments that all pictures of a data set have in common."""
 
     lenses: LensRanges
     seed: int
@@ -262,19 +262,19 @@ def render_dataset(
     workers: int = 1,
     **options: Unpack[Keywords],
 ) -> Iterator[Rendered]:
-    """Render photos with depth maps through random lenses into a folder, with ground truth; yield each when written.
+    """Render photos with depth maps through random lenses into a folder, with ground truth; yield each picture.
 
-    Pictures that are complete are not rendered again: after an interruption the same call continues. Each picture
-    depends on `seed` and its number only, not on `workers` (except for rounding in the last bit). The files of a
-    picture are moved into place together.
+    Complete pictures are not rendered again: after an interruption, repeat the call to continue. Each picture depends
+    on `seed` and its number only, not on `workers` (except for rounding in the last bit). The files of a picture
+    appear in the folder together, when all are complete.
 
     For picture 12 the folder holds ``000012.image.png`` (blurred, with noise), ``000012.sharp.png``,
     ``000012.depth.npy`` (metres, float32) and ``000012.json`` (lens, noise, names of the files). ``000012.psfs.npz``
     holds PSFs: arrays `defocus` (n,), the defocus coefficient C_d in radians, and `psfs` (n, channels, side, side),
     float32, each of unit sum. ``000012.index.png`` (16 bit) holds the index of the nearest C_d: the scene pixel
-    (y, x) is blurred by about ``psfs[index[y, x]]``. In the JSON file, `psfs_error` estimates the error of this PSF
-    relative to its peak, half of the largest difference between adjacent PSFs, and `error` is the error of the image,
-    whose PSFs are interpolated. WebDataset groups such names into samples.
+    (y, x) is blurred by approximately ``psfs[index[y, x]]``. In the JSON file, `psfs_error` is an estimate of the
+    error of this PSF relative to its peak: half of the largest difference between adjacent PSFs. `error` is the error
+    of the PSFs that blur the image, which are interpolated. WebDataset groups files by the first part of their names.
 
     Parameters
     ----------
@@ -295,15 +295,15 @@ def render_dataset(
         Format of the images: 16-bit PNG in the encoding of the photo, or linear light in float32 (EXR needs the
         package OpenEXR). Zarr is a group of arrays for each picture, images in chunks of 512 by 512 pixels.
     shard : int, optional
-        Number of pictures in each tar file ``shard-000000.tar``, as WebDataset reads them; by default no tar files.
+        Number of pictures in each tar file ``shard-000000.tar`` for WebDataset; by default no tar files are written.
     encoding : {"srgb", "linear"}, optional
         Encoding of the photos; by default integers are sRGB and floats are linear.
     psfs : int, default 32
-        Number of PSFs of a picture, 2 to 4096, at equal steps of C_d over its scene, or 0 for none.
+        Number of PSFs of a picture, 2 to 4096, equally spaced over the range of C_d in its scene; 0 for no PSFs.
     depth_scale, inverse_depth : optional
-        Conversion of depth maps to metres, as `scale` and `inverse` of :func:`lommel.imaging.read_depth`.
+        Conversion of depth maps to metres; see `scale` and `inverse` of :func:`lommel.imaging.read_depth`.
     disparity, zero_is_unknown, unknown, resample : optional
-        As of :func:`lommel.imaging.read_depth`; see `missing` for pixels of unknown depth.
+        See :func:`lommel.imaging.read_depth`; see `missing` for pixels of unknown depth.
     on_error : {"raise", "skip"}, default "raise"
         Handling of a photo or depth map that cannot be used: raise an error, or yield the picture with the reason as
         `failure` and continue. The next call tries a skipped picture again; until then the other pictures of its
@@ -321,9 +321,9 @@ def render_dataset(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, a file has no partner, or `out` is damaged, being written by another call, or
-        made from other arguments or files. During the iteration, unless `on_error` is "skip", if a photo or depth map
-        cannot be used or the blur exceeds `largest`; complete pictures are kept.
+        If an argument is out of range, a file has no partner, or the data set in `out` is damaged, locked by another
+        call, or made from other arguments or files. During the iteration, unless `on_error` is "skip", if a photo or
+        depth map cannot be used or the blur exceeds `largest`; complete pictures are kept.
     OSError
         If a file cannot be written or, unless `on_error` is "skip", read.
 
@@ -389,19 +389,19 @@ def _begin(folder: Path, record: Json) -> None:
     file = folder / _RECORD
     if not file.exists():
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or a data set to go on with")
+            raise ValueError(f"{validation.line(folder)} must be a new or empty folder, or an incomplete data set")
         folder.mkdir(parents=True, exist_ok=True)
         with suppress(FileExistsError), atomic.temporary_for(file, new=True) as place:  # another call may begin, too
             place.write_text(json.dumps(record, indent=1), encoding="utf-8")
     if not isinstance(existing := _read(file), dict):
         raise ValueError(
-            f"{validation.line(file)} is damaged; remove {validation.line(folder)}, or give another folder"
+            f"{validation.line(file)} is damaged; remove {validation.line(folder)}, or choose another folder"
         )
     # A data set must not mix pictures of different arguments.
     if existing != record:
         names = [name for name in record if existing.get(name) != record[name]]
         raise ValueError(
-            f"{validation.line(folder)} holds pictures of other arguments ({', '.join(names)}); give another folder"
+            f"{validation.line(folder)} holds pictures of other arguments ({', '.join(names)}); choose another folder"
         )
 
 
@@ -414,7 +414,7 @@ def _read(file: Path) -> Any:
 
 
 def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[tuple[int, Json]]:
-    """Yield the numbers and facts of pictures all of whose files exist unchanged."""
+    """Yield the numbers and facts of the complete pictures: all their files exist, with unchanged checksums."""
     if shard is None:
         for number in range(total):
             facts = _read(folder / f"{number:06d}.json")
@@ -428,11 +428,11 @@ def _complete_pictures(folder: Path, shard: int | None, total: int) -> Iterator[
     for index in range(-(-total // shard)):
         numbers = range(index * shard, min(total, (index + 1) * shard))
         whole = _shard(folder, index)
-        # Until all pictures of a shard are rendered, each one is a tar file of its own.
+        # Until all pictures of a shard are rendered, each picture is a separate tar file.
         tars = {whole: numbers} if whole.exists() else {_part(folder, number): [number] for number in numbers}
-        for tar, held in tars.items():
+        for tar, contents in tars.items():
             if tar.exists():
-                yield from _in_tar(tar, held)
+                yield from _in_tar(tar, contents)
 
 
 def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
@@ -459,8 +459,8 @@ def _in_tar(path: Path, numbers: Sequence[int]) -> Iterator[tuple[int, Json]]:
 def _render_missing(
     folder: Path, job: _Job, pairs: list[tuple[Path, Path]], shard: int | None, workers: int, skip: bool
 ) -> Iterator[Rendered]:
-    """Render the missing pictures, and yield each when its files are written."""
-    # Locked: two processes in one folder would render the same pictures.
+    """Render the missing pictures, and yield each picture after its files are written."""
+    # Locked: two processes in one folder would render the same pictures twice.
     with atomic.locked(folder / _RECORD, folder):
         total = len(pairs) * job.copies
         where = folder if shard is None else folder / _PARTS
@@ -472,7 +472,7 @@ def _render_missing(
                 if checksum_of(file) != checksum:
                     raise ValueError(
                         f"{validation.line(folder)} holds pictures of another {validation.line(file.name)} "
-                        f"({checksum}, now {checksum_of(file)}); give another folder"
+                        f"({checksum}, now {checksum_of(file)}); choose another folder"
                     )
             complete.add(number)
         missing = [number for number in range(total) if number not in complete]
@@ -499,7 +499,7 @@ def _render_missing(
             for number in missing:
                 yield finish(number, *make(number, *pairs[number // job.copies]))
             return
-        # The processes together have as many threads as there are processors.
+        # Divide the processors among the processes: threads per process.
         threads = job.settings.threads or max(1, (os.cpu_count() or 1) // workers)
         shared = replace(job, settings=replace(job.settings, threads=threads))
         make = partial(_write, shared, where, shard is not None, skip)
@@ -583,11 +583,11 @@ def _pack(folder: Path, index: int, shard: int, total: int) -> None:
 
 
 def _write(job: _Job, folder: Path, packed: bool, skip: bool, number: int, photo: Path, depth: Path) -> _Written:
-    """Render a picture and write its files; return their names, the facts, the reason of a failure, and notes."""
+    """Render a picture and write its files; return their names, the facts, the reason for a failure, and warnings."""
     notes: list[str] = []
     try:
         with warnings.catch_warnings(record=True) as seen:
-            # Record warnings: the parent shows them, as those of a worker process would be lost.
+            # Collect warnings for the parent process: warnings of a worker process would be lost.
             warnings.simplefilter("always", UserWarning)
             try:
                 files, facts = _render(job, number, photo, depth)
@@ -682,7 +682,7 @@ def _render(job: _Job, number: int, photo: Path, depth: Path) -> tuple[dict[str,
             defocus, index, psfs = table
             files["index.png"] = png_of_16_bits(index, None, 1)
             files["psfs.npz"] = atomic.contents(np.savez_compressed, defocus=defocus, psfs=psfs)
-    # The JSON file is written last: it lists the checksums of the others.
+    # The JSON file is written last: it lists the checksums of the other files.
     facts_with_checksums = facts | {"files": {name: of_bytes(data) for name, data in files.items()}}
     files["json"] = json.dumps(facts_with_checksums, indent=1).encode()
     return files, facts

@@ -19,7 +19,7 @@ from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.core.engine import FocalStream
 from lommel.estimation.focal_model import FocalLight, Transfer, transfer_curve
-from lommel.imaging.defocus_verdict import DefocusVerdict, judged
+from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
@@ -44,11 +44,11 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MOST = 2001  # largest number of candidates
-_LEAST_OF_BLOCK = 2.0  # rms width of windows, pixels, above which blocks have a side of four; below, of two
-_ROWS = 1024  # rows computed together
-_WHOLE = 16  # pixels a side that squares and blocks divide
-_LEAST_SIDE = 160  # pixels a side computed together: smaller photographs are extended by mirrored, unknown pixels
-_LEAST_VARIANCE = 1e-3  # variance of a pixel read without noise, over the mean light
+_LEAST_OF_BLOCK = 2.0  # rms width of windows, pixels, from which blocks are 4 pixels wide; for smaller windows, 2
+_ROWS = 1024  # number of rows computed together
+_MULTIPLE = 16  # pixels; a multiple of the sides of all blocks and of all squares that are binned
+_LEAST_SIDE = 160  # smallest height and width computed; smaller photographs are padded with mirrored pixels
+_ADDED_VARIANCE = 1e-3  # variance added to the read-noise variance, as a fraction of the mean electrons per pixel
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,16 +60,16 @@ class DefocusDepth:
     depth : ndarray, shape (height, width)
         Distance from the lens, metres; NaN where depth cannot be determined.
     errors : ndarray, shape (height, width)
-        Its standard error, metres; inf where depth cannot be determined.
+        Standard error of `depth`, metres; inf where depth cannot be determined.
     misfit : ndarray, shape (height, width)
         Residual difference of the photographs at the estimated depth, relative to the noise: 1 where registration and
-        noise model hold, more at depth edges, at borders and where something moved. The standard error includes it.
+        noise model are right, more at depth edges, borders and moving objects. `errors` increase with it.
     candidates : ndarray, shape (count,)
         Candidate distances, metres.
     exposures : tuple of float
         Exposure of each photograph relative to the first, as given or measured.
     encoding : {"srgb", "linear"}
-        Of the photographs, and of `sharp`.
+        Encoding of the photographs and of `sharp`.
     """
 
     depth: Array
@@ -88,25 +88,28 @@ class DefocusDepth:
 
     @cached_property
     def verdict(self) -> DefocusVerdict:
-        """Whether registration, noise and lenses agree with the photographs; computed on first use, some seconds."""
+        """Test of registration, noise and lenses against the photographs; computed on first use in some seconds."""
         return self._judge()
 
     @cached_property
     def sharp(self) -> Values:
         """The all-in-focus image by Wiener filtering, encoded like the photographs; ValueError without depths."""
         if self.known == 0.0:
-            raise ValueError("no depth is known, and so there is no sharp image: the photographs have no texture")
+            raise ValueError(
+                "no depth is known, so there is no sharp image: use photographs with texture, and a range that holds "
+                "the scene (between)"
+            )
         return self._sharpen(np.asarray(fill_missing(self.depth, "nearest"), dtype=np.float64))
 
     def to_dict(self) -> Json:
-        """Return the result as plain data, as JSON has it, without images; it is judged then, if it was not before.
+        """Return the result without images as plain data for JSON; computes `verdict` if necessary.
 
         Returns
         -------
         dict
-            What the verdict has; the shape, the number of candidates, the
-            exposures, the fraction that is known, and there the percentiles of depth and the median of its standard
-            error, metres; None where these are not finite.
+            The entries of ``verdict.to_dict()``, shape, number of candidates, exposures and fraction of pixels with
+            known depth; for these pixels, percentiles of depth and the median of its standard error, metres. None if
+            no depth is known, and for values that are not finite.
         """
         facts, inner = self.verdict.to_dict(), np.isfinite(self.errors)
         ends = np.percentile(self.depth[inner], [5.0, 50.0, 95.0]).tolist() if inner.any() else None
@@ -127,7 +130,7 @@ class DefocusDepth:
         write_depth(Path(path), self.depth)
 
     def plot(self) -> Figure:
-        """Draw depth, its standard error and the all-in-focus image on a figure of matplotlib."""
+        """Plot depth, its standard error and the all-in-focus image in a Matplotlib figure."""
         light = to_light("sharp", self.sharp, self.encoding, np.float64) if self.known else None
         return estimates.maps(self.depth, self.errors, light)
 
@@ -164,35 +167,35 @@ def depth_from_defocus(
     Parameters
     ----------
     photographs : sequence of array_like, shape (height, width) or (height, width, channels)
-        Two or more of the same scene from the same place, unsigned integers (white is their largest value) or floats.
-        NaN, and the largest value of integers, mark unknown pixels. Neither denoised nor sharpened, nor a JPEG of low
-        quality: depths are weighed by the noise.
+        Two or more photographs of one scene from one position: floats, or unsigned integers with the largest value as
+        white. NaN, and the largest value of integers, mark unknown pixels. Do not denoise or sharpen photographs, and
+        do not use low-quality JPEG: depth is estimated relative to the noise.
     lenses : sequence of Lens
         Lens of each photograph, at its focus distance and f-number; circular apertures and radially symmetric
         aberrations only.
     pixel : float
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
-        Of the values.
+        Encoding of the photographs.
     noise : Noise
-        Noise of the linear photographs, whose white is 1: ``white`` is the number of electrons at white.
+        Noise of the linear photographs, where white is 1: ``noise.white`` is the number of electrons at white.
     between : (float, float)
         Nearest and farthest candidate distance, metres; the farthest may be infinite.
     candidates : int, optional
-        Number of candidate distances, equally spaced in 1 / distance, up to three more so that it is one more than a
-        multiple of four. By default 61, or more where defocus would change by more than 0.75 rad from one to the
-        next. They reach a little beyond the range; depth is interpolated between them.
+        Number of candidate distances, equally spaced in 1 / distance; rounded up to a multiple of four plus one. By
+        default 61, or more if defocus would change by more than 0.75 rad between neighbouring candidates. The
+        candidates extend slightly beyond the range; depth is interpolated between them.
     wavelengths : sequence, optional
-        As of :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
+        See :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
     f_number_error : float, default 0.0
-        Relative standard error of the f-numbers, which are all off alike, below 0.5: of a lens that is not measured
-        0.05, say. Those of the pixel pitch count as much, of the focal length twice. 0 if lenses are as stated.
+        Common relative standard error of all f-numbers, below 0.5; for example 0.05 for a lens that was not measured.
+        Add the relative error of the pixel pitch, and twice that of the focal length. 0 for lenses exactly as stated.
     focus_error : float, default 0.0
-        Standard error of each focus distance by itself, dioptres (1 / m).
+        Standard error of each focus distance, independent of the other distances, dioptres (1 / m).
     transfer : callable, optional
-        ``transfer(lens, vergence, spectrum, pixel)``, for other PSFs than those of the lenses: a function of the
-        frequency, cycles per pixel, to the transfer function of the optics, without that of the pixel, of shape
-        ``(len(vergence), *frequency.shape)``. `spectrum` has pairs of wavelengths, metres, and weights.
+        ``transfer(lens, vergence, spectrum, pixel)``, for PSFs other than those of the lenses. It returns a function
+        that maps `frequency` (cycles per pixel) to the transfer function of the optics, without the pixel, of shape
+        ``(len(vergence), *frequency.shape)``. `spectrum` is a sequence of pairs (wavelength in metres, weight).
     progress : callable, optional
         Called as ``progress(done, bands)`` after each band of rows.
     {options}
@@ -204,22 +207,22 @@ def depth_from_defocus(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another shape, if a lens is not radially symmetric, if there are not two
-        photographs or more, or if `candidates` are more than two radians of defocus from one another.
+        If an argument is out of range or of another shape, if a lens is not radially symmetric, if there are fewer
+        than two photographs, or if neighbouring `candidates` are more than 2 rad of defocus apart.
 
     Notes
     -----
-    The residual of two photographs, each through the transfer function of the other, is noise at the true depth,
-    whatever the texture, so a wrong assumption about the texture does not bias it (compare Subbarao and Surya 1994,
-    doi:10.1007/BF02028349, and Favaro and Soatto 2005, doi:10.1109/TPAMI.2005.43). Transfer functions are those of a
-    scene that is continuous: of the optics and the pixel, without aliases, which are noise. The filters are those of
-    :class:`lommel.imaging.LiveDepth`, between whose blocks energies are interpolated. The standard error follows from
-    the curvature of the energy at its minimum, the noise and the size of the window, and grows with the misfit, with
-    the slope of the depth map and next to its edges; compare :func:`lommel.depth_precision`. It has a part of errors
-    that are stated of lenses, which shift whole surfaces; without these it holds for lenses exactly as stated. Depth
-    is NaN where its standard error exceeds a sixth of the range in 1 / distance, where another candidate costs hardly
-    more, where the best candidate is the first or the last, and where half of a window or more is within the blur of
-    the border or of unknown pixels.
+    If two photographs are each filtered by the transfer function of the other, their difference (residual) at the
+    true depth is noise, whatever the texture. A wrong assumption about the texture therefore does not bias depth
+    (compare Subbarao and Surya 1994, doi:10.1007/BF02028349, and Favaro and Soatto 2005,
+    doi:10.1109/TPAMI.2005.43). The transfer functions, of optics and pixel, are those of a continuous scene; aliases
+    are treated as noise. The energy, the mean square of the residual over a window, is computed in blocks by the
+    filters of :class:`lommel.imaging.LiveDepth`, and interpolated between blocks. The standard error follows from the
+    curvature of the energy at its minimum, the noise and the size of the window. It grows with the misfit, with the
+    slope of the depth map and near depth edges; compare :func:`lommel.depth_precision`. It includes the stated errors
+    of the lenses, which shift whole surfaces. Depth is NaN where its standard error exceeds 17 % of the range in
+    1 / distance, where another candidate has almost the same energy, where the best candidate is the first or the
+    last, and where half of a window or more is within the blur of the border or of unknown pixels.
 
     Examples
     --------
@@ -240,10 +243,10 @@ def depth_from_defocus(
     chosen = DefocusOptions(**given)
     exposures, saturation = chosen.exposures, chosen.saturation
     if isinstance(exposures, str):
-        said = validation.shown(exposures)
-        raise TypeError(f'exposures must be numbers, got {said}; "smooth" ratios are those of LiveDepth')
+        text = validation.shown(exposures)
+        raise TypeError(f'exposures must be numbers, got {text}; only LiveDepth accepts "smooth"')
     pitch = pixel_of(lenses, pixel)
-    photos = _one_of_each(photographs, lenses)
+    photos = _list_photographs(photographs, lenses)
     noise = validation.instance("noise", noise, Noise).poisson
     width = validation.real("window", chosen.window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     validation.function("progress", progress, required=False)
@@ -254,7 +257,7 @@ def depth_from_defocus(
     validation.real("focus_error", focus_error, least=0.0, unit="dioptres")
     counts = _counts(photos, saturation)
     first = counts[0].values
-    if wavelengths is None and all(_is_grey(one.values) for one in counts):  # stored three times, it was counted once
+    if wavelengths is None and all(_is_grey(one.values) for one in counts):  # three copies of one measurement
         counts = [one[..., 0] for one in counts]
     electrons, known = zip(
         *(_electrons(f"photographs[{k}]", one, encoding, noise) for k, one in enumerate(counts)), strict=True
@@ -268,38 +271,38 @@ def depth_from_defocus(
     registered = Registration(chosen.magnification, lenses, valid.shape, processors())
     for channel in images if registered else ():
         channel[1:] = registered(list(channel), math.inf, valid.view(np.uint8))[1:]
-    # Registration makes NaN of what depends on unknown pixels.
+    # Registration returns NaN for pixels that depend on unknown pixels.
     valid = np.isfinite(images).all(axis=(0, 1)) & valid
     means = images[..., valid].mean(axis=(0, 2), dtype=np.float64)
     if not np.all(means > 0.0):
-        told = ", ".join(f"{each:.4g}" for each in means)
-        raise ValueError(f"photographs must hold light on average, got {told} electrons a pixel")
-    mean, exposed = float(means[0]), tuple((means / means[0]).tolist())
-    exposed = exposed if exposures is None else relative_exposures(exposures, len(lenses))
-    # All frames at the exposure of the first: one level of light holds for all tables.
-    images /= np.asarray(exposed, dtype=np.float32)[:, None, None]
+        text = ", ".join(f"{each:.4g}" for each in means)
+        raise ValueError(f"photographs must have a mean above 0, got {text} electrons per pixel")
+    mean, ratios = float(means[0]), tuple((means / means[0]).tolist())
+    ratios = ratios if exposures is None else relative_exposures(exposures, len(lenses))
+    # Scale all frames to the exposure of the first: the tables assume one light level.
+    images /= np.asarray(ratios, dtype=np.float32)[:, None, None]
     channels = Settings(wavelengths=wavelengths).channels(counts[0].values.shape, lenses[0].wavelength)
     spectra = [((each, 1.0),) if isinstance(each, float) else tuple(each) for each in channels]
     block = BLOCK if width >= _LEAST_OF_BLOCK else BLOCK // 2
     sizes = width, block, block, processors()
     task = FocalTask(lenses, vergence, spectra, pitch, ends, *sizes, transfer, registered.scales)
-    read = math.sqrt(float(np.mean(np.square(noise.read))) + _LEAST_VARIANCE * mean)
-    engine = FocalEngine(task, FocalLight(mean, read, exposed, CONTRAST))
+    read = math.sqrt(float(np.mean(np.square(noise.read))) + _ADDED_VARIANCE * mean)
+    engine = FocalEngine(task, FocalLight(mean, read, ratios, CONTRAST))
     position, spread, misfit = _search(engine, images, valid, progress)
-    # Blur changes linearly with 1 / distance, so candidates have equal steps of it.
+    # Blur is linear in 1 / distance: the candidates are equally spaced in it.
     step = float(vergence[1] - vergence[0])
-    found, errors = vergence[0] + step * position.astype(np.float64), step * spread
+    estimate, errors = vergence[0] + step * position.astype(np.float64), step * spread
     stated = f_number_error
     if f_number_error or focus_error:
-        stated = _add_lens_errors(engine, lenses, (f_number_error, focus_error), found, errors, spread)
+        stated = _add_lens_errors(engine, lenses, (f_number_error, focus_error), estimate, errors, spread)
     with np.errstate(invalid="ignore", divide="ignore"):
-        depth, distances = 1.0 / found, 1.0 / vergence
-        # d(1 / v) = -dv / v^2.
+        depth, distances = 1.0 / estimate, 1.0 / vergence
+        # Depth is 1 / v at the vergence v: d(1 / v) = -dv / v^2.
         sigma = np.where(np.isfinite(errors), errors * depth**2, np.inf)
 
     def sharpen(filled: Array) -> Values:
         place = np.asarray((1.0 / filled - vergence[0]) / step, dtype=np.float32)
-        light = np.moveaxis(noise.image(_sharp(engine, images, valid, place)), 0, 2)
+        light = np.moveaxis(noise.image(_compute_sharp(engine, images, valid, place)), 0, 2)
         light = np.broadcast_to(light, (*valid.shape, *first.shape[2:])) if first.ndim == 3 else light[..., 0]
         if first.dtype.kind != "f":
             light = np.clip(light, 0.0, 1.0)
@@ -307,21 +310,21 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    judge = partial(judged, engine, images, valid, spread, misfit, found, stated)
-    return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, exposed, encoding, sharpen, judge)
+    judge = partial(judge_frames, engine, images, valid, spread, misfit, estimate, stated)
+    return DefocusDepth(depth, sigma, misfit.astype(np.float64), distances, ratios, encoding, sharpen, judge)
 
 
-def _one_of_each(photographs: object, lenses: Sequence[Lens]) -> list[object]:
-    """Return the photographs, with their masks; ValueError unless as many as lenses, at least two."""
+def _list_photographs(photographs: object, lenses: Sequence[Lens]) -> list[object]:
+    """Return the photographs with their masks; ValueError unless there is one for each of at least two lenses."""
     if len(lenses) < 2:
         raise ValueError(
             f"lenses must be two or more: one photograph cannot separate blur from soft texture; got {len(lenses)}"
         )
-    given = list(photographs) if isinstance(photographs, list | tuple) else _separate_photographs(photographs)
-    if len(given) != len(lenses):
-        count = len(given) or validation.shown(photographs)
+    images = list(photographs) if isinstance(photographs, list | tuple) else _separate_photographs(photographs)
+    if len(images) != len(lenses):
+        count = len(images) or validation.shown(photographs)
         raise ValueError(f"photographs must be as many as lenses, {len(lenses)}, got {count}")
-    return given
+    return images
 
 
 def _counts(photographs: list[object], saturation: float | None) -> list[Counts]:
@@ -341,51 +344,51 @@ def _add_lens_errors(
     engine: FocalEngine,
     lenses: Sequence[Lens],
     stated: tuple[float, float],
-    found: Array,
+    estimate: Array,
     errors: Array,
     spread: Values,
 ) -> float:
-    """Add standard errors of f-numbers and foci to those of 1 / distance; return that of the size of blur.
+    """Add the errors of f-numbers and foci to `errors`, the standard errors of 1 / distance, in place.
 
-    Where the sum is too large, depth is not known.
+    Sets depth to unknown where the sum is too large. Returns the relative standard error of the scale of blur.
     """
     f_number_error, focus_error = stated
     foci = [1.0 / lens.focus_distance for lens in lenses]
     inner = np.isfinite(errors)
-    of_f_number, *of_foci = engine.by_lenses(found[inner])
-    # Frames of one focus share its error.
+    of_f_number, *of_foci = engine.by_lenses(estimate[inner])
+    # Frames with equal focus distances share one focus error.
     shared = [np.sum([by for by, each in zip(of_foci, foci, strict=True) if each == one], 0) for one in set(foci)]
     errors[inner] = np.sqrt(
         errors[inner] ** 2 + (f_number_error * of_f_number) ** 2 + focus_error**2 * np.square(shared).sum(axis=0)
     )
-    lost = inner & (errors > engine.known)
-    found[lost], errors[lost], spread[lost] = math.nan, math.inf, math.inf
+    unknown = inner & (errors > engine.known)
+    estimate[unknown], errors[unknown], spread[unknown] = math.nan, math.inf, math.inf
     if len(shared) == 1:
         return f_number_error
-    # Blurs of two frames differ by the difference of their foci: two independent errors e change it by sqrt(2) e.
+    # The blurs of two frames differ in proportion to the difference of their foci; its error is sqrt(2) focus_error.
     return math.hypot(f_number_error, math.sqrt(2.0) * focus_error / (max(foci) - min(foci)))
 
 
 def _bands(shape: tuple[int, int], reach: int) -> Iterator[tuple[slice, slice]]:
-    """Yield the rows computed together, and the rows they depend on, in whole squares and blocks."""
+    """Yield the rows that are computed together, and the rows that they depend on, in whole blocks."""
     for top in range(0, shape[0], _ROWS):
         bottom = min(top + _ROWS, shape[0])
-        # From a multiple of 16 rows on, so that squares and blocks are those of the whole photograph.
-        above = max(0, top - reach) // _WHOLE * _WHOLE
+        # The first row is a multiple of 16: blocks are at the same pixels as in the whole photograph.
+        above = max(0, top - reach) // _MULTIPLE * _MULTIPLE
         yield slice(top, bottom), slice(above, min(shape[0], bottom + reach))
 
 
-def _framed(images: Values, valid: NDArray[np.bool_]) -> tuple[list[Values], NDArray[np.uint8]]:
-    """Return planes mirrored up to a size of whole squares, and a map of known pixels: 2 where mirrored."""
-    sides = [max(_LEAST_SIDE, math.ceil(side / _WHOLE) * _WHOLE) for side in valid.shape]
+def _pad_images(images: Values, valid: NDArray[np.bool_]) -> tuple[list[Values], NDArray[np.uint8]]:
+    """Return planes padded by mirroring to multiples of 16, and a map: 1 known, 0 unknown, 2 mirrored pixels."""
+    sides = [max(_LEAST_SIDE, math.ceil(side / _MULTIPLE) * _MULTIPLE) for side in valid.shape]
     more = [(0, side - own) for side, own in zip(sides, valid.shape, strict=True)]
     planes = [np.pad(one, more, mode="symmetric") for one in images.reshape(-1, *valid.shape)]
     return planes, np.pad(valid.astype(np.uint8), more, constant_values=2)
 
 
-def _take(stream: FocalStream, planes: list[Values], known: NDArray[np.uint8]) -> None:
+def _load_planes(stream: FocalStream, planes: list[Values], known: NDArray[np.uint8]) -> None:
     """Load planes, in electrons, into a stream."""
-    # Gains are polynomials in x and y: a constant 1, for photographs at equal exposure.
+    # Gains are polynomials in x and y, here the constant 1: the photographs were scaled to equal exposure.
     gains = np.zeros((len(planes), 6), dtype=np.float32)
     gains[:, 0] = 1.0
     stream.take(planes, gains, 0.0, math.inf, known)
@@ -394,42 +397,42 @@ def _take(stream: FocalStream, planes: list[Values], known: NDArray[np.uint8]) -
 def _search(
     engine: FocalEngine, images: Values, valid: NDArray[np.bool_], progress: Callable[[int, int], object] | None
 ) -> NDArray[np.float32]:
-    """Return position and its standard error, in candidates, and misfit of each pixel."""
-    found = np.empty((3, *valid.shape), dtype=np.float32)
+    """Return the depth of each pixel and its standard error, in candidates, and the misfit, (3, height, width)."""
+    result = np.empty((3, *valid.shape), dtype=np.float32)
     bands = list(_bands(valid.shape, engine.reach))
     for done, (inside, around) in enumerate(bands, 1):
-        planes, known = _framed(images[:, :, around], valid[around])
+        planes, known = _pad_images(images[:, :, around], valid[around])
         stream = engine.stream(known.shape)
-        _take(stream, planes, known)
-        made = np.empty((3, *known.shape), dtype=np.float32)
-        stream.places(*made)
+        _load_planes(stream, planes, known)
+        padded = np.empty((3, *known.shape), dtype=np.float32)
+        stream.places(*padded)
         first = inside.start - around.start
-        found[:, inside] = made[:, first : first + inside.stop - inside.start, : valid.shape[1]]
+        result[:, inside] = padded[:, first : first + inside.stop - inside.start, : valid.shape[1]]
         if progress is not None:
             progress(done, len(bands))
-    return found
+    return result
 
 
-def _sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place: Values) -> Array:
-    """Return the electrons of the scene in focus, (channels, height, width), at positions of candidates."""
+def _compute_sharp(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], place: Values) -> Array:
+    """Return the all-in-focus image in electrons, (channels, height, width); `place` is the depth in candidates."""
     if not engine.images:
         engine.sharpen()
     out = np.empty((len(images), *valid.shape))
     for inside, around in _bands(valid.shape, engine.reach):
         first = inside.start - around.start
         for channel, several in enumerate(images[:, :, around]):
-            planes, known = _framed(several, valid[around])
+            planes, known = _pad_images(several, valid[around])
             stream = engine.image_stream(known.shape, channel)
-            _take(stream, planes, known)
+            _load_planes(stream, planes, known)
             more = [(0, side - own) for side, own in zip(known.shape, place[around].shape, strict=True)]
-            made = np.empty(known.shape, dtype=np.float32)
-            stream.mix(np.pad(place[around], more, mode="edge"), 1, engine.factors(channel, None), made)
-            out[channel, inside] = made[first : first + inside.stop - inside.start, : valid.shape[1]]
+            padded = np.empty(known.shape, dtype=np.float32)
+            stream.mix(np.pad(place[around], more, mode="edge"), 1, engine.factors(channel, None), padded)
+            out[channel, inside] = padded[first : first + inside.stop - inside.start, : valid.shape[1]]
     return out
 
 
 def _separate_photographs(photographs: object) -> list[object]:
-    """Return the photographs of one array or container, with their masks; none if it has no axis for them."""
+    """Return the photographs in one array, with their masks; an empty list if the array has fewer than three axes."""
     values, hidden = validation.parted("photographs", photographs)
     if values.ndim < 3:
         return []
@@ -442,7 +445,7 @@ def _is_grey(values: Values) -> bool:
 
 
 def _electrons(name: str, counts: Counts, encoding: str, noise: Noise) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the electrons of one photograph, channels first, and its known pixels."""
+    """Return the electrons of one photograph, (channels, height, width), and the map of its known pixels."""
     values = counts.values
     pixels: NDArray[np.bool_] = np.asarray(counts.known.reshape(*values.shape[:2], -1).all(axis=2))
     light = to_light(name, np.where(counts.known, values, values.dtype.type(0)), encoding, np.float64)

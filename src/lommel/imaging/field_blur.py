@@ -23,7 +23,7 @@ from lommel.base.threads import side_by_side
 from lommel.deconvolve.linear import LARGEST, LinearBlur, WindowBlur, copies, without_copies
 from lommel.field.maps import FieldMap, require_light, require_one_aperture
 from lommel.field.psf_grid import sides
-from lommel.imaging.blur import require_depth, require_lens, tell_of_depths
+from lommel.imaging.blur import require_depth, require_lens, warn_of_depths
 from lommel.imaging.sensor_light import too_large
 from lommel.imaging.settings import FieldKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
@@ -41,10 +41,10 @@ class FieldBlur(LinearBlur):
     """Blur that varies over the field and with depth, a linear operator: ``out[q] = sum_p image[p] K_p(q - p)``.
 
     K_p is the pixel-integrated PSF of the source point p, at its field position and, if `depth` is given, at its
-    distance. It is truncated to a window that contains at least the fraction `energy` of the light, of one size for
-    all points, and normalised to sum 1. Between nodes over the field (and over defocus) K_p is interpolated by
-    splines; the nodes are chosen so that the error of K_p is below `tol`. With ``energy=1`` K_p is not truncated:
-    beyond the windows all points share one kernel, scaled to the light of each.
+    distance. It is truncated to a window (a square of pixels, of one size for all points) that contains at least the
+    fraction `energy` of the light, and normalised to sum 1. Windows are computed at nodes (positions over the field
+    and over defocus) and interpolated by splines; the number of nodes follows from `tol`. With ``energy=1`` K_p is
+    not truncated: outside the windows all points have one common kernel, scaled to the light that remains.
 
     Parameters
     ----------
@@ -55,11 +55,11 @@ class FieldBlur(LinearBlur):
     pixel : float
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
     depth : array_like, shape (height, width), optional
-        Distance of each point from the lens along the axis, metres, positive; may be infinite. The defocus of `lens`
-        at this distance is added to the wavefront of the map.
+        Distance of each point from the lens along the axis, metres, positive or infinite. The defocus of `lens` at
+        this distance is added to the wavefront of the map.
     lens : Lens, optional
-        Lens from which defocus is computed, of the wavelength, f-number and aperture of the map, without aberrations.
-        Required with `depth`; not accepted without.
+        Lens for the defocus, without aberrations, with the wavelength, f-number and aperture of the map. Required
+        with `depth`, and not accepted without `depth`.
     center : (float, float), optional
         Row and column of the optical axis, in pixels from the centre of the first pixel; by default the centre of
         the image. For a crop the axis may lie outside the image.
@@ -69,32 +69,32 @@ class FieldBlur(LinearBlur):
     channels : sequence, default (wavelength of the map,)
         For each channel a wavelength (metres), or a spectrum: pairs of wavelength and weight.
     tol : float, default 1e-3
-        Limit on the sum of absolute differences between K_p and the exact window, both of sum 1; 1e-6 to 1e-1.
+        Largest sum of absolute differences between an interpolated and an exact window, both of sum 1; 1e-6 to 1e-1.
         Checked half-way between nodes.
     {options}
 
     Attributes
     ----------
     banks : tuple of FieldBank
-        One for each channel.
+        Bank (table of windows) of each channel.
     error : float
         Largest sum of absolute differences between interpolated and exact windows, over the checked positions of all
         channels.
     lost : float
-        Largest fraction of the light beyond the windows, over the same positions. The sum of absolute differences
+        Largest fraction of the light outside a window, over the checked positions. The sum of absolute differences
         between a window and the whole PSF is at most ``error + 2 * lost``.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range; if the image goes beyond the map; if the blur exceeds `largest`, or its
-        windows have more than 2^27 values.
+        If an argument is out of range, if the image extends beyond the map, if a window exceeds `largest`, or if the
+        windows of a channel have more than 2^27 values in total.
 
     Notes
     -----
-    Each source spreads its light by its own PSF (scatter), as in a lens. Averaging around each pixel with the PSF of
-    that pixel (gather) is the transpose. Light is conserved: for a lens that is darker towards the corners, multiply
-    the image by the relative illumination first.
+    Each source point spreads its light by its own PSF (scatter), as in a lens. Averaging around each pixel with the
+    PSF of that pixel (gather) would be the transpose. Light is conserved: for a lens with vignetting, multiply the
+    image by the relative illumination first.
 
     Beyond the edges ("reflect", "extend"), the copy of a point has the PSF of the original.
 
@@ -135,7 +135,7 @@ class FieldBlur(LinearBlur):
         self.threads = settings.threads or 0
         self._scaled = sensor is not None  # the pixels of the image are not those of the PSFs
         if channels is not None and not metric:
-            raise ValueError("channels need a map with a wavelength, to which theirs are related")
+            raise ValueError("channels need a map with a wavelength; make the map with wavelength= and f_number=")
         self.spectra = (None,) if channels is None else spectra("channels", channels)
         self.channels = len(self.spectra)
         self.y, self.x = self._field_positions(center, sensor)
@@ -143,7 +143,7 @@ class FieldBlur(LinearBlur):
         spans = [(float(positions[0]), float(positions[-1])) for positions in (self.y, self.x)]
         spans.append((float(self.defocus.min()), float(self.defocus.max())))
 
-        # Channels with equal spectra share a bank: the windows are by far the largest part of the work.
+        # Channels with equal spectra share a bank: computing windows takes most of the time.
         @cache
         def bank_and_operators(
             spectrum: tuple[tuple[float, float], ...] | None,
@@ -160,29 +160,29 @@ class FieldBlur(LinearBlur):
 
     @property
     def error(self) -> float:
-        """Largest sum of absolute differences between interpolated and exact windows, where they were checked."""
+        """Largest sum of absolute differences between interpolated and exact windows, at the checked positions."""
         return max(bank.error + parts[0].error for bank, parts in zip(self.banks, self._parts, strict=True))
 
     @property
     def lost(self) -> float:
-        """Largest fraction of the light beyond the windows, where they were checked."""
+        """Largest fraction of the light outside a window, at the checked positions."""
         return max(bank.lost for bank in self.banks)
 
     def crop(
         self, shape: int | tuple[int, int], *, center: tuple[float, float], depth: ArrayLike | None = None
     ) -> FieldBlur:
-        """Return the blur of a part of this image, or of another depth, without computing windows anew.
+        """Return the blur of a part of this image, or with another depth, without computing new windows.
 
         For data sets: the windows of the whole image are computed once, and each crop takes a few milliseconds.
 
         Parameters
         ----------
         shape : int or (int, int)
-            Height and width of the crop, pixels. The windows keep the size of those of this blur.
+            Height and width of the crop, pixels. The size of the windows does not change.
         center : (float, float)
             Row and column of the optical axis, in pixels from the centre of the first pixel of the crop.
         depth : array_like, shape (height, width), optional
-            Distances (m) within the range of those of this blur. Required if this blur has a depth.
+            Distances (m) within the depth range of this blur. Required if this blur has a depth.
 
         Returns
         -------
@@ -192,8 +192,8 @@ class FieldBlur(LinearBlur):
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range; if the crop goes beyond the image or the depth range of this blur; or if
-            this blur was made with ``sensor=``, so that pixels of the image differ from those of the PSFs.
+            If an argument is out of range, if the crop exceeds the image or the depth range of this blur, or if this
+            blur was made with ``sensor=``: its image and its PSFs have different pixel pitches.
 
         Examples
         --------
@@ -206,26 +206,26 @@ class FieldBlur(LinearBlur):
         True
         """
         if self._scaled:
-            raise ValueError("crop needs a blur whose image has its true size, without sensor=")
+            raise ValueError("crop needs a blur made without sensor=, which changes the pixel pitch of the image")
         crop = copy.copy(self)
         crop.shape = validation.image_shape(shape)
         crop.y, crop.x = crop._field_positions(validation.position("center", center), None)
         lens = self.lens
         if (depth is None) != (lens is None):
             requirement = "must not have a depth" if lens is None else "needs a depth"
-            raise ValueError(f"crop {requirement}, as the blur that it is part of")
+            raise ValueError(f"crop {requirement}, like the blur that it is a part of")
         crop.defocus = crop._defocus_map(depth, lens)
         for name, positions, axis in zip(
             ("rows", "columns", "defocus"), (crop.y, crop.x, crop.defocus), self.banks[0].axes, strict=True
         ):
             first, last = axis.first, axis.last
-            # A thousandth of a pixel beyond the nodes is rounding: splines are constant beyond their ends.
+            # Rounding may exceed the nodes by up to 1e-3 pixel; splines are constant beyond their ends.
             slack = 1e-6 * (last - first) + (1e-3 * self.pixel if name != "defocus" else 1e-9)
             if not (first - slack <= positions.min() and positions.max() <= last + slack):
                 unit = "rad" if name == "defocus" else self.field_map.unit
                 raise ValueError(
-                    f"crop must be within the blur that it is part of: its {name} span {positions.min():.6g} to "
-                    f"{positions.max():.6g} {unit}, and those {first:.6g} to {last:.6g}"
+                    f"crop must be within the blur that it is a part of: its {name} span {positions.min():.6g} to "
+                    f"{positions.max():.6g} {unit}, the {name} of the blur {first:.6g} to {last:.6g} {unit}"
                 )
         # Channels with equal spectra share a bank.
         operators = {id(bank): crop._operators(bank) for bank in {id(bank): bank for bank in self.banks}.values()}
@@ -249,13 +249,13 @@ class FieldBlur(LinearBlur):
         return bank.window(float(self.y[row]), float(self.x[column]), float(self.defocus[row, column]))
 
     def forward(self, image: Values) -> Values:
-        """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
+        """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
         return self.by_channel(
             image, lambda channel, plane: reduce(np.add, (part.forward(plane) for part in self._parts[channel]))
         )
 
     def adjoint(self, image: Values) -> Values:
-        """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
+        """Return the transpose of :meth:`forward` of `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
         return self.by_channel(
             image, lambda channel, plane: reduce(np.add, (part.adjoint(plane) for part in self._parts[channel]))
         )
@@ -279,8 +279,8 @@ class FieldBlur(LinearBlur):
             height, width = self.shape
             raise ValueError(
                 f"{error}: the image spans {height} x {width} pixels with y from {y[0]:.4g} to {y[-1]:.4g} and "
-                f"x from {x[0]:.4g} to {x[-1]:.4g} {unit}; take a smaller shape, another center= (row and column of "
-                "the axis), or a map of more of the field"
+                f"x from {x[0]:.4g} to {x[-1]:.4g} {unit}; use a smaller shape, another center= (row and column of "
+                "the axis), or a map of a larger field"
             ) from None
         return y, x
 
@@ -292,28 +292,28 @@ class FieldBlur(LinearBlur):
         """Return the defocus C_d (rad) of each point, shape (height, width); 0 without a depth."""
         if (depth is None) != (lens is None):
             missing = "lens" if lens is None else "depth"
-            raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
+            raise ValueError(f"{missing} is missing: depth= and lens= must be given together")
         if lens is None or depth is None:
-            # A view of one number: no depth means no defocus anywhere.
+            # A read-only view of one number: without a depth map, defocus is 0 everywhere.
             return np.broadcast_to(0.0, self.shape)
         require_lens(lens, "field_map, shape, pixel, and depth= and lens=")
         distances = require_depth(depth)
         if distances.shape != self.shape:
             raise ValueError(f"depth must have the shape of the image, {self.shape}, got {distances.shape}")
         require_light(self.field_map.pupil_without_wavefront, lens)
-        tell_of_depths(lens, self.pixel, distances)
+        warn_of_depths(lens, self.pixel, distances)
         defocus = lens.defocus(distances)
         defocus.flags.writeable = False
         return defocus
 
     def _operators(self, bank: FieldBank) -> tuple[WindowBlur | MixedBlur, ...]:
-        """Return the operators of a channel: that of its windows and, with ``energy=1``, of the light beyond them."""
+        """Return the operators of a channel: for its windows and, with ``energy=1``, for the light outside them."""
         mixed_blur = partial(MixedBlur, border=self.border, threads=self.threads)
         focus, down, across = bank.axes[2], bank.axes[0].weights(self.y), bank.axes[1].weights(self.x)
         near: WindowBlur | MixedBlur | None = None
         # Small windows are interpolated for each point directly; for large windows Fourier transforms are faster.
         if bank.coefficients.shape[-1] <= LARGEST[min(2, focus.count)]:
-            # ArithmeticError: the parabolas that replace the splines would need too many tiles.
+            # ArithmeticError: WindowBlur replaces the splines by parabolas, and would need too many pieces.
             with suppress(ArithmeticError):
                 near = WindowBlur(
                     bank.coefficients, bank.axes, self.y, self.x, self.defocus,
@@ -322,8 +322,8 @@ class FieldBlur(LinearBlur):
         near = near or mixed_blur(bank.coefficients, (down, across), focus, self.defocus)
         if bank.far is None:
             return (near,)
-        # Light beyond the window of each point, which the common kernel spreads: 1 less the sum of the window, itself
-        # a spline over the same nodes.
+        # Light outside the window of each point, which the common kernel spreads: 1 - (sum of the window). The sums
+        # are splines over the nodes of the windows.
         sums = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
         inside = [down @ plane @ across.T for plane in np.moveaxis(sums, 2, 0)]
         beyond = 1.0 - sum(weight * inside[node] for node, weight in focus.nonzero_weights(self.defocus))
@@ -332,13 +332,13 @@ class FieldBlur(LinearBlur):
         return near, mixed_blur(kernel[None, None, None], uniform, Nodes(0.0, 0.0, 1), self.defocus, scale=scale)
 
 
-_MAX_KEPT_BYTES = 2**29  # transforms of all windows are kept in memory up to this size, 512 MiB
-_LONGEST = 512  # longest transform, unless windows are longer
-_OVERHEAD = 20_000  # cost of a block, in samples of a transform
+_MAX_KEPT_BYTES = 2**29  # transforms of all windows are cached up to this size, 512 MiB
+_LONGEST = 512  # longest transform; windows above 1/4 of this length have transforms up to 4 times their own length
+_OVERHEAD = 20_000  # time of a block without its transforms, in units of the time per sample of a transform
 
 
 class Block(NamedTuple):
-    """A block of points (rows and columns), and the nodes with nonzero weights there, down and across the image."""
+    """A block of points (rows and columns), and its nodes with nonzero weights, down and across the image."""
 
     rows: slice
     columns: slice
@@ -369,7 +369,7 @@ class MixedBlur:
         Factor on the light of each point, shape (height, width).
     """
 
-    error = 0.0  # the spline weights are used as they are
+    error = 0.0  # the splines are evaluated exactly
 
     def __init__(
         self,
@@ -410,17 +410,17 @@ class MixedBlur:
             return self._inverse_transform(reduce(np.add, spectra), [side + self.beyond for side in points.shape])
 
         for block, part in self._results(blurred):
-            padded[self._lit_area(block)] += part
+            padded[self._reached_area(block)] += part
         return padded[self.before :, self.before :][: plane.shape[0], : plane.shape[1]]
 
     def adjoint(self, plane: Values) -> Values:
         """Return the transpose of :meth:`forward` applied to an image."""
-        # Each block of the result depends on the pixels that its light reaches in `forward` (overlap-save).
+        # Overlap-save: a block of the result depends on the pixels that the light of the block reaches in `forward`.
         padded = np.pad(plane, self.before)
         result = np.empty((len(self.rows), len(self.columns)), dtype=plane.dtype)
 
         def correlated(block: Block) -> Values:
-            spectrum = self._transform(padded[self._lit_area(block)])
+            spectrum = self._transform(padded[self._reached_area(block)])
             parts = (weight * self._correlated(block, spectrum, node) for node, weight in self._focus_weights(block))
             return reduce(np.add, parts)
 
@@ -434,7 +434,7 @@ class MixedBlur:
             blocks = [Block(rows, columns, down, across) for columns, across in self._parts[1]]
             yield from zip(blocks, side_by_side(function, blocks, self.threads), strict=True)
 
-    def _lit_area(self, block: Block) -> tuple[slice, slice]:
+    def _reached_area(self, block: Block) -> tuple[slice, slice]:
         """Return the rows and columns of the padded image that the light of a block reaches."""
         rows, columns = (slice(part.start, part.stop + self.beyond) for part in (block.rows, block.columns))
         return rows, columns
@@ -453,7 +453,7 @@ class MixedBlur:
         lines = rfft(across.T[:, None, :] * points, n=self.sides[1], axis=-1)
         planes = down.T[:, None, :, None] * lines
         spectra = fft(planes, n=self.sides[0], axis=-2, overwrite_x=True)
-        # The sum over nodes is taken before the inverse transform, so that there is a single one.
+        # Sum over nodes before the inverse transform: one inverse transform is enough.
         spectra *= self._window_spectra(block, node)
         return np.asarray(spectra.sum(axis=(0, 1)))
 
@@ -477,7 +477,7 @@ class MixedBlur:
         return np.asarray((lines * across.T[:, None, :]).sum(axis=0))
 
     def _window_spectra(self, block: Block, node: int) -> Values:
-        """Return the transforms of the windows of a block at one node over defocus; kept if all fit in memory."""
+        """Return the transforms of the windows of a block at one node over defocus; cached if all fit in memory."""
         if self._spectra is None:
             count, size = math.prod(self.windows.shape[:3]), self.sides[0] * (self.sides[1] // 2 + 1)
             if count * size * 2 * self.windows.itemsize > _MAX_KEPT_BYTES:
@@ -494,17 +494,18 @@ class MixedBlur:
 
 
 def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
-    """Return the numbers of rows and columns of the transforms that minimise the work.
+    """Return the numbers of rows and columns of the transforms that minimise the computing time.
 
-    `down` and `across` are the number of points along an axis and of nodes, `window` is the side of a window.
+    `down` and `across` are pairs (number of points, number of nodes) along the two axes; `window` is the side of a
+    window.
     """
     # f: length of the transform, b: points of a block, n: number of blocks along an axis.
     rows, columns = (_candidates(points, window) for points, _ in (down, across))
     best = (math.inf, (0, 0))
     for fy, by, ny in ((f, b, math.ceil(down[0] / b)) for f, b in rows):
         for fx, bx, nx in ((f, b, math.ceil(across[0] / b)) for f, b in columns):
-            # Transforms of a block: one for each node with nonzero weights, at least the four of a cubic spline along
-            # either axis.
+            # Number of transforms of a block: one for each node with nonzero weights. A cubic spline has at least
+            # four such nodes along each axis.
             transforms = 2.0 + math.prod(
                 min(count, 4.0 + block * (count - 1) / points)
                 for block, (points, count) in ((by, down), (bx, across))
@@ -527,7 +528,7 @@ def _candidates(points: int, window: int) -> list[tuple[int, int]]:
 
 
 def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
-    """Divide points into parts of at most `length`, and return each with its nodes of nonzero weight.
+    """Divide points into parts of at most `length`, and return pairs (points, nodes with nonzero weights).
 
     `weights` has the shape (points, nodes).
     """
@@ -540,17 +541,17 @@ def _parts(weights: Values, length: int) -> list[tuple[slice, slice]]:
     return parts
 
 
-_TABLE_SIDE = 2.5  # side of the table of computed far light, over that of the windows
-_MARGIN = 1.2  # factor on errors at the positions that were checked, for all other positions
+_TABLE_SIDE = 2.5  # side of the table of computed far light / side of the windows
+_MARGIN = 1.2  # safety factor on errors at the checked positions, for positions between them
 
 
 @dataclass(frozen=True)
 class FarLight:
-    """Light beyond the windows: a kernel that all points share, to be scaled to the light of each beyond its window.
+    """Light outside the windows: one kernel for all points, scaled to the light of each point outside its window.
 
     `half` is the half width of the windows (pixels). `error` is the largest sum of absolute differences between the
     scaled kernel and the light of a point, with a margin for positions that were not checked. `lost` is the largest
-    fraction of the light beyond the kernel, which is added to the kernel instead.
+    fraction of the light outside the kernel; the kernel is scaled up by this light.
     """
 
     kernel: Array  # mean over the field, of sum 1; 0 within the window
@@ -560,10 +561,10 @@ class FarLight:
 
 
 def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int, farthest: int) -> FarLight:
-    """Return the smallest windows beyond which the light of all points is equal within `tol`, and its kernel.
+    """Return the far light for the smallest windows outside which the light of all points agrees within `tol`.
 
-    `spans` are the ranges of y, x and C_d; `largest` is the largest half width of windows and `farthest` that of the
-    kernel, in pixels. Light is compared after division by its sum beyond the window.
+    `spans` are the ranges of y, x and C_d. `largest` and `farthest` are the largest half widths of windows and of the
+    kernel, in pixels. Light is compared after division by its sum outside the window.
     """
     places = overview(spans)
     half = 8
@@ -575,17 +576,17 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
             break
         if half == largest:
             raise ValueError(
-                f"light farther than {largest} pixels from its point is not alike to {tol:.2g} all over the field; "
-                f"allow larger windows than largest={largest}, ask for a larger tol, or for less light (energy=)"
+                f"light farther than {largest} pixels from its point varies by more than {tol:.2g} over the field; "
+                f"increase largest={largest} or tol, or reduce energy below 1"
             )
         half *= 2
-    # The error grows as windows shrink: bisection for the smallest.
+    # Bisection for the smallest window: the error decreases with the size of windows.
     half = 1 + bisect_left(range(1, half), True, key=lambda smaller: _tail_error(windows, smaller) <= tol)
     error, tails = _tail_error(windows, half), windows.copy()
     tails[:, reach - half : reach + half + 1, reach - half : reach + half + 1] = 0.0
     beyond = 1.0 - windows.sum(axis=(1, 2))
-    # Light diffracted at edges falls as r^-3. The light beyond a square therefore falls as 1 / side, and beyond the
-    # computed table the kernel is continued by r^-3, until the light beyond it is a quarter of the tolerance.
+    # Light diffracted at edges falls like r^-3, and the light outside a square like 1 / side. Outside the computed
+    # table the kernel is continued by r^-3, until the light outside the kernel is a quarter of the tolerance.
     sufficient = int(np.ceil(4.0 * float(beyond.max()) / tol * (reach + 0.5)))
     kernel_half = max(reach, min(farthest, sufficient))
     kernel = np.pad(tails.sum(axis=0), kernel_half - reach)
@@ -596,15 +597,16 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
         ring[table, table] = np.inf
         ring = ring**-3.0
         kernel += ring * (float(beyond.sum()) * (1.0 - (reach + 0.5) / (kernel_half + 0.5)) / ring.sum())
-    # By the same law for the light beyond the kernel.
+    # The light outside the kernel, by the law 1 / side.
     lost = float(beyond.max()) * (reach + 0.5) / (kernel_half + 0.5)
     return FarLight(kernel / kernel.sum(), half, error, lost)
 
 
 def _tail_error(windows: Array, half: int) -> float:
-    """Return the largest sum of absolute differences between tails and their scaled mean, with a margin.
+    """Return the largest sum of absolute differences between tails and their scaled mean, times a safety factor.
 
-    `windows` (points, side, side) contain the light of points; tails are their pixels beyond the half width `half`.
+    `windows` (points, side, side) contain the light of points. The tail of a window consists of its pixels outside
+    the half width `half`.
     """
     reach = windows.shape[-1] // 2
     inner = slice(reach - half, reach + half + 1)
@@ -616,11 +618,11 @@ def _tail_error(windows: Array, half: int) -> float:
     return _MARGIN * float(np.abs(tails - sums[:, None] * mean).sum(axis=1).max())
 
 
-_MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
+_MAX_VALUES = 2**27  # numbers in a bank: 1 GiB in double precision
 _MAX_CHECKED = 1500  # largest number of positions half-way between nodes at which windows are checked
 _QUINTIC_BELOW = 3e-4  # tolerance below which splines of degree 5 are faster than cubic ones
-# Fractions of the tolerance: for the splines along 1, 2 or 3 axes together (above 1, as the errors of different axes
-# peak at different positions), for parabolas in place of splines, and for the light beyond the windows (energy=1).
+# Fractions of the tolerance: for splines along 1, 2 or 3 axes in total (above 1, since the errors of different axes
+# peak at different positions), for replacing splines by parabolas, and for light outside the windows (energy=1).
 _SPLINE_SHARES = (0.9, 1.2, 1.4)
 _PARABOLA_SHARE = 0.03
 _FAR_SHARE = 0.4
@@ -638,9 +640,9 @@ class FieldBank:
         Spline coefficients along these axes. Every interpolated window has the sum 1, or with `far` the fraction of
         the light within the window.
     far : FarLight or None
-        Light beyond the windows, for ``energy=1``.
+        Light outside the windows, for ``energy=1``.
     lost : float
-        Largest fraction of the light beyond the windows (with `far`, beyond its kernel), by which they are divided.
+        Largest fraction of the light outside a window, or with `far` outside its kernel.
     error : float
         Largest sum of absolute differences between interpolated and exact windows, checked half-way between nodes.
     """
@@ -681,7 +683,7 @@ def build_field_bank(
 ) -> FieldBank:
     """Return the bank of one channel for images of this shape; ValueError if windows or bank would be too large.
 
-    `spans` are the ranges of y, x and C_d. `tol` is shared among parabolas, the light beyond the windows and splines.
+    `spans` are the ranges of y, x and C_d. `tol` is divided among splines, parabolas and light outside the windows.
     """
     energy, largest = settings.energy, settings.largest or max(1, min(shape) // 2)
     half, core_half = light.half_widths(spans, CORE if energy == 1.0 else energy, largest)
@@ -697,7 +699,7 @@ def build_field_bank(
         _require_few(axes, side, tol)
         windows = light.windows(lattice([nodes.places for nodes in axes]), half)
         energies = windows.sum(axis=(1, 2))
-        # The half width was estimated at a few positions: between them PSFs may be larger.
+        # The half width was estimated at a few positions, and PSFs between these positions may be wider.
         if far is None and energies.min() < energy:
             if half == largest:
                 raise light.too_large(lattice([nodes.places for nodes in axes]), energy, largest, energies)
@@ -713,7 +715,7 @@ def build_field_bank(
             lost = 1.0 - min(float(energies.min()), least_energy) if far is None else far.lost
             return FieldBank(axes, coefficients.astype(settings.dtype), far, lost, error + far_error)
         degree = axes[0].degree
-        # The error of a spline of degree d falls as the (d + 1)th power of the spacing; aim a tenth below.
+        # The error of a spline of degree d is proportional to spacing^(d + 1); the aim is 0.9 spline_tol.
         factor = max(1.02, (error / (0.9 * spline_tol)) ** (1.0 / (degree + 1)))
         # If denser nodes do not help, axes with a single node may need more.
         single, previous_error = error > 0.9 * previous_error, error
@@ -721,7 +723,7 @@ def build_field_bank(
 
 
 def _finer(axes: Sequence[Nodes], times: float, *, single: bool) -> tuple[Nodes, ...]:
-    """Return axes with `times` as many nodes; those with one node only if `single`."""
+    """Return axes with `times` as many nodes; axes with one node are not changed unless `single`."""
     return tuple(
         nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes for nodes in axes
     )
@@ -733,20 +735,20 @@ def _require_few(axes: Sequence[Nodes], side: int, tol: float) -> None:
         counts = " x ".join(str(nodes.count) for nodes in axes)
         raise ValueError(
             f"a bank of {counts} windows (down, across, over defocus) of {side} x {side} pixels exceeds the "
-            f"limit of {_MAX_VALUES} values; ask for a larger tol than {tol:g}, for less light (energy=), or for "
-            "parts of the image, by center="
+            f"limit of {_MAX_VALUES} values; increase tol={tol:g}, reduce energy, or compute parts of the image "
+            "(center=)"
         )
 
 
 def _error_between(
     light: PointLight, axes: Sequence[Nodes], coefficients: Values, *, normalise: bool
 ) -> tuple[float, float]:
-    """Return the largest error of interpolated windows half-way between nodes, and the least light of exact windows.
+    """Return the largest error of interpolated windows half-way between nodes, and the smallest sum of exact windows.
 
-    `normalise`: compare with exact windows of sum 1.
+    With `normalise`, exact windows are divided by their sums before the comparison.
     """
     places = lattice([nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes])
-    # A fixed seed, so that equal arguments give equal errors.
+    # A fixed seed: equal arguments yield equal errors.
     if len(places) > _MAX_CHECKED:
         places = places[np.random.default_rng(0).choice(len(places), _MAX_CHECKED, replace=False)]
     exact = light.windows(places, coefficients.shape[-1] // 2)
@@ -766,7 +768,7 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
 
     Each axis is sampled along lines through the start, middle and end of the other two spans.
     """
-    # Splines of degree 5 need fewer nodes but weight more of them at each point: faster if there are many nodes.
+    # Splines of degree 5 need fewer nodes, but more nonzero weights at each point: faster if there are many nodes.
     degree = 5 if tol < _QUINTIC_BELOW or spans[2][0] < spans[2][1] else 3
     varying = max(1, sum(first != last for first, last in spans))
     axis_tol = _SPLINE_SHARES[varying - 1] * tol / varying
@@ -786,8 +788,8 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
         if nodes is None:
             direction = ("down the image", "across the image", "over the depth")[axis]
             raise ValueError(
-                f"the PSF changes so much {direction} that more than {MAX_NODES} windows are needed; ask for a "
-                f"larger tol than {tol:g}, or for parts of the image, by center="
+                f"the PSF changes so much {direction} that more than {MAX_NODES} windows are needed; increase "
+                f"tol={tol:g}, or compute parts of the image (center=)"
             )
         axes.append(nodes)
     return tuple(axes)
@@ -804,9 +806,9 @@ def _interpolated_windows(axes: Sequence[Nodes], coefficients: Values, places: A
         yield window.astype(np.float64, copy=False)
 
 
-CORE = 0.9  # with energy=1: fraction of the light in the windows from which the number of nodes is estimated
+CORE = 0.9  # fraction of the light in the windows for which the number of nodes is first estimated, at most
 
-_MAX_BATCH_VALUES = 2**24  # values of windows computed in one call
+_MAX_BATCH_VALUES = 2**24  # number of window values computed in one call
 
 Span = tuple[float, float]
 
@@ -816,10 +818,10 @@ class PointLight:
     """The pixel-integrated PSF of a point anywhere in the field of a lens, at any defocus."""
 
     field_map: FieldMap
-    phase: Callable[[Array], Wavefront] | None  # wavefronts of values of the defocus C_d; None: no defocus
-    spectrum: Sequence[tuple[float, float]] | None  # wavelengths (m) and weights; None: that of the map
-    pixel: float  # in the unit of the map
-    tol: float  # error of each PSF over its peak
+    phase: Callable[[Array], Wavefront] | None  # wavefronts for values of the defocus C_d; None: no defocus
+    spectrum: Sequence[tuple[float, float]] | None  # wavelengths (m) and weights; None: the wavelength of the map
+    pixel: float  # pixel pitch, in the unit of the map
+    tol: float  # error of each PSF relative to its peak
     threads: int | None
 
     def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
@@ -828,7 +830,7 @@ class PointLight:
         return pupil if self.phase is None else pupil.carrying(pupil.wavefront + self.phase(defocus), None)
 
     def windows(self, places: Array, half: int) -> Array:
-        """Return the share of light in each pixel of windows (n, side, side), for points at y, x and C_d (n, 3)."""
+        """Return the windows (n, side, side) of points at y, x and C_d (n, 3): fractions of light on each pixel."""
         side = 2 * half + 1
         out = np.zeros((len(places), side, side))
         step = max(1, _MAX_BATCH_VALUES // side**2)
@@ -844,7 +846,7 @@ class PointLight:
     def half_widths(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
         """Return the half widths (pixels) of windows that contain `energy` and at most `CORE` of the light.
 
-        Both hold at all positions of an overview of the spans.
+        The fractions hold at all positions of a coarse lattice over the spans.
         """
         places = overview(spans)
         half = math.ceil(float(self.pupil(*places.T).geometric_radius().max()) / self.pixel) + 1
@@ -856,17 +858,17 @@ class PointLight:
                 return _smallest_half(windows, energy), _smallest_half(windows, min(energy, CORE))
             if half == largest:
                 raise self.too_large(places, energy, largest, energies)
-            # In steps of 30 %: several windows that are too small cost less than one far too large.
+            # Growth by 30 %: several windows that are too small take less time than one that is far too large.
             half = math.ceil(1.3 * half) + 1
 
     def too_large(self, places: Array, energy: float, largest: int, energies: Array) -> ValueError:
-        """Return the error for windows of the `largest` half width that contain only `energies` of the light."""
+        """Return the ValueError for windows of the `largest` half width, which hold only `energies` of the light."""
         spectrum = self.spectrum or ((None, 1.0),)
         return too_large(largest, energy, self.pupil(*places.T), spectrum, self.pixel, float(energies.min()))
 
 
 def lattice(ticks: Sequence[Array]) -> Array:
-    """Return all points of a lattice from its coordinates along three axes, shape (n, 3), the last one fastest."""
+    """Return all points of the lattice with these coordinates along three axes, (n, 3); the last varies fastest."""
     return np.stack([part.ravel() for part in np.meshgrid(*ticks, indexing="ij")], axis=1)
 
 
@@ -886,18 +888,18 @@ def _smallest_half(windows: Array, energy: float) -> int:
     return half
 
 
-MAX_NODES = 513  # along one axis
+MAX_NODES = 513  # largest number of nodes along one axis
 
-ERROR_RATIO = 1.2  # largest error of a spline, near its ends, over the largest half-way between nodes
+ERROR_RATIO = 1.2  # largest error of a spline anywhere / largest error half-way between nodes
 
-# Distances of nodes near the ends over those elsewhere, by degree: with equal distances the errors near the ends
-# would be five times as large.
+# Spacings of the nodes near the ends / spacing elsewhere, by degree of the spline: with equal spacings the errors
+# near the ends would be five times as large.
 _END_SPACINGS = {3: (0.5, 0.8), 5: (0.35, 0.6, 0.8)}
 
 
 @dataclass(frozen=True)
 class Nodes:
-    """Nodes along an axis from `first` to `last`, denser at its ends, and not-a-knot splines through values there."""
+    """Nodes along an axis from `first` to `last`, denser at the ends, and not-a-knot splines through them."""
 
     first: float
     last: float
@@ -953,7 +955,7 @@ class Nodes:
         """
         if self.count == 1:
             return [(0, np.ones(()))]
-        # By columns of the sparse matrix: few nodes have weight at any place.
+        # By columns of the sparse matrix: few nodes have nonzero weights.
         matrix, weights = self._matrix(places.ravel()).tocsc(), []
         for node in range(self.count):
             part = slice(matrix.indptr[node], matrix.indptr[node + 1])
@@ -971,13 +973,13 @@ class Nodes:
         return BSpline.design_matrix(along, self._spline.t, self._spline.k)
 
     def finer(self, times: float) -> Nodes:
-        """Return nodes `times` as dense, and at least one more."""
+        """Return nodes with `times` as many gaps, and at least one more node."""
         gaps = max(1, self.count - 1)
         return replace(self, count=max(self.count, math.ceil(gaps * times)) + 1)
 
 
 def window_difference(windows: Values, others: Values) -> float:
-    """Return the sum over pixels of absolute differences between windows (..., side, side), at its largest."""
+    """Return the largest sum over pixels of absolute differences between two windows (..., side, side)."""
     return float(np.abs(windows - others).sum(axis=(-2, -1)).max(initial=0.0))
 
 
@@ -996,7 +998,7 @@ def sufficient_nodes(
         return replace(nodes, count=1)
 
     def spacing_ratio(nodes: Nodes) -> float:
-        """Return the spacing of nodes over that with an error of `tol`."""
+        """Return (spacing of the nodes) / (spacing with an error of `tol`)."""
         windows = interpolated(nodes, sample(nodes.places), nodes.between)
         # The error of splines is proportional to spacing^(degree + 1).
         error = ERROR_RATIO * window_difference(windows, sample(nodes.between))
@@ -1006,7 +1008,7 @@ def sufficient_nodes(
         nodes = replace(nodes, count=2 * nodes.count - 1)
         if nodes.count > MAX_NODES:
             return None
-    # Doubling overshoots: reduce the number of nodes to one that is just sufficient.
+    # Doubling may exceed the required number of nodes: reduce the number as far as `tol` allows.
     fewer = replace(nodes, count=math.ceil((nodes.count - 1) * max(0.5, ratio)) + 1)
     while fewer.count < nodes.count and (ratio := spacing_ratio(fewer)) > 1.0:
         fewer = replace(fewer, count=max(fewer.count + 1, math.ceil((fewer.count - 1) * ratio) + 1))
@@ -1014,6 +1016,6 @@ def sufficient_nodes(
 
 
 def interpolated(nodes: Nodes, values: Values, places: Array) -> Array:
-    """Return splines through values along the second axis, evaluated at places along it."""
+    """Return splines through `values`, at `nodes` along the second axis, evaluated at `places` along this axis."""
     result = np.tensordot(nodes.weights(places), nodes.coefficients(values, 1), axes=(1, 1))
     return np.moveaxis(result, 0, 1)

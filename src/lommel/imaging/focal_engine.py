@@ -43,18 +43,18 @@ class DefocusOptions:
     Parameters
     ----------
     exposures : sequence of float, optional
-        Exposure of each image relative to the first, such as exposure time over squared f-number. By default the
-        ratio of their means. "smooth", of :class:`lommel.imaging.LiveDepth` only: a ratio that changes over the image
-        as a polynomial of second order, measured in each call, for frames of different vignetting.
+        Exposure of each image relative to the first: (exposure time) / f_number^2, for example. By default the ratio
+        of the mean values. "smooth", for :class:`lommel.imaging.LiveDepth` only: a polynomial of second order over
+        the image, fitted in each call, for frames with different vignetting.
     magnification : {"registered", "lens"}, default "registered"
         "registered": points are at the same pixels in all images. "lens": each image is magnified as by a thin lens
         at its sensor distance, and is resampled to the scale of the first, about the centre.
     window : float, default 4.0
-        Rms width of the Gaussian windows in which depth is taken to be constant, pixels: 1 to 64, and 2 to 16 for
-        :class:`lommel.imaging.LiveDepth`. Larger windows are more precise on flat surfaces, with less spatial
+        Rms width, in pixels, of the Gaussian windows in which depth is assumed constant: 1 to 64, or 2 to 16 for
+        :class:`lommel.imaging.LiveDepth`. Larger windows are more precise on flat surfaces, but have less spatial
         resolution.
     saturation : float, optional
-        Stored value from which on pixels are full, and ignored; by default the largest value of unsigned integers.
+        Pixel value at and above which pixels are saturated and ignored; by default the largest unsigned integer.
     """
 
     exposures: Sequence[float] | str | None = None
@@ -121,7 +121,7 @@ class FrameForm:
     noise : Noise
         Noise, the same for all pixels.
     saturation : float or None
-        Pixel value from which on pixels are saturated. The largest unsigned integer counts as saturated too.
+        Pixel value at and above which pixels are saturated. The largest unsigned integer is always saturated.
     known : array_like of bool, or None
         True for working pixels of the sensor, False for defective ones.
     """
@@ -130,7 +130,7 @@ class FrameForm:
         self, shape: tuple[int, ...], noise: Noise, saturation: float | None, known: ArrayLike | None
     ) -> None:
         if not isinstance(shape, Sequence) or len(shape) not in (2, 3):
-            raise TypeError(f"shape must be height and width, and channels if any, got {validation.shown(shape)}")
+            raise TypeError(f"shape must be height and width, and optionally channels, got {validation.shown(shape)}")
         height, width = (
             validation.integer(f"shape[{k}]", shape[k], least=64, most=validation.MAX_SIDE) for k in range(2)
         )
@@ -138,14 +138,14 @@ class FrameForm:
         self.channels = validation.integer("shape[2]", shape[2], least=1, most=16) if len(shape) == 3 else 1
         if validation.instance("noise", noise, Noise).excess != 1.0:
             raise ValueError(
-                f"noise must have no excess for live frames, got excess={noise.excess:g}: give noise.poisson, which "
-                "counts electrons divided by the excess"
+                f"noise must have no excess for live frames, got excess={noise.excess:g}; pass noise.poisson, which "
+                "counts (electrons / excess)"
             )
         for name in ("white", "read", "offset"):
             if not isinstance(getattr(noise, name), float | None):
                 raise ValueError(
-                    f"noise.{name} must be a number for live frames, not a map of the sensor: take its median, and "
-                    "name pixels that differ much in known="
+                    f"noise.{name} must be a number for live frames, not a map of the sensor; use its median, and "
+                    "exclude pixels that differ much by known="
                 )
         self.white, self.read, self.offset = float(noise.white or 1.0), float(noise.read), float(noise.offset)
         self._saturation = math.inf if saturation is None else validation.real("saturation", saturation)
@@ -179,11 +179,11 @@ class FrameForm:
         return min(self._saturation, float(np.iinfo(dtype).max) if dtype.kind == "u" else math.inf)
 
     def known(self, frames: Sequence[Frame], full: float, given: ArrayLike | None) -> NDArray[np.uint8] | None:
-        """Return the mask of pixels that are valid in the sensor, in `given` and in all channels; None if all are."""
+        """Return a mask: pixels that work, are True in `given`, and are unsaturated in all channels; None if all."""
         masks = [] if self._known is None else [self._known]
         if given is not None:
             masks.append(self._mask(given))
-        # A channel at saturation makes the depth of its pixel unknown in all channels.
+        # If one channel of a pixel is saturated, the pixel is invalid in all channels.
         if self.channels > 1:
             for frame in frames:
                 with np.errstate(invalid="ignore"):
@@ -215,27 +215,27 @@ CONTRAST = 0.2
 
 _MIN_CANDIDATES = 61  # smallest default number of candidate depths
 _STEP, _LARGEST_STEP = 0.75, 2.0  # defocus between neighbouring candidates, radians at the pupil edge
-_EDGE = 0.3  # change of the blur radius between neighbouring candidates, pixels, if that is a larger step
+_EDGE = 0.3  # pixels; a change of the blur radius by this much counts as 1 rad of defocus, if that is a larger change
 _MAX_RANK = 48  # largest number of filtered images per channel
-_KNOWN = 0.17  # largest standard error of a known depth, as a share of the vergence range
-_MARGIN = 0.02  # margin outside the range for estimated depths, as a share of the vergence range
-_CHANGE = 0.01  # finite difference for derivatives: relative change of f-numbers, share of a candidate step
-_DERIVATIVE_CANDIDATES = 15  # number of candidates at which these derivatives are computed
+_KNOWN = 0.17  # largest standard error of a known depth / vergence range
+_MARGIN = 0.02  # margin for estimated depths outside the range / vergence range of the candidates
+_CHANGE = 0.01  # finite difference of derivatives by lenses: relative change of f-numbers, or fraction of a candidate
+_DERIVATIVE_CANDIDATES = 15  # number of candidates at which derivatives by lenses are computed
 _FOCI = 5  # number of foci from which the basis of refocused images is computed
 _MAX_WEIGHTS = 30  # largest number of block weights on each side of a window
 
 
 class FocalTask(NamedTuple):
-    """Frames and requested depth map: blocks of `block` pixels a side, `fine` depths along each axis of a block."""
+    """Lenses of the frames, and parameters of the depth map."""
 
     lenses: Sequence[Lens]
-    vergence: Array
+    vergence: Array  # of the candidates, 1 / m
     spectra: Sequence[Spectrum]  # of each channel
-    pixel: float
-    between: tuple[float, float]
-    window: float
-    block: int
-    fine: int
+    pixel: float  # pixel pitch, metres
+    between: tuple[float, float]  # nearest and farthest distance, metres
+    window: float  # rms width of windows, pixels
+    block: int  # side of blocks, pixels
+    fine: int  # number of depths along each side of a block
     threads: int
     transfer: Transfer = transfer_curve
     scales: tuple[float, ...] = ()  # pixel pitches of resampled frames, in pixels
@@ -275,8 +275,8 @@ def ranged(
         count = max(_MIN_CANDIDATES, math.ceil(span / _STEP) + 1)
         if count > most:
             raise ValueError(
-                f"between spans so much defocus that {count} candidates are needed, more than {most}: name nearer "
-                "limits, stop down, or bin pixels"
+                f"between spans so much defocus that {count} candidates are needed, more than {most}: choose a "
+                "smaller range, stop down, or bin pixels"
             )
     else:
         count = validation.integer("candidates", count, least=max(9, math.ceil(span / _LARGEST_STEP) + 1), most=most)
@@ -307,7 +307,7 @@ class FocalEngine:
             near, far = task.between
             raise ValueError(
                 f"between must span less defocus: depths from {near:g} to {far:g} m need {self.rank} filters, more "
-                f"than {_MAX_RANK}; name nearer limits, stop down, or bin pixels"
+                f"than {_MAX_RANK}; choose a smaller range, stop down, or bin pixels"
             )
         self._low, self._high = ((1.0 / each - first.vergence[0]) / first.step for each in task.between[::-1])
         self._factors = lru_cache(maxsize=16)(self._factors_of)
@@ -320,7 +320,7 @@ class FocalEngine:
 
     @property
     def rank(self) -> int:
-        """Number of filtered images, whose products give all energies of a channel."""
+        """Number of filtered images, from whose products all energies of a channel are computed."""
         return max(one.rank for one in self.channels)
 
     @property
@@ -341,31 +341,32 @@ class FocalEngine:
         """Largest bias of the filter design within the range, in standard errors of a window."""
         inner = slice(max(0, math.floor(self._low)), math.ceil(self._high) + 1)
         ratios = [np.abs(one.bias / one.errors)[inner].max() for one in self.channels]
-        # Errors in tables are those of one pixel; a window of n independent pixels has sqrt(n) smaller ones.
+        # `errors` hold for one pixel; a window of n independent pixels divides them by sqrt(n).
         return float(max(ratios)) * math.sqrt(self._pixels) / self.binning
 
     def by_lenses(self, vergence: Array) -> Array:
         """Return derivatives of the estimated vergence by lens parameters, (1 + frames, *vergence.shape).
 
-        First by the logarithm of all f-numbers (1 / m), then by the in-focus vergence of each frame.
+        The first derivative is by the logarithm of all f-numbers (1 / m), the others by the focus vergence of each
+        frame.
         """
         at, changes = self._by_lenses
         return np.stack([np.interp(vergence, at, each) for each in changes])
 
     @cached_property
     def _by_lenses(self) -> tuple[Array, Array]:
-        """Vergences of a few candidates, and the derivatives there, (1 + frames, candidates)."""
-        step, every = self.channels[0].step, self.task.vergence
-        at = every[np.linspace(1, len(every) - 2, _DERIVATIVE_CANDIDATES).round().astype(int)]
-        threes = self.task._replace(vergence=(at[:, None] + step * np.arange(-1.0, 2.0)).ravel())
-        model = threes.model(self.light, 0, self.binning)
-        closed = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
-        other = self.task._replace(vergence=at).model(self.light, 0, self.binning, closed)
+        """Vergences of a few candidates, and the derivatives at these vergences, (1 + frames, candidates)."""
+        step, vergence = self.channels[0].step, self.task.vergence
+        at = vergence[np.linspace(1, len(vergence) - 2, _DERIVATIVE_CANDIDATES).round().astype(int)]
+        triples = self.task._replace(vergence=(at[:, None] + step * np.arange(-1.0, 2.0)).ravel())
+        model = triples.model(self.light, 0, self.binning)
+        stopped = [lens.stopped(lens.f_number * (1.0 + _CHANGE)) for lens in self.task.lenses]
+        other = self.task._replace(vergence=at).model(self.light, 0, self.binning, stopped)
         changes = [step / _CHANGE * shifts(model, other)]
-        # Central differences: groups of three candidates, one step apart.
+        # Central differences within triples of vergences, one step apart.
         slope, own = 0.5 * (model.transfer[2::3] - model.transfer[::3]), model.at(slice(1, None, 3))
-        for frame in range(len(closed)):
-            # The transfer function depends on vergence minus in-focus vergence u, apart from 1 - f u.
+        for frame in range(len(stopped)):
+            # Approximately, the transfer function depends only on the difference (vergence) - (focus vergence).
             transfer = own.transfer.copy()
             transfer[:, frame] -= _CHANGE * slope[:, frame]
             changes.append(shifts(model, replace(own, transfer=transfer)) / _CHANGE)
@@ -379,7 +380,7 @@ class FocalEngine:
 
     @property
     def of_least(self) -> float:
-        """Mean difference between the energy of the true depth and the minimum energy, which is smaller."""
+        """Mean of (energy at the true depth) - (minimum energy)."""
         return self.binning**2 / self._pixels
 
     def averaged(self, blocks: Array) -> Array:
@@ -390,7 +391,10 @@ class FocalEngine:
         return np.asarray(correlate1d(correlate1d(blocks, along, 0), along, 1))
 
     def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
-        """Compute tables of sharp images, and of refocused ones; `shared`: with the filters of the depth stream."""
+        """Compute the tables of sharp images, and with `refocus` of refocused images.
+
+        With `shared` they have the small filter and the degree of the depth stream.
+        """
         task, tables = self.task, self.channels[0]
         taps, degree = (tables.taps, tables.degree) if shared else (Taps.of(5), 12)
         near, far = (1.0 / each for each in task.between)
@@ -455,7 +459,7 @@ class FocalEngine:
         """Return the scalar parameters of a stream."""
         tables, margin = self.channels[0], _MARGIN * len(self.task.vergence)
         return (
-            # The read-noise variance of a sum of binning^2 pixels is binning^2 times that of one.
+            # The read-noise variance of a sum of binning^2 pixels is binning^2 read^2.
             (self.light.read * binning) ** 2,
             self._pixels / binning**2,
             float(tables.vergence[0]),

@@ -1,4 +1,4 @@
-r"""Depth from defocus: filters whose residuals vanish at the true depth, as polynomials of one small filter.
+r"""Depth from defocus: filters whose residual has no signal at the true depth, as polynomials of one small filter.
 
 The symbols are those of :mod:`lommel.estimation.focal_model`: h_i, N_i and Y_i are transfer function, noise and
 spectrum of frame i, S is the power of the texture and u the vergence (1 / distance). Let ``q = sum of h_i^2 / N_i``
@@ -6,10 +6,10 @@ and W = S q / (1 + S q), times a high pass. At the vergence u the residual of th
 
     e_ij = sqrt(W) (h_j Y_i - h_i Y_j) / sqrt(N_i N_j q) .
 
-At the true u the scene cancels, whatever its texture, and the residual is noise. Its energy, the mean square over a
-window, is lowest there. By Lagrange's identity the energies of all pairs add up to the energy of the component of the
-frames (Y_i) orthogonal to (h_i). The transfer function of the pixel, a common factor of all h_i, does not change this
-direction: filters therefore depend on \|f\| alone, except for W. They are approximated by
+At the true u the scene cancels, whatever its texture, and the residual is noise. The energy, the mean of e_ij^2 over
+a window, is lowest at this u. By Lagrange's identity the sum of the energies of all pairs is the energy of the
+component of (Y_i) orthogonal to (h_i). The transfer function of the pixel is a common factor of all h_i, and does not
+change their direction: except for W, filters depend on \|f\| alone. They are approximated by
 
     e = sum over i, m of c_im T_m(2 B - 1) Y_i ,    B(f) = b(fx) b(fy) ,
 
@@ -22,10 +22,10 @@ singular vectors, so that energies at all vergences are quadratic forms of few i
 The standard error is computed for the fitted filters. With S_ee, S_dd and S_ed the spectra of e, of its derivative
 with respect to u, and their cross-spectrum, and N the pixels of a window, half of the energy's derivative has the
 variance ``mean of (S_ee S_dd + S_ed^2) / N``, or less if the images are correlated over the size of a window. One
-part of the variance is proportional to kappa, half of the energy's second derivative; the other is of noise alone:
-``sigma_u^2 = (texture_variance kappa + noise_variance) / (kappa^2 N)``. With little texture, noise dominates the
-measured curvature; kappa is then estimated from the depth of the minimum below the mean energy, by the ratio of both
-for the texture of the model.
+part of the variance is proportional to kappa, half of the energy's second derivative; the other part is due to noise
+alone: ``sigma_u^2 = (texture_variance kappa + noise_variance) / (kappa^2 N)``. With little texture, noise dominates
+the measured curvature; kappa is then estimated as ``curvature_ratio`` times (mean energy - minimum energy), where
+``curvature_ratio`` is computed for the texture of the model.
 """
 
 from __future__ import annotations
@@ -45,17 +45,17 @@ from lommel.estimation.focal_model import Band, FocalLight, FocalModel
 from lommel.optics.lens import Lens
 
 _HIGH_PASS = 0.012  # cycles per pixel: slower variations are due to exposure, shading and offsets
-_MEAN_REJECTION = 1e4  # power at frequency 0, over the noise, assumed for each frame: residuals then ignore its mean
-_SHARED_ALIASES = 0.4  # share of the aliases of the texture model that is assumed: many spectra fall off faster
+_MEAN_REJECTION = 1e4  # power / noise at frequency 0, assumed for each frame: residuals then ignore its mean
+_SHARED_ALIASES = 0.4  # fraction of the model's alias power that is assumed: many spectra decrease faster
 _SHARP_LOSS = 0.01  # relative increase of the squared error of the Wiener filter by discarded singular vectors
-_MARGIN = 0.08  # of the range of vergence, by which the candidates extend beyond either end
-_MAX_VALLEY = 61  # candidates over which the mean energy is taken, above which the depth of a minimum is measured
-_MAX_BINNING_LOSS = 1.25  # factor by which binning, which takes a quarter of the work, may raise standard errors
-# Designs in the order tried: taps, degree, the discarded share of the norm of all filters, and the largest accepted
-# median and maximum of the standard errors over the Cramér-Rao bound. Short filters come first, because the residual
-# at a pixel then depends on fewer pixels around it.
+_MARGIN = 0.08  # extension of the candidates at each end of the vergence range, as a fraction of this range
+_MAX_VALLEY = 61  # largest number of candidates in a mean energy; the minimum energy is compared with this mean
+_MAX_BINNING_LOSS = 1.25  # largest factor by which binning may increase standard errors
+# Designs in the order tried: taps, degree, discarded fraction of the norm of all filters, and the largest accepted
+# median and maximum of standard error / Cramér-Rao bound. Short filters come first, because their residual at a pixel
+# depends on fewer neighbouring pixels.
 _DESIGNS = ((3, 8, 1e-2, 1.08, math.inf), (5, 12, 1e-2, 1.08, 1.45), (5, 12, 5e-3, math.inf, math.inf))
-_MEAN_POWER = 1e7  # power at frequency 0, over the noise, assumed for sharp images: these then keep the mean
+_MEAN_POWER = 1e7  # power / noise at frequency 0, assumed for sharp images: their filters then keep the mean
 
 
 class Taps(NamedTuple):
@@ -113,21 +113,20 @@ class FocalTables:
     noise : ndarray, shape (c,)
         Energy of the residuals of white noise of variance 1.
     texture_variance, noise_variance : ndarray, shape (c,)
-        Variance of half of the energy's derivative (energy per candidate), times the pixels of a window: the part due
-        to texture over kappa, and the part due to noise alone.
+        Parts of N times the variance of half of the energy's derivative, for N pixels in a window: (part due to
+        texture) / kappa, and the part due to noise alone.
     curvature_ratio : ndarray, shape (c,)
-        kappa over the difference between the mean energy of the candidates and the energy at the true one, for the
-        texture of the model.
+        kappa / (mean energy of all candidates - energy at the true candidate), for the texture of the model.
     curvature_variance : ndarray, shape (c,)
         Variance of kappa due to noise alone, times the pixels of a window.
     bias, errors, bound : ndarray, shape (c,)
         Bias, standard error and Cramér-Rao bound of the vergence from the texture of a single pixel, in candidates.
     light : FocalLight
-        Light of a pixel for which the tables were computed.
+        Light per pixel for which the tables were computed.
     white : ndarray, shape (frames,)
-        Variance of each frame over that of a frame of exposure 1.
+        Noise variance of each frame / noise variance of a frame of exposure 1.
     discarded : float
-        Share of the norm of all filters in the singular vectors that were discarded.
+        Fraction of the norm of all filters in the discarded singular vectors.
 
     Derivatives are with respect to the index of the candidate; kappa is half of the energy's second derivative.
     """
@@ -156,7 +155,7 @@ class FocalTables:
 
     @property
     def rank(self) -> int:
-        """Number of basis images, whose products give all energies."""
+        """Number of basis images, from whose products all energies are computed."""
         return len(self.basis)
 
     @property
@@ -179,7 +178,7 @@ class FocalTables:
     def forms(self, rank: int) -> Array:
         """Return the energies as quadratic forms: factors of e_k e_l for k <= l, shape (c, rank (rank + 1) / 2).
 
-        With a `rank` above that of the tables the further factors are 0.
+        If `rank` exceeds the rank of the tables, the additional factors are 0.
         """
         k, l = np.triu_indices(rank)
         mixes = np.zeros((*self.mixes.shape[:2], rank))
@@ -191,8 +190,8 @@ class FocalTables:
 def candidates(between: tuple[float, float], count: int, lenses: Sequence[Lens]) -> Array:
     """Return `count` equally spaced vergences (1 / m) that extend a little beyond a range of distances (m).
 
-    They stay between 0 (infinity) and 0.9 / focal length, unless the range goes beyond: at the focal length images
-    are at infinity.
+    The extension ends at 0 (infinite distance), and at 0.9 / (focal length): an object at the focal length would have
+    its image at infinity.
     """
     far, near = 1.0 / between[1], 1.0 / between[0]
     margin = _MARGIN * (near - far)
@@ -209,9 +208,9 @@ def focal_tables(
 ) -> FocalTables:
     """Return the tables of a channel, with the largest binning and the shortest filters that lose little precision.
 
-    `model_of` returns the model of frames binned by a number of pixels a side. `blocks` describes the windows over
-    which energies are averaged: weights of blocks along an axis, from the central one outwards, and the side of a
-    block in pixels. With `like` binning, filter b and degree are those of the tables of another channel.
+    ``model_of(n)`` returns the model of frames binned in squares of n x n pixels. `blocks` describes the windows over
+    which energies are averaged: weights of blocks along an axis, from the central block outwards, and the side of a
+    block in pixels. With `like`, the tables of another channel, binning, filter b and degree are copied from it.
     """
     weights, block = blocks
 
@@ -222,7 +221,7 @@ def focal_tables(
         return design(model_of(like.binning), like.taps, like.degree, like.discarded, like.binning)
     binnings = [side for side in (1, 2, 4) if side <= block]
     models = [model_of(side) for side in binnings]
-    # Without the outer tenths, most of which is beyond the range.
+    # Without a tenth of the candidates at each end, most of which are outside the range.
     tenth = len(models[0].vergence) // 10
     inner = slice(tenth, -tenth or None)
     # A window has fewer binned pixels by binning^2: errors per window compare as bound * binning.
@@ -259,8 +258,8 @@ def residual_filters(model: FocalModel) -> Array:
 def shifts(model: FocalModel, other: FocalModel) -> Array:
     """Return the error of the vergence, in candidates to first order, if frames of `model` are filtered for `other`.
 
-    `model` has three vergences for each candidate: that of the candidate before, its own, and that of the candidate
-    after; `other` has one. The energy's derivative vanishes where ``<e' (e + de)> = 0``, which is shifted by
+    `model` has three vergences for each candidate: of the previous candidate, of this candidate and of the next
+    candidate; `other` has one. At the minimum of the energy ``<e' (e + de)> = 0``: it is shifted by
     ``-<e' de> / <e' e'>``. Here e' is the derivative of the residual with respect to the candidate, de the residual
     of the scene in the filters of `other`, and <> the mean over the texture of the model.
     """
@@ -279,9 +278,9 @@ class _Fit:
     terms : ndarray, shape (degree + 1, frequencies)
         Polynomials T_m at the frequencies of the model.
     mean_power : float
-        Power at frequency 0 that all frames have in common, or 0: filters then ignore the mean of each frame.
+        Power at frequency 0 of a mean that is common to all frames. With 0, filters ignore the mean of each frame.
     ridge : float
-        Relative ridge of the normal equations.
+        Ridge added to the normal equations, relative to their mean diagonal element.
     """
 
     def __init__(self, model: FocalModel, terms: Array, mean_power: float, ridge: float) -> None:
@@ -292,8 +291,8 @@ class _Fit:
     def coefficients(self, filters: Array) -> tuple[Array, Array]:
         """Return the coefficients of filters (c, pairs, frames, frequencies), and the mean normal matrix.
 
-        Coefficients have the shape (c, pairs, frames * (degree + 1)), the matrix, averaged over candidates, has one
-        row for each of them.
+        Coefficients have the shape (c, pairs, frames * (degree + 1)). The normal matrix is the mean over candidates,
+        with one row and column for each of the frames * (degree + 1) coefficients.
         """
         count, pairs, frames = filters.shape[:3]
         terms, size = self._terms, len(self._terms)
@@ -309,21 +308,22 @@ class _Fit:
         return coefficients, mean_normal
 
     def _cross_spectra(self, c: int) -> Array:
-        """Return the cross-spectra of the frames of a candidate, scene and noise, (frames, frames, frequencies)."""
+        """Return the cross-spectra of the frames, scene plus noise, at candidate c, (frames, frames, frequencies)."""
         h = self._model.transfer[c]
         spectra = self._model.texture * h[:, None] * h[None]
         for i, noise in enumerate(self._model.noise[c]):
             spectra[i, i] += noise
-        # Frequency 0: a mean that all frames have in common or, to ignore means, an independent mean of each frame.
+        # Frequency 0: a mean common to all frames, or independent means of the frames, which filters then reject.
         mean = self._mean_power + np.eye(len(h)) if self._mean_power else _MEAN_REJECTION * np.eye(len(h))
         spectra[:, :, 0] = mean
         return np.asarray(spectra)
 
 
 def _overlap(weights: Array, side: int) -> Array:
-    """Return the autocorrelation of a window along an axis at lags of 0, 1, ... binned pixels, over that at lag 0.
+    """Return the autocorrelation of a window along an axis, 1 at lag 0, at lags of 0, 1, ... binned pixels.
 
-    `weights` are those of blocks from the central one outwards, `side` is the side of a block in binned pixels.
+    `weights` are the weights of blocks, from the central block outwards; `side` is the side of a block in binned
+    pixels.
     """
     along = np.repeat(np.append(weights[:0:-1], weights), side)
     autocorrelation = np.correlate(along, along, "full")[len(along) - 1 :]
@@ -391,7 +391,7 @@ class _Statistics(NamedTuple):
 
     @classmethod
     def of(cls, model: FocalModel, filters: Array, overlap: Array) -> Self:
-        """Return the statistics of filters (c, pairs, frames, frequencies) in windows of an autocorrelation."""
+        """Return the statistics of filters (c, pairs, frames, frequencies) for windows with this `overlap`."""
         correlated = _WindowVariance(model.band, overlap)
         share, texture, count = model.band.share, model.texture, len(filters)
         slopes = np.gradient(filters, axis=0)
@@ -401,7 +401,7 @@ class _Statistics(NamedTuple):
         half_second = np.array([0.5, -1.0, 0.5])  # half of a second difference
 
         def mean_energies(which: slice | Array, c: int) -> Array:
-            """Return the mean energies by the filters of some candidates, less noise, of a texture at candidate c."""
+            """Return the mean energies, minus noise, of texture at depth c, by the filters of candidates `which`."""
             h, g = model.transfer[c], filters[which]
             scene = (np.einsum("cpif,if->cpf", g, h, optimize=True) ** 2).sum(axis=1) @ (share * texture)
             noise = np.einsum("cpif,if->c", g**2, model.noise[c] * share, optimize=True)
@@ -416,16 +416,16 @@ class _Statistics(NamedTuple):
             k = min(max(int(np.argmin(energy)), 1), len(energy) - 2)
             before, lowest, after = energy[k - 1 : k + 2]
             bias[c] = start + k + 0.5 * (before - after) / (before - 2.0 * lowest + after) - c
-            own = min(max(c, 1), count - 2) - start  # with a neighbour on either side
+            own = min(max(c, 1), count - 2) - start  # index of c in `energy`, not the first or last candidate
             curvature = float(half_second @ energy[own - 1 : own + 2])
-            # Spectra S_ee, S_dd and S_ed between the residuals p and q, by scene and noise.
+            # Cross-spectra S_ee, S_dd and S_ed of the residuals p and q, for scene plus noise.
             e, slope = np.einsum("pif,if->pf", g, h), np.einsum("pif,if->pf", d, h)
             ee = texture * e[:, None] * e[None] + np.einsum("pif,qif,if->pqf", g, g, n)
             dd = texture * slope[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", d, d, n)
             ed = texture * e[:, None] * slope[None] + np.einsum("pif,qif,if->pqf", g, d, n)
             pixel_variance = float((ee * dd + ed * ed.swapaxes(0, 1)).sum(axis=(0, 1)) @ share)
             variance = correlated(ee, dd) + correlated(ed, ed.swapaxes(0, 1))
-            # The same spectra by white noise alone.
+            # S_ee, S_dd and S_ed for white noise alone.
             white = [np.einsum("pif,qif,i->pqf", a, b, model.white) for a, b in ((g, g), (d, d), (g, d))]
             noise_alone = correlated(white[0], white[1]) + correlated(white[2], white[2].swapaxes(0, 1))
             kappa = float((slope**2).sum(axis=0) @ (share * texture))
@@ -457,13 +457,13 @@ class _WindowVariance:
         self._weights = both_signs[:, None] * both_signs
 
     def __call__(self, a: Array, b: Array) -> float:
-        """Return the variance of two spectra (..., frequencies), summed over all other axes."""
+        """Return the variance for two spectra (..., frequencies), summed over all axes but the last."""
         first, second = (self._cosines @ spectra[..., self._places] @ self._cosines.T for spectra in (a, b))
         return float((first * second * self._weights).sum())
 
 
 class SharpTables:
-    """Wiener filters at each candidate vergence, as polynomials of one small filter: a sharp image and other foci.
+    """Wiener filters for sharp and refocused images at each candidate vergence, as polynomials of one small filter.
 
     Parameters
     ----------
@@ -474,14 +474,14 @@ class SharpTables:
     degree : int
         Degree of its Chebyshev polynomials.
     foci : sequence of ndarray, shape (c, frequencies)
-        Transfer functions of further images, for example focused at another distance. All share one basis.
+        Transfer functions of additional images, for example at another focus. All images share one basis.
 
     Attributes
     ----------
     basis : ndarray, shape (rank, frames, degree + 1)
         Basis images: coefficients of T_m Y_i.
     pixel : ndarray, shape (c, frequencies)
-        Transfer function of the sharp image, that of a square pixel.
+        Transfer function of the sharp image: that of a square pixel, without the lens.
     """
 
     def __init__(self, model: FocalModel, taps: Taps, degree: int, foci: Sequence[Array] = ()) -> None:
@@ -493,7 +493,7 @@ class SharpTables:
         filters = [self._filters(target) for target in (self.pixel, *foci)]
         coefficients, self._normal = self._fit.coefficients(np.stack(filters, axis=1))
         targets = zip((self.pixel, *foci), filters, strict=True)
-        # Rows weighted by 1 over their rms error: each image then loses the same share by the lower rank.
+        # Rows are weighted by 1 / rms error: the lower rank then causes the same relative loss in each image.
         weights = np.stack(
             [1.0 / np.sqrt(np.maximum(self._errors(target, exact), 1e-12)) for target, exact in targets], axis=1
         )
@@ -509,8 +509,8 @@ class SharpTables:
     def _filters(self, target: Array) -> Array:
         """Return the Wiener filters for a target transfer function (c, frequencies), (c, frames, frequencies)."""
         model, h = self.model, self.model.transfer
-        # Cross-spectra of the target image with the frames. The sharp image contains the aliases of the scene, which
-        # frames in focus contain, too.
+        # Cross-spectra of the target image and the frames. The sharp image contains aliases of the scene, and frames
+        # in focus contain them as well.
         cross = (target * model.texture)[:, None] * h
         if target is self.pixel:
             cross = cross + model.folded[:, :-1]
@@ -518,12 +518,12 @@ class SharpTables:
         weighted = cross / model.noise
         gain = model.texture * (h * weighted).sum(axis=1) / (1.0 + model.texture * model.signal())
         filters = weighted - gain[:, None] * h / model.noise
-        # Frequency 0: the mean of the frames, weighted by 1 over their noise.
+        # Frequency 0: the mean of the frames, weighted by 1 / noise.
         filters[:, :, 0] = (1.0 / model.white) / (1.0 / model.white).sum()
         return np.asarray(filters)
 
     def _errors(self, target: Array, filters: Array) -> Array:
-        """Return the mean squared error of filtered images, over the variance of a pixel, (c,)."""
+        """Return (mean squared error of filtered images) / (variance of a pixel), (c,)."""
         model = self.model
         missing = target - np.einsum("cif,cif->cf", filters, model.transfer)
         power = model.texture * missing**2 + (filters**2 * model.noise).sum(axis=1)
@@ -543,7 +543,7 @@ class SharpTables:
         return np.stack([self._errors(target, self._filters(target)), self._errors(target, fitted)])
 
     def stream(self, size: tuple[int, int], threads: int) -> FocalStream:
-        """Return the engine that computes the basis images of single frames of this height and width."""
+        """Return the stream that computes the basis images of single frames of the height and width `size`."""
 
         def single(values: ArrayLike) -> NDArray[np.float32]:
             return np.ascontiguousarray(values, dtype=np.float32)

@@ -1,4 +1,4 @@
-"""Depth maps with standard errors, and sharp images, of frames at video rate."""
+"""Depth maps with standard errors, and sharp images, from frames at video rate."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import atomic, options, validation
 from lommel.base.arrays import Array, Values
 from lommel.estimation.focal_model import FocalLight, FocalModel
-from lommel.imaging.defocus_verdict import DefocusVerdict, judged
+from lommel.imaging.defocus_verdict import DefocusVerdict, judge_frames
 from lommel.imaging.focal_engine import (
     BLOCK,
     CONTRAST,
@@ -33,8 +33,8 @@ from lommel.imaging.settings import spectra
 from lommel.optics.lens import Lens, pixel_of
 from lommel.recorded.noise import Noise
 
-_MOST_DEPTHS = 961  # largest number of candidates of a single frame
-_LIGHT = 5000.0  # electrons a pixel, by default
+_MAX_CANDIDATES_SHARPEN = 961  # largest number of candidate depths of LiveSharpen
+_LIGHT = 5000.0  # default mean number of electrons per pixel
 
 
 class LiveSharpen:
@@ -43,21 +43,23 @@ class LiveSharpen:
     Parameters
     ----------
     lens : Lens
-        At its focus distance and f-number; a circular or annular aperture and radially symmetric aberrations only.
+        Lens at its focus distance and f-number, with a circular or annular aperture and radially symmetric
+        aberrations.
     pixel : float
         Pixel pitch, metres.
     between : (float, float)
         Nearest and farthest distance, metres; the farthest may be infinite.
     noise : Noise
-        Of the values of the frames, with numbers for `white`, `read` and `offset`.
+        Noise of the frames, with numbers (not maps) for `white`, `read` and `offset`.
     shape : (int, int) or (int, int, int)
-        Height and width of the frames, pixels, 64 or more, and channels.
+        Height and width of the frames, at least 64 pixels each, and optionally the number of channels.
     light : float, optional
-        Mean electrons of a pixel, by default 5000: less makes a smoother image.
+        Mean number of electrons per pixel, by default 5000. A smaller number yields a smoother image.
     wavelengths : sequence of (float, float), optional
         Spectrum of the light: wavelengths, metres, and weights. By default the wavelength of the lens.
     saturation : float, optional
-        Value from which on pixels are full, and filled from their neighbours, as is the largest of unsigned integers.
+        Value at and above which pixels are saturated; by default the largest value of unsigned integers. Saturated
+        pixels are filled from their neighbours.
     threads : int, optional
         Number of threads; by default the number of processors. The result does not depend on it.
 
@@ -68,9 +70,9 @@ class LiveSharpen:
 
     Notes
     -----
-    Wiener's filter of each distance, for textures of a spectrum that falls as the inverse square of the frequency, as
-    a polynomial of one small filter (see :class:`lommel.imaging.LiveDepth`). It keeps the mean. Blur wider than the
-    filters reach is undone in part.
+    Each distance has a Wiener filter, for textures whose power spectrum falls as 1 / frequency^2, computed as a
+    polynomial of one small filter (see :class:`lommel.imaging.LiveDepth`). Filters keep the mean. Blur that is wider
+    than the filters is removed only in part.
 
     Examples
     --------
@@ -98,7 +100,7 @@ class LiveSharpen:
         mean = _LIGHT if light is None else validation.real("light", light, least=1.0, below=1e9)
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lens.wavelength, 1.0),)
-        self._between, self._vergence = ranged(between, [lens], pitch, None, _MOST_DEPTHS)
+        self._between, self._vergence = ranged(between, [lens], pitch, None, _MAX_CANDIDATES_SHARPEN)
         model = FocalModel.of([lens], self._vergence, spectrum, pitch, FocalLight(mean, form.read, (1.0,), CONTRAST))
         self._tables = tables = SharpTables(model, Taps.of(5), 12)
         self._factors = _single(tables.mixes(tables.pixel))
@@ -118,51 +120,50 @@ class LiveSharpen:
         Parameters
         ----------
         frame : ndarray, shape (height, width) or (height, width, channels)
-            Of uint8, uint16 or floats; NaN marks unknown pixels.
+            Frame of uint8, uint16 or floats; NaN marks unknown pixels.
         depth : float or array_like, shape (height, width) or (height // 4, width // 4)
-            Distance, metres, of all, of each pixel, or of blocks of 4 x 4 pixels, between whose middles it is taken
-            to change linearly in 1 / distance.
+            Distance in metres: one number, a map of pixels, or a map of blocks of 4 x 4 pixels. Between block centres
+            1 / distance is interpolated linearly.
         out : ndarray of float32, of the shape of a frame, optional
-            To write to.
+            Array for the result.
 
         Raises
         ------
         TypeError, ValueError
-            If the frame or `out` is of another shape or type, or `depth` is of another shape, not finite or not above
-            0.
+            If the frame or `out` is of another shape or type, or `depth` is of another shape, NaN, or not above 0.
         """
         stored = self._form.checked("frame", frame)
         places, side = self._places(depth)
         full = self._form.full(stored.dtype)
-        made = self._form.image(out)
+        image = self._form.image(out)
         if self._form.channels == 1:
             self._stream.take([stored], self._gains, self._form.offset, full, None)
-            self._stream.mix(places, side, self._factors, made)
-            return made
-        one = np.empty(self._form.size, dtype=np.float32)
+            self._stream.mix(places, side, self._factors, image)
+            return image
+        channel = np.empty(self._form.size, dtype=np.float32)
         for c in range(self._form.channels):
             plane = np.ascontiguousarray(stored[..., c])
             self._stream.take([plane], self._gains, self._form.offset, full, None)
-            self._stream.mix(places, side, self._factors, one)
-            made[..., c] = one
-        return made
+            self._stream.mix(places, side, self._factors, channel)
+            image[..., c] = channel
+        return image
 
     def _places(self, depth: float | ArrayLike) -> tuple[NDArray[np.float32], int]:
-        """Return positions in candidates, and the side in pixels of the block that each is the centre of."""
+        """Return depths as positions between candidates, and the side in pixels of the block for each position."""
         with np.errstate(over="ignore"):
             metres = np.asarray(depth, dtype=np.float32)
         height, width = self._form.size
         sides = {(): min(height, width), (height, width): 1, (height // BLOCK, width // BLOCK): BLOCK}
-        # One depth for all pixels, for each pixel, or for each block.
+        # Side of a block by shape: one depth for the frame, for each pixel, or for each block of 4 x 4 pixels.
         if metres.shape not in sides:
             raise ValueError(
                 f"depth must be a number, or have the shape {(height, width)} or "
                 f"{(height // BLOCK, width // BLOCK)}, got {metres.shape}"
             )
-        if not metres.min() > 0.0:  # NaN is not
+        if not metres.min() > 0.0:  # also if the minimum is NaN
             raise ValueError(f"depth must be > 0 metres everywhere, got {metres[~(metres > 0.0)].flat[0]}")
         first, step = (np.float32(each) for each in (self._vergence[0], self._vergence[1] - self._vergence[0]))
-        # Maps of pixels take as long as their filters, unless they are turned into positions in one place.
+        # In place: for a map of pixels a temporary array would take as long as the filters.
         places = np.divide(np.float32(1.0) / step, np.atleast_2d(metres), order="C")
         places -= first / step
         return places, sides[metres.shape]
@@ -172,31 +173,31 @@ def _single(values: ArrayLike) -> NDArray[np.float32]:
     return np.ascontiguousarray(values, dtype=np.float32)
 
 
-_LEVELS = (500.0, 5000.0, 50_000.0)  # default mean electrons of a pixel of the tables
-_MOST = 241  # largest number of candidates of several frames
-_CELLS = 8  # parts of a frame along a side whose light is summed
-_DARK = 0.05  # of the mean of the brightest frame: a darker frame counts as black
-_UNLIKE = 2.0  # largest ratio of measured exposures; larger ones must be stated
+_LEVELS = (500.0, 5000.0, 50_000.0)  # mean electrons per pixel for which tables are computed by default
+_MAX_CANDIDATES = 241  # largest number of candidate depths of LiveDepth
+_CELLS = 8  # number of parts, along each side of a frame, in which light is summed
+_MIN_MEAN = 0.05  # mean of a frame / mean of the brightest frame, below which the frame counts as black
+_MAX_RATIO = 2.0  # largest ratio of exposures that is measured; larger ratios must be stated
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LiveDepthMap:
-    """Depth of blocks of 4 x 4 pixels, in arrays that the next call overwrites.
+    """Depth map in blocks of 4 x 4 pixels; the next call of LiveDepth overwrites its arrays.
 
     Attributes
     ----------
     depth : ndarray of float32, shape (height // 4, width // 4)
-        Distance from the lens, metres; NaN where it is not known.
+        Distance from the lens, metres; NaN where depth is unknown.
     errors : ndarray of float32
-        Its standard error, metres; inf where it is not known.
+        Standard error of `depth`, metres; inf where depth is unknown.
     misfit : ndarray of float32
-        What is left of the difference of the frames at the best depth, over that of noise: 1 where registration and
-        noise are as stated. Above: motion, other registration, edges of depth. Below 0.7: noise overstated, or frames
-        denoised.
+        Residual difference of the frames at the best depth, relative to noise: 1 if registration and noise are as
+        stated. Larger values indicate motion, misregistration or depth edges. Values below 0.7 indicate overstated
+        noise or denoised frames.
     exposures : tuple of float
-        Exposure of each frame relative to the first, as given or measured.
+        Exposure of each frame relative to the first, as stated or as measured.
     light : float
-        Mean electrons of a pixel.
+        Mean number of electrons per pixel in the first frame.
     """
 
     depth: NDArray[np.float32]
@@ -223,7 +224,7 @@ class LiveDepthMap:
 
 @options.shares(DefocusKeywords, DefocusOptions)
 class LiveDepth:
-    """Depth of frames that differ in focus, block by block, at video rate.
+    """Depth maps in blocks of 4 x 4 pixels, at video rate, from frames that differ in focus.
 
     Parameters
     ----------
@@ -235,20 +236,20 @@ class LiveDepth:
     between : (float, float)
         Nearest and farthest distance, metres; the farthest may be infinite.
     noise : Noise
-        Of the values of the frames, with numbers for `white`, `read` and `offset`: for frames in counts `white` is
-        the gain in electrons per count.
+        Noise of the frames, with numbers (not maps) for `white`, `read` and `offset`. For frames in counts, `white`
+        is the gain in electrons per count.
     shape : (int, int) or (int, int, int)
-        Height and width of the frames, pixels, 64 or more, and channels, of which the sum is taken.
+        Height and width of the frames, at least 64 pixels each, and optionally the number of channels, which are
+        summed to estimate depth.
     wavelengths : sequence of (float, float), optional
         Spectrum of the light: wavelengths, metres, and weights. By default the wavelength of the lenses.
     light : float or sequence of float, optional
-        Mean electrons of a pixel that tables are made for; those nearest to a frame's are used. By default 500, 5000
-        and 50 000. Within a factor of three errors are hardly larger than by tables of their own.
+        Mean electrons per pixel for which tables are computed; by default 500, 5000 and 50 000. The tables nearest to
+        the light of a frame are used. Light that differs by a factor of up to three hardly increases errors.
     known : array_like of bool, shape (height, width), optional
-        Pixels of the sensor that are not broken.
+        True for working pixels of the sensor, False for defective pixels.
     sharp, refocus : bool, default False
-        Whether sharp images, by :meth:`sharp`, and those of other foci as well, by :meth:`refocus`, will be asked
-        for.
+        Prepare for :meth:`sharp`, and for both :meth:`sharp` and :meth:`refocus`.
     threads : int, optional
         Number of threads; by default the number of processors. The result does not depend on it.
     {options}
@@ -256,30 +257,31 @@ class LiveDepth:
     Attributes
     ----------
     binning : tuple of int
-        Pixels a side of the squares that each level of light is filtered in: depth loses little by them.
+        Side, in pixels, of the squares that are summed before filtering, for each level of `light`.
     rank : tuple of int
-        Images whose products give the energies of each level.
+        Number of filtered images, from whose products the energies are computed, for each level of `light`.
     design_error : float
-        Largest bias of the filters by themselves, in standard errors of a window, within the range.
+        Largest bias of depth from the filter approximation, within the range, in standard errors of a window.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is out of range or of another shape, if a lens is not radially symmetric, or if the range spans
-        more defocus than few filters can tell apart.
+        too much defocus for the largest number of filters.
 
     Notes
     -----
-    The residual of two frames, ``h_2 Y_1 - h_1 Y_2``, is noise at the true depth, whatever the texture. `h` is the
-    transfer function of the lens at a depth times that of the pixel, without aliases, for scenes are continuous;
-    aliases of the texture are noise. All residuals are polynomials of one small filter, and their energies quadratic
-    forms of few images (see the page on live depth). The standard error follows from the curvature of the energy, the
-    noise and the window; it grows with the misfit, with the slope of the depth map and next to edges of depth. Depth
-    is not known where another one costs hardly more, where its standard error exceeds a tenth of the range in 1 /
-    distance, and where half of a window or more is within the blur of the border or of pixels that are not known.
+    Y_1 and Y_2 are the spectra of two frames, h_1 and h_2 the transfer functions of lens and pixel at a depth. At the
+    true depth the residual ``h_2 Y_1 - h_1 Y_2`` is noise, whatever the texture; aliases of the texture are treated
+    as noise. The energy is the mean square of the residual over a window. Residuals are computed as polynomials of
+    one small filter, and energies as quadratic forms of a few images (see the page on live depth). The standard error
+    follows from the curvature of the energy, the noise and the window; it grows with the misfit, with the slope of
+    the depth map and near depth edges. Depth is unknown where another depth has almost the same energy, where the
+    standard error exceeds 17 % of the range in 1 / distance, and where half of a window or more is within the blur
+    of the border or of unknown pixels.
 
-    :meth:`verdict` tests registration, noise and the size of blur. No pair of frames can tell which of them is
-    focused nearer, nor a shift that both foci share.
+    :meth:`verdict` tests registration, noise and the size of blur. It cannot detect exchanged frames, or an error
+    that both focus distances share.
 
     Examples
     --------
@@ -314,28 +316,28 @@ class LiveDepth:
         if len(lenses) < 2:
             raise ValueError(f"lenses must be two or more, of frames that differ in focus; got {len(lenses)}")
         self._form = form = FrameForm(shape, noise, chosen.saturation, known)
-        self._smooth, self._given = False, None
+        self._smooth, self._stated_exposures = False, None
         if isinstance(exposures, str):
             self._smooth = validation.choice("exposures", exposures, ("smooth",)) == "smooth"
         elif exposures is not None:
-            self._given = relative_exposures(exposures, len(lenses))
+            self._stated_exposures = relative_exposures(exposures, len(lenses))
         width = validation.real("window", chosen.window, least=2.0, below=16.0 + 1e-9, unit="pixels")
         count = validation.integer("threads", threads, least=1, most=1024) if threads is not None else processors()
         spectrum = spectra("wavelengths", [tuple(wavelengths)])[0] if wavelengths else ((lenses[0].wavelength, 1.0),)
-        self._between, vergence = ranged(between, lenses, pitch, None, _MOST)
+        self._between, vergence = ranged(between, lenses, pitch, None, _MAX_CANDIDATES)
         sharp, refocus = validation.truth("sharp", sharp), validation.truth("refocus", refocus)
         self._registered = Registration(chosen.magnification, lenses, form.size, count)
         scales = self._registered.scales
         task = FocalTask(lenses, vergence, [spectrum], pitch, self._between, width, BLOCK, 1, count, scales=scales)
-        # Depth is found in the sum of the channels: variances of reading add.
+        # Depth is estimated from the sum of the channels: their read-noise variances add.
         read = form.read * math.sqrt(form.channels)
-        ratios = self._given or (1.0,) * len(lenses)
+        ratios = self._stated_exposures or (1.0,) * len(lenses)
         self._levels = [
             _Level(task, FocalLight(mean, read, ratios, CONTRAST), form, sharp or refocus, refocus)
             for mean in _levels(light, form.channels)
         ]
         blocks = self._form.size[0] // BLOCK, self._form.size[1] // BLOCK
-        # Results are written to the same arrays in every call: nothing is allocated at video rate.
+        # Every call writes to these arrays: allocation would take too long at video rate.
         self._depth, self._errors, self._misfit = (np.empty(blocks, dtype=np.float32) for _ in range(3))
         self._positions = np.zeros(blocks, dtype=np.float32)
         self._sums = np.zeros((len(lenses) + 1, _CELLS, _CELLS))
@@ -345,21 +347,21 @@ class LiveDepth:
             [np.empty(self._form.size, dtype=np.float32) for _ in lenses] if self._form.channels > 1 else None
         )
         self._refocus = refocus
-        self._last: _Taken | None = None
+        self._last: _Call | None = None
 
     @property
     def binning(self) -> tuple[int, ...]:
-        """Pixels a side of the squares that each level of light filters."""
+        """Side in pixels of the squares that are summed before filtering, for each level of light."""
         return tuple(level.engine.binning for level in self._levels)
 
     @property
     def rank(self) -> tuple[int, ...]:
-        """Number of images whose products give the energies of each level."""
+        """Number of filtered images, for each level of light."""
         return tuple(level.engine.rank for level in self._levels)
 
     @property
     def design_error(self) -> float:
-        """Largest bias of the filters by themselves, in standard errors of a window."""
+        """Largest bias of depth from the filter approximation, in standard errors of a window."""
         return max(level.engine.design_error for level in self._levels)
 
     def __repr__(self) -> str:
@@ -373,19 +375,19 @@ class LiveDepth:
         )
 
     def __call__(self, *frames: Values, known: Values | None = None) -> LiveDepthMap:
-        """Return the depth of frames, in arrays that the next call overwrites.
+        """Return the depth map of frames, in arrays that the next call overwrites.
 
         Parameters
         ----------
         *frames : ndarray, shape (height, width) or (height, width, channels)
-            One of each lens, of uint8, uint16 or floats; NaN marks unknown pixels.
+            One frame of each lens, of uint8, uint16 or floats; NaN marks unknown pixels.
         known : ndarray of bool, shape (height, width), optional
-            Pixels that are known in these frames.
+            True for pixels that are valid in these frames.
 
         Raises
         ------
         TypeError, ValueError
-            If frames are of another number, shape or type, one holds no light, or none has a known pixel.
+            If frames are of another number, shape or type, if one is black, or if no pixel is known in all of them.
         """
         if len(frames) != len(self._lenses):
             raise ValueError(f"frames must be as many as lenses, {len(self._lenses)}, got {len(frames)}")
@@ -395,49 +397,51 @@ class LiveDepth:
         planes, limit = self._grey(stored, full, mask)
         first = self._levels[0].stream
         first.sums(planes, limit, mask, self._sums)
-        exposures, light = self._exposed()
-        # The level whose light is nearest by ratio, as noise depends on ratios of light.
+        exposures, light = self._measure_exposures()
+        # The level whose ratio to `light` is nearest to 1.
         level = min(self._levels, key=lambda one: abs(math.log(one.engine.light.mean / max(light, 1e-3))))
         self._gains[:, 0] = [self._form.white / each for each in exposures]
         if self._smooth:
             self._gains[1:] = self._form.white * _smooth_ratios(self._sums, self._offset)
         level.stream.take(planes, self._gains, self._offset, limit, mask)
         level.stream.depths(self._depth, self._errors, self._misfit)
-        self._last = _Taken(level, stored, full, mask)
+        self._last = _Call(level, stored, full, mask)
         return LiveDepthMap(self._depth, self._errors, self._misfit, exposures, light)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the tables to a file for cameras without Python: ``lommel_live_new`` of the C interface reads it.
 
-        The file holds the frames' noise, saturation and, where they were asked for, sharp images; the size of the
-        frames is stated there.
+        The file also contains noise and saturation of the frames, and the tables of sharp images if ``sharp=True``.
+        The size of the frames is an argument of ``lommel_live_new``.
 
         Parameters
         ----------
         path : path-like
-            Of the file, which is replaced.
+            Path of the file, which is replaced if it exists.
 
         Raises
         ------
         TypeError, ValueError
-            For colour, exposures that are stated, magnification, several levels of light, or masks.
+            For colour frames, stated exposures, magnification, several levels of light, or defective pixels.
         """
-        more = self._given is not None or self._smooth or self._form.masked or bool(self._registered)
-        if len(self._levels) != 1 or self._form.channels != 1 or more:
+        unsupported = (
+            self._stated_exposures is not None or self._smooth or self._form.masked or bool(self._registered)
+        )
+        if len(self._levels) != 1 or self._form.channels != 1 or unsupported:
             raise ValueError(
                 "tables are saved of grey frames for one level of light (light=), without exposures=, magnification= "
-                "and known=; the file has no place for more"
+                "and known=; the file format has no fields for other options"
             )
         form, name = self._form, validation.path("path", path)
         atomic.write(name, self._levels[0].engine.tables(form.white, form.offset, form.full(np.dtype(np.float32))))
 
     def _grey(self, stored: list[Values], full: float, mask: NDArray[np.uint8] | None) -> tuple[list[Values], float]:
-        """Return the frames that depth is found in, sums of channels, and the value at which they are saturated."""
+        """Return registered frames, summed over channels, and the value at which they are saturated."""
         if self._planes is None:
             return self._registered(stored, full, mask), full
         for frame, plane in zip(stored, self._planes, strict=True):
             np.sum(frame, axis=2, dtype=np.float32, out=plane)
-        # Sums of channels have no one saturation value: the mask excludes saturated pixels.
+        # A sum of channels has no single saturation value: the mask excludes saturated pixels.
         return self._registered(list(self._planes), math.inf, mask), math.inf
 
     @property
@@ -445,11 +449,11 @@ class LiveDepth:
         """Offset of the sum of the channels, in counts."""
         return self._form.offset * self._form.channels
 
-    def _exposed(self) -> tuple[tuple[float, ...], float]:
-        """Return the exposures, and the mean electrons of a pixel of the first frame."""
+    def _measure_exposures(self) -> tuple[tuple[float, ...], float]:
+        """Return the relative exposures, stated or measured, and the mean electrons per pixel of the first frame."""
         counts = float(self._sums[-1].sum())
         if counts == 0.0:
-            raise ValueError("frames have no pixel that is known in all of them: they are full, NaN or masked")
+            raise ValueError("frames have no pixel that is known in all of them: pixels are saturated, NaN or masked")
         white = self._form.white
         means = (self._sums[:-1].sum(axis=(1, 2)) / counts - self._offset) * white
         for k, mean in enumerate(means):
@@ -458,29 +462,29 @@ class LiveDepth:
                     f"frames[{k}] must hold light, got a mean of {mean:.4g} electrons above the offset "
                     f"{self._form.offset:g} of the noise"
                 )
-        if self._given is not None:
-            return self._given, float(means[0])
-        found = tuple((means / means[0]).tolist())
+        if self._stated_exposures is not None:
+            return self._stated_exposures, float(means[0])
+        ratios = tuple((means / means[0]).tolist())
         dark = int(np.argmin(means))
-        if means[dark] < _DARK * means.max():
+        if means[dark] < _MIN_MEAN * means.max():
             raise ValueError(
-                f"frames[{dark}] must hold light, got a mean of {means[dark]:.4g} electrons beside {means.max():.4g} "
-                "of another"
+                f"frames[{dark}] must hold light, got a mean of {means[dark]:.4g} electrons; the brightest frame has "
+                f"{means.max():.4g}"
             )
-        if not 1.0 / _UNLIKE <= min(found) <= max(found) <= _UNLIKE:
+        if not 1.0 / _MAX_RATIO <= min(ratios) <= max(ratios) <= _MAX_RATIO:
             raise ValueError(
                 "exposures must be stated where frames differ by more than a factor of 2: their means are "
                 + ", ".join(f"{mean:.4g}" for mean in means)
                 + " electrons"
             )
-        return found, float(means[0])
+        return ratios, float(means[0])
 
     def verdict(self) -> DefocusVerdict:
-        """Return whether registration, noise and lenses agree with the frames of the last call, in some seconds.
+        """Test registration, noise and lenses against the frames of the last call; takes some seconds.
 
-        These must not have changed since. ValueError if there are no frames yet.
+        The arrays of these frames must not have changed. ValueError if there was no call yet.
         """
-        level, stored, full, mask = self._taken()
+        level, stored, full, mask = self._last_call()
         planes, limit = self._grey(stored, full, mask)
         with np.errstate(invalid="ignore"):
             valid = np.all([np.isfinite(plane) & (plane < limit) for plane in planes], axis=0)
@@ -489,29 +493,30 @@ class LiveDepth:
         down, across = (2.0 * (np.arange(side) + 0.5) / side - 1.0 for side in self._form.size)
         y, x = down[:, None], across[None, :]
         light = [
-            # The polynomial of the gains over the field, by Horner's rule.
+            # The gain is a polynomial in x and y, evaluated by Horner's rule.
             (plane - self._offset) * (g[0] + x * (g[1] + x * g[2]) + y * (g[3] + x * g[4] + y * g[5]))
             for plane, g in zip(planes, self._gains.astype(np.float64), strict=True)
         ]
         images = np.where(valid, light, 0.0)[None]
-        # Blocks become pixels; the last rows and columns, beyond whole blocks, repeat their neighbours.
+        # Expand blocks to pixels; rows and columns outside whole blocks repeat their neighbours.
         errors, misfit, vergence = (
             np.pad(np.kron(each, np.ones((BLOCK, BLOCK))), [(0, side % BLOCK) for side in valid.shape], mode="edge")
-            # Errors of vergence 1 / depth: d(1 / v) = -dv / v^2.
+            # Standard errors of the vergence 1 / depth: d(1 / z) = -dz / z^2.
             for each in (self._errors / self._depth**2, self._misfit, 1.0 / self._depth)
         )
         errors = np.where(np.isnan(errors), np.inf, errors)
-        return judged(level.engine, images, valid, errors, misfit, vergence)
+        return judge_frames(level.engine, images, valid, errors, misfit, vergence)
 
     def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
-        """Return the sharp image of the frames of the last call, which must not have changed since.
+        """Return the sharp image of the frames of the last call, whose arrays must not have changed.
 
-        By Wiener's filters at the depths found, in one pass; where depth is not known it is taken from around.
+        Each pixel is filtered by the Wiener filter of its estimated depth. Unknown depth is filled from neighbouring
+        blocks.
 
         Parameters
         ----------
         out : ndarray of float32, of the shape of a frame, optional
-            To write to: then nothing is allocated.
+            Array for the result; without it an array is allocated.
 
         Returns
         -------
@@ -521,34 +526,40 @@ class LiveDepth:
         Raises
         ------
         ValueError
-            If there are no frames yet, `out` is of another shape or type, or ``sharp=True`` was not asked for.
+            If there was no call yet, if `out` is of another shape or type, or without ``sharp=True``.
         """
-        return self._mixed(None, out)
+        return self._filter_images(None, out)
 
     def refocus(self, distance: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
-        """Return what the first lens would see if it were focused elsewhere, of the frames of the last call.
+        """Return the image that the first lens would record at another focus, from the frames of the last call.
 
         Parameters
         ----------
         distance : float
-            Distance in focus, metres. The first call with it makes a table.
+            Distance in focus, metres. The first call for a distance takes longer, since it computes a table.
         out : ndarray of float32, optional
-            As of :meth:`sharp`, which has results and units, too.
+            Array for the result; see :meth:`sharp`.
+
+        Returns
+        -------
+        ndarray of float32
+            Electrons of each pixel at the exposure of the first frame.
 
         Raises
         ------
         TypeError, ValueError
-            As of :meth:`sharp`, if `distance` is not above 0, or ``refocus=True`` was not asked for.
+            As :meth:`sharp`; if `distance` is not above 0; or without ``refocus=True``.
         """
-        return self._mixed(validation.real("distance", distance, above=0.0, infinite=True, unit="metres"), out)
+        distance = validation.real("distance", distance, above=0.0, infinite=True, unit="metres")
+        return self._filter_images(distance, out)
 
-    def _taken(self) -> _Taken:
+    def _last_call(self) -> _Call:
         if self._last is None:
-            raise ValueError("there are no frames yet: call this with frames first")
+            raise ValueError("there are no frames yet: call the LiveDepth object with frames first")
         return self._last
 
-    def _mixed(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
-        level, planes, limit, mask = self._taken()
+    def _filter_images(self, distance: float | None, out: NDArray[np.float32] | None) -> NDArray[np.float32]:
+        level, planes, limit, mask = self._last_call()
         if level.pictures is None:
             raise ValueError("images must be asked for: LiveDepth(..., sharp=True), or refocus=True")
         if distance is not None and not self._refocus:
@@ -572,33 +583,33 @@ class LiveDepth:
 
 
 def _smooth_ratios(sums: Array, offset: float) -> Array:
-    """Return the ratios of brightness of the first frame to the others as polynomials over the field.
+    """Return, for each frame but the first, the polynomial (brightness of the first frame) / (brightness of frame).
 
-    Coefficients are of 1, x, x^2, y, x y, y^2, x and y from -1 to 1. `sums` holds the sums of each frame, and last
-    the numbers of pixels, over parts of the field.
+    Coefficients are those of 1, x, x^2, y, x y, y^2 for x and y from -1 to 1, shape (frames - 1, 6). `sums` holds, in
+    parts of the field, the sum of each frame, and in its last row the number of pixels.
     """
     count = sums[-1].ravel()
     # Least squares over the parts.
     light = sums[:-1].reshape(len(sums) - 1, -1) - offset * count
-    middle = (np.arange(_CELLS) + 0.5) * (2.0 / _CELLS) - 1.0
-    y, x = (each.ravel() for each in np.meshgrid(middle, middle, indexing="ij"))
-    within = (1.0 / _CELLS) ** 2 / 3.0  # the mean square of positions about the middle of a part
+    centres = (np.arange(_CELLS) + 0.5) * (2.0 / _CELLS) - 1.0
+    y, x = (each.ravel() for each in np.meshgrid(centres, centres, indexing="ij"))
+    within = (1.0 / _CELLS) ** 2 / 3.0  # mean square of x - (x at the centre) in a part
     terms = np.stack([np.ones_like(x), x, x * x + within, y, x * y, y * y + within], axis=1)
-    # The variance of a mean of n pixels goes with 1 / n: the equations are weighted by sqrt(n).
+    # The variance of a mean of n pixels is proportional to 1 / n: equations are weighted by sqrt(n).
     weight = np.sqrt(count)
-    found = []
+    ratios = []
     for other in light[1:]:
         scaled = other / np.maximum(weight, 1.0)
-        found.append(np.linalg.lstsq(terms * scaled[:, None], light[0] / np.maximum(weight, 1.0), rcond=1e-6)[0])
-    return np.asarray(found)
+        ratios.append(np.linalg.lstsq(terms * scaled[:, None], light[0] / np.maximum(weight, 1.0), rcond=1e-6)[0])
+    return np.asarray(ratios)
 
 
 class _Level:
-    """Tables for one level of light, and the streams that use them."""
+    """Tables for one level of light, and streams: the parts of the compiled core that filter frames."""
 
     def __init__(self, task: FocalTask, light: FocalLight, form: FrameForm, images: bool, refocus: bool) -> None:
         self.engine = FocalEngine(task, light)
-        # Images of frames that are not binned are made in the pass that finds their depth.
+        # Grey frames that are not binned have one stream for depth and sharp images.
         shared = images and form.channels == 1 and self.engine.binning == 1
         if images:
             self.engine.sharpen(refocus=refocus, shared=shared)
@@ -606,8 +617,8 @@ class _Level:
         self.pictures = self.stream if shared else self.engine.image_stream(form.size) if images else None
 
 
-class _Taken(NamedTuple):
-    """Frames and tables of the last call."""
+class _Call(NamedTuple):
+    """Frames and tables of one call of LiveDepth."""
 
     level: _Level
     frames: list[Values]
@@ -620,5 +631,5 @@ def _levels(light: float | Sequence[float] | None, channels: int) -> list[float]
         return [each * channels for each in _LEVELS]
     values = validation.real_array("light", light, least=1.0, most=1e9)
     if values.ndim > 1 or not 1 <= values.size <= 16:
-        raise ValueError(f"light must be a number or up to 16, got shape {values.shape}")
+        raise ValueError(f"light must be one number or a sequence of 1 to 16 numbers, got shape {values.shape}")
     return sorted(set(np.atleast_1d(values).tolist()))

@@ -1,4 +1,4 @@
-"""Occlusion: a scene cut into layers of similar defocus, composited from front to back."""
+"""Occlusion: the scene is divided into layers of similar defocus, which are composited from front to back."""
 
 from __future__ import annotations
 
@@ -21,49 +21,52 @@ from lommel.optics.pupil import ray_height
 
 
 class Group(NamedTuple):
-    """Points that spread windows of one bank."""
+    """Points that spread light by the windows of one bank."""
 
-    sources: list[tuple[int, Points]]  # 0: light of the scene, 1: light behind it
-    bank: Bank | None = None  # if different from that of the channel
-    hidden: bool = True  # whether occlusion applies
-    taken_off: bool = False  # whether the result is subtracted
+    sources: list[tuple[int, Points]]  # 0: visible points of the scene; 1: hidden points, behind its edges
+    bank: Bank | None = None  # None: the bank of the channel
+    occluded: bool = True  # whether nearer layers occlude the light
+    negative: bool = False  # whether the result is subtracted
 
 
 def spread_groups(
     blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
 ) -> Values:
-    """Return the image, in one channel, of the light of a scene and of the light behind it."""
+    """Return the blurred image, in one channel, of visible and hidden points.
+
+    `planes` are the light of the visible points and of the hidden points.
+    """
     total = np.zeros(blur.shape, dtype=blur.dtype)
     for group in groups:
-        given = [(planes[behind], points) for behind, points in group.sources]
-        made = blur.spread(channel, given, seen if group.hidden else None, bank=group.bank)
-        total += -made if group.taken_off else made
-    # Light beyond windows is not occluded: it is far from any edge (certificate, section 13, last paragraph).
+        sources = [(planes[kind], points) for kind, points in group.sources]
+        image = blur.spread(channel, sources, seen if group.occluded else None, bank=group.bank)
+        total += -image if group.negative else image
+    # Light outside the windows is not occluded: certificate, section 13, last paragraph.
     if blur.beyond is not None:
         total += blur.beyond.act(blur, [channel], [planes[0]])[0]
     return total
 
 
-MOST_LAYERS = 64  # layers become thicker than a pixel of blur if there would be more of them
+MOST_LAYERS = 64  # largest number of layers; a larger range of blur makes the layers thicker instead
 
-# Share of its sharp light that each point keeps, so that no divisor is 0.
-_TRACE = 1e-9
+# Fraction of the sharp image that is added to the blurred image: it keeps divisors above 0.
+_SHARP_FRACTION = 1e-9
 
 
 class Layering(NamedTuple):
     """Layers of points by depth, and the light that they occlude."""
 
     layers: NDArray[np.uint8]  # layer of each point, 0 the nearest
-    behind: NDArray[np.int32] | None  # flat index of the representative of the points that each occludes, -1: none
+    behind: NDArray[np.int32] | None  # for each point, flat index of the point whose light is behind it; -1: none
     number: int  # number of layers
 
     @property
     def level(self) -> int:
-        """Number of the first layer, counted from the middle one; smaller numbers are rounded less."""
+        """Index of the first layer, counted from the middle layer: small indices have small rounding errors."""
         return -(self.number // 2)
 
     def edges(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """Return flat indices of occluding points, and of the representatives of what they occlude."""
+        """Return the flat indices of the points with hidden light behind them, and of the sources of this light."""
         if self.behind is None:
             return (np.empty(0, dtype=np.int64),) * 2
         points = np.flatnonzero(self.behind >= 0)
@@ -71,44 +74,41 @@ class Layering(NamedTuple):
 
 
 class Shares(NamedTuple):
-    """What the pixels of one channel see, determined by the depth alone."""
+    """Visibility of the layers in one channel; it depends on the depth alone."""
 
-    seen: (
-        Values  # the layers that each pixel sees, from the front: of the last one in part, of those behind it nothing
-    )
+    seen: Values  # number of layers, from the front, that each pixel sees; fractional if it sees the last one in part
     total: Values  # image of a white scene
 
 
 class Occlusion(LinearBlur):
-    r"""Blur by depth with occlusion, near points before far ones: a linear operator, with its transpose.
+    r"""Blur by depth with occlusion of far points by near points: a linear operator, with its transpose.
 
-    Points are sorted into layers, within each of which the circle of confusion changes by a pixel (or by a 64th of
-    its range over the scene, if that is more). From the nearest layer to the farthest, the light B and the coverage A
-    (the same for a white scene) are blurred, each point by its own PSF, and added as far as nearer layers have left
-    the aperture open: ``out = sum w B / A``, ``w = min(A, 1 - sum of w before)``.
+    Points are sorted into layers. Within a layer the diameter of the circle of confusion varies by one pixel, or by
+    1/64 of its range over the scene if that is more. Each point is blurred by its own PSF: B is the blurred light of
+    a layer, and A, the coverage, is B for a white scene. From the nearest layer to the farthest, light is added while
+    nearer layers leave part of the aperture open: ``out = sum w B / A``, ``w = min(A, 1 - sum of nearer w)``.
 
-    Coverages are added, up to the full aperture, rather than multiplied as for independent screens (``T *= 1 - A``):
-    points of one slanted surface lie in many layers and cover disjoint parts of the aperture. A product would leave
-    such a surface transparent and weigh its near points more; with the sum, the result is that of
+    Coverages are added, up to the full aperture. For independent screens they would be multiplied (``T *= 1 - A``),
+    but the points of one slanted surface lie in many layers and cover disjoint parts of the aperture. The product
+    would make this surface transparent and increase the weight of its near points. With the sum, the result equals
     :meth:`lommel.imaging.DepthBlur.forward` wherever nothing is occluded, except for a normalisation that keeps a
-    white scene white where the blur varies. Two separate screens in front of a third surface cover slightly too much
-    of it.
+    white scene white where the blur varies. Two separate screens cover slightly too much of a third surface.
 
-    Where a near surface ends in front of a far one, the lens sees some points behind it that the image does not show:
-    those closer to the edge than the difference of the radii of their circles of confusion. There a second, hidden
-    point is added, with the light and defocus of the far surface mirrored at the edge. Dividing by the coverage
-    instead would leave a sharp line in the blurred edge of a near object, at the last pixel where the far surface is
-    known; repeating its last point would draw streaks out of highlights. The remaining gaps, behind surfaces that are
-    hidden twice or at steep slopes of depth, are filled by dividing by the sum of w.
+    Near the edge of a foreground surface, the lens sees background points that the sharp image does not show: points
+    closer to the edge than the difference between the radii of the two circles of confusion. Behind these foreground
+    pixels, hidden points are added, with the light and defocus of the background mirrored at the edge. Division by
+    the coverage alone would leave a sharp line in the blurred edge of a near object; repeating the last background
+    point would turn highlights into streaks. Gaps that remain, behind two foreground surfaces or at steep slopes of
+    depth, are filled by division by the sum of w.
 
-    The ratio w / A is 1 for the layers before the aperture is full, 0 for those after it, and a fraction for the one
-    that fills it: one real number per pixel, the number of visible layers, holds them all. The occlusion depends on
-    the depth alone. At the first call for a depth map it is computed together with the image, which takes 1.3 to 2.7
-    times as long as :meth:`lommel.imaging.DepthBlur.forward`; from the second call or the first :meth:`adjoint` on it
-    is kept, and a call takes 1.1 to 1.5 times as long. Results are the same to the last bit.
+    The ratio w / A is 1 for layers in front of the layer that fills the aperture, a fraction for this layer, and 0
+    for layers behind it. One real number per pixel, the number of visible layers, therefore describes the occlusion,
+    which depends on the depth alone. The first call for a depth map computes it together with the image, and takes
+    1.3 to 2.7 times as long as :meth:`lommel.imaging.DepthBlur.forward`. The second call, or :meth:`adjoint`, stores
+    it; later calls take 1.1 to 1.5 times as long. All calls return the same image to the last bit.
 
-    With ``energy=1`` this applies to the windows; the light beyond them, one percent, is not occluded, and points
-    that are partly hidden cost twice as much.
+    With ``energy=1`` light inside the windows is occluded; light outside them, about one percent, is not. Partly
+    occluded points then take twice as long.
 
     Memory: 5 bytes per point; 8 per point and channel (16 in float64) during the first call, kept from the second on;
     with :meth:`adjoint` or ``energy=1`` up to 32 more.
@@ -117,8 +117,8 @@ class Occlusion(LinearBlur):
     ----------
     blur : DepthBlur
     reach : (float, float), optional
-        Smallest and largest defocus C_d (radians) of the whole scene, where `blur` has only part of it; defines the
-        layers.
+        Smallest and largest defocus C_d (radians) of the whole scene, if `blur` holds only part of it. The range
+        determines the layers.
 
     Raises
     ------
@@ -136,8 +136,8 @@ class Occlusion(LinearBlur):
     True
     """
 
-    # For the current defocus and banks: layers, and for each bank what pixels see and the groups of points.
-    _made: tuple[Array, tuple[Bank, ...], Layering, dict[Bank, Shares], dict[Bank, list[Group]]] | None = None
+    # Cache for one defocus map and its banks: the layers, and for each bank the visibility and the groups of points.
+    _cache: tuple[Array, tuple[Bank, ...], Layering, dict[Bank, Shares], dict[Bank, list[Group]]] | None = None
 
     def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
         if not isinstance(blur, DepthBlur):
@@ -151,105 +151,105 @@ class Occlusion(LinearBlur):
         return self.blur.shape
 
     def forward(self, image: Values) -> Values:
-        """Return the image that the lens makes of an `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
-        whole, again = self.blur.beyond is not None, self._made is not None and self._current()
-        layering, known, _ = self._kept()
+        """Return the blurred `image`: see :meth:`lommel.imaging.LinearBlur.forward`."""
+        whole_psf, again = self.blur.beyond is not None, self._cache is not None and self._current()
+        layering, shares_of, _ = self._cached_data()
 
-        def make(channel: int, plane: Values) -> Values:
-            if whole:
+        def render(channel: int, plane: Values) -> Values:
+            if whole_psf:
                 shares, groups = self._shares(channel), self._groups(channel)
                 points, sources = layering.edges()
                 spread = spread_groups(
-                    self.blur, channel, (plane, _moved(plane, points, sources)), shares.seen, groups
+                    self.blur, channel, (plane, _copy_values(plane, points, sources)), shares.seen, groups
                 )
             else:
                 bank = self.blur.banks[channel]
                 spread = np.zeros(self.shape, dtype=self.dtype)
-                shares = self._composite(channel, plane, spread, known.get(bank))
-                if again:  # most depth maps are used once: their shares are kept from the second time on
-                    known[bank] = shares
-            spread += _TRACE * plane
+                shares = self._composite(channel, plane, spread, shares_of.get(bank))
+                if again:  # most depth maps are used once: `shares` are cached only from the second call on
+                    shares_of[bank] = shares
+            spread += _SHARP_FRACTION * plane
             # Division by the image of a white scene: partly occluded neighbourhoods keep their brightness.
-            spread /= shares.total + _TRACE
+            spread /= shares.total + _SHARP_FRACTION
             return spread
 
-        return self.by_channel(image, make)
+        return self.by_channel(image, render)
 
     def adjoint(self, image: Values) -> Values:
-        """Return the transpose of :meth:`forward` of an `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
-        points, sources = self._kept()[0].edges()
+        """Return the transpose of :meth:`forward` of `image`: see :meth:`lommel.imaging.LinearBlur.adjoint`."""
+        points, sources = self._cached_data()[0].edges()
 
-        def make(channel: int, plane: Values) -> Values:
+        def transpose(channel: int, plane: Values) -> Values:
             shares, groups = self._shares(channel), self._groups(channel)
-            even = plane / (shares.total + _TRACE)
-            # The transpose of `spread_groups`, for the scene and for the light behind it.
-            taken = np.zeros((2, *self.shape), dtype=self.dtype)
+            normalised = plane / (shares.total + _SHARP_FRACTION)
+            # The transpose of `spread_groups`: sums for the visible points and for the hidden points.
+            sums = np.zeros((2, *self.shape), dtype=self.dtype)
             for group in groups:
-                given = [each for _, each in group.sources]
-                found = self.blur.collect(
-                    channel, even, given, shares.seen if group.hidden else None, bank=group.bank
+                layers = shares.seen if group.occluded else None
+                collected = self.blur.collect(
+                    channel, normalised, [part for _, part in group.sources], layers, bank=group.bank
                 )
-                for (behind, _), more in zip(group.sources, found, strict=True):
-                    taken[behind] += -more if group.taken_off else more
-            scene: Values = taken[0]
+                for (kind, _), more in zip(group.sources, collected, strict=True):
+                    sums[kind] += -more if group.negative else more
+            scene: Values = sums[0]
             if self.blur.beyond is not None:
-                scene += self.blur.beyond.act(self.blur, [channel], [even], transposed=True)[0]
-            scene += _TRACE * even
-            # One point may represent several occluded ones: add.at sums repeated indices.
-            np.add.at(scene.reshape(-1), sources, taken[1].reshape(-1)[points])
+                scene += self.blur.beyond.act(self.blur, [channel], [normalised], transposed=True)[0]
+            scene += _SHARP_FRACTION * normalised
+            # One point may be the source of several hidden points: add.at sums repeated indices.
+            np.add.at(scene.reshape(-1), sources, sums[1].reshape(-1)[points])
             return scene
 
-        return self.by_channel(image, make)
+        return self.by_channel(image, transpose)
 
     def _current(self) -> bool:
-        """Return whether the kept data belong to the current defocus and banks."""
-        made = self._made
-        return made is not None and made[0] is self.blur.defocus and made[1] is self.blur.banks
+        """Return whether the cached data belong to the current defocus map and banks."""
+        cache = self._cache
+        return cache is not None and cache[0] is self.blur.defocus and cache[1] is self.blur.banks
 
-    def _kept(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Group]]]:
-        """Return the layers and the data of each bank, kept for one depth map."""
+    def _cached_data(self) -> tuple[Layering, dict[Bank, Shares], dict[Bank, list[Group]]]:
+        """Return the layers, and the visibility and groups of each bank so far; cached for one depth map."""
         if not self._current():
-            self._made = self.blur.defocus, self.blur.banks, _layering(self.blur, self._reach), {}, {}
-        assert self._made is not None
-        return self._made[2:]
+            self._cache = self.blur.defocus, self.blur.banks, _layering(self.blur, self._reach), {}, {}
+        assert self._cache is not None
+        return self._cache[2:]
 
     def _shares(self, channel: int) -> Shares:
-        """Return what the pixels of a channel see; kept."""
-        blur, bank, known = self.blur, self.blur.banks[channel], self._kept()[1]
-        if bank not in known and blur.beyond is None:
-            known[bank] = self._composite(channel)
-        elif bank not in known:
-            # Windows that hold the whole PSF: occlusion acts on light, not on light less a remainder.
+        """Return the visibility of layers in a channel; cached."""
+        blur, bank, shares_of = self.blur, self.blur.banks[channel], self._cached_data()[1]
+        if bank not in shares_of and blur.beyond is None:
+            shares_of[bank] = self._composite(channel)
+        elif bank not in shares_of:
+            # Coverage follows from windows of the whole PSF, not of the PSF minus the remainder.
             within, _ = bank.apart()
             seen, total = self._composite(
                 channel, bank=replace(within, energies=sums_of_quarters(within.windows[:-1]))
             )
             groups = self._groups(channel, seen)
             behind, cover = np.zeros(blur.shape, dtype=blur.dtype), copy.copy(blur)
-            behind.reshape(-1)[self._kept()[0].edges()[0]] = 1.0
-            # Darkness beyond the edges must not appear as a hole: it is taken to be as far as the outermost points.
+            behind.reshape(-1)[self._cached_data()[0].edges()[0]] = 1.0
+            # A dark border counts as covered: it has the depth of the outermost points of the image.
             cover.border = "extend" if blur.border == "zero" else blur.border
             total = spread_groups(cover, channel, (np.ones_like(behind), behind), seen, groups)
-            known[bank] = Shares(seen, total)
-        return known[bank]
+            shares_of[bank] = Shares(seen, total)
+        return shares_of[bank]
 
     def _groups(self, channel: int, seen: Values | None = None) -> list[Group]:
-        """Return the groups of points of a channel; kept. Without truncation they depend on what is `seen`."""
-        blur, (layering, _, known) = self.blur, self._kept()
+        """Return the groups of points of a channel; cached. With ``energy=1`` the first call requires `seen`."""
+        blur, (layering, _, groups_of) = self.blur, self._cached_data()
         bank = blur.banks[channel]
-        if bank not in known:
+        if bank not in groups_of:
             positions, (points, sources) = blur.positions(channel), layering.edges()
             layers = (layering.layers.astype(np.int8) + layering.level).astype(blur.dtype)
-            given = [Points(positions, layers)]
+            kinds = [Points(positions, layers)]
             if points.size:
                 behind = np.full(blur.shape, -1.0)
                 behind.reshape(-1)[points] = positions.reshape(-1)[sources]
-                given.append(Points(behind, _moved(layers, points, sources)))
+                kinds.append(Points(behind, _copy_values(layers, points, sources)))
             if seen is None:
-                known[bank] = [Group(list(enumerate(given)))]
+                groups_of[bank] = [Group(list(enumerate(kinds)))]
             else:
-                known[bank] = _groups_of_whole(blur, channel, given, seen)
-        return known[bank]
+                groups_of[bank] = _split_by_visibility(blur, channel, kinds, seen)
+        return groups_of[bank]
 
     def _composite(
         self,
@@ -259,17 +259,17 @@ class Occlusion(LinearBlur):
         shares: Shares | None = None,
         bank: Bank | None = None,
     ) -> Shares:
-        """Return what pixels see (computed unless in `shares`), and add what they see of a `plane` to `out`."""
-        blur, layering = self.blur, self._kept()[0]
-        used, known = bank or blur.banks[channel], shares is not None
+        """Return `shares`, computed if None, and add the blurred visible light of `plane` to `out`."""
+        blur, layering = self.blur, self._cached_data()[0]
+        used, has_shares = bank or blur.banks[channel], shares is not None
         margin = 0 if blur.border == "reflect" else used.half
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in blur.shape)
         if shares is None:
             nothing = np.full(blur.shape, layering.number + layering.level, dtype=blur.dtype)
             shares = Shares(nothing, np.zeros_like(nothing))
-        # Layer by layer if progress is watched.
-        each = [(0, layering.number)] if blur.watch is None else [(k, k + 1) for k in range(layering.number)]
-        for first, last in each:
+        # All layers in one call, or one layer per call if `watch` is set.
+        ranges = [(0, layering.number)] if blur.watch is None else [(k, k + 1) for k in range(layering.number)]
+        for first, last in ranges:
             engine.composite(
                 parts(used),
                 (blur.positions(channel), rows, columns),
@@ -277,7 +277,7 @@ class Occlusion(LinearBlur):
                 blur.border,
                 plane,
                 (first, last),
-                known,
+                has_shares,
                 blur.threads,
                 *shares,
                 out,
@@ -287,54 +287,54 @@ class Occlusion(LinearBlur):
         return shares
 
 
-def _moved(plane: Values, points: NDArray[np.int64], sources: NDArray[np.int64]) -> Values:
-    """Return a plane with the values at `sources` at each of the `points`; elsewhere zeros."""
+def _copy_values(plane: Values, points: NDArray[np.int64], sources: NDArray[np.int64]) -> Values:
+    """Return zeros, except for ``plane[sources]`` at the flat indices `points`."""
     behind = np.zeros(plane.shape, dtype=plane.dtype)
     behind.reshape(-1)[points] = plane.take(sources)
     return behind
 
 
-def _groups_of_whole(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
-    """Return the groups of points for a blur that does not truncate the PSF.
+def _split_by_visibility(blur: DepthBlur, channel: int, sources: list[Points], seen: Values) -> list[Group]:
+    """Return the groups of points for ``energy=1``.
 
-    Windows hold the PSF less the remainder, which is never occluded. So a point that some pixel of its window
-    does not see spreads its whole PSF with occlusion, less the remainder within the window without.
+    Windows hold the PSF minus the remainder, and the remainder is never occluded. A point that is hidden from a pixel
+    of its window therefore spreads the whole PSF with occlusion, minus the remainder in the window without occlusion.
     """
     from scipy.ndimage import minimum_filter
 
     within, filled = blur.banks[channel].apart()
     scene, *behind = sources
     assert scene.layers is not None
-    # The least layer seen within a window: a point in front of it is seen by every pixel that it reaches.
+    # `least`: minimum of `seen` over a window. A point in a layer before this one is visible in its whole window.
     least = minimum_filter(seen, 2 * within.half + 1, mode="reflect" if blur.border == "reflect" else "nearest")
-    free = least >= scene.layers + 1
-    groups = [Group([(0, Points(np.where(free, scene.positions, -1.0)))], hidden=False)]
-    if behind or not free.all():
-        hidden = np.where(free, -1.0, scene.positions)
-        groups.append(Group([(0, Points(hidden, scene.layers)), *((1, points) for points in behind)], within))
-        groups.append(Group([(0, Points(hidden))], filled, hidden=False, taken_off=True))
+    visible = least >= scene.layers + 1
+    groups = [Group([(0, Points(np.where(visible, scene.positions, -1.0)))], occluded=False)]
+    if behind or not visible.all():
+        partial = np.where(visible, -1.0, scene.positions)
+        groups.append(Group([(0, Points(partial, scene.layers)), *((1, points) for points in behind)], within))
+        groups.append(Group([(0, Points(partial))], filled, occluded=False, negative=True))
     return groups
 
 
 def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:
-    """Return the largest distance in pixels of an occluded point from the occluding edge."""
+    """Return the largest distance in pixels between a hidden point and the edge of the surface that hides it."""
     return math.ceil(2.0 * float(np.ptp(_radii(blur, reach)[1])))
 
 
 def _radii(blur: DepthBlur, reach: tuple[float, float]) -> tuple[Array, Array]:
-    """Return values of defocus over a range, and the signed radii of the circle of confusion in pixels."""
-    # The marginal ray meets the sensor at v = 4 C_d for a paraxial lens, nearly in proportion for others. Near points
-    # have the largest (signed) radii.
+    """Return defocus values over a range, and the signed radii of their circles of confusion in pixels."""
+    # The marginal ray meets the sensor at v = 4 C_d for a paraxial lens, and nearly in proportion to C_d for other
+    # lenses. The nearest points have the largest signed radius.
     defocus = np.linspace(*reach, 129)
     rim = ray_height(blur.lens.phase(defocus).edge, np.ones(1))[:, 0]
     return defocus, blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel) * rim
 
 
 def _layering(blur: DepthBlur, reach: tuple[float, float] | None = None) -> Layering:
-    """Return the layers of a scene, over the defocus in `reach` or its own, and the points that they occlude."""
-    # A point occludes another that the lens can see if a farther point is closer than the difference of their radii:
-    # marginal rays then pass the edge between them. The nearest such point marks the edge. Diffraction reaches a
-    # little beyond the geometric rim; that per cent of light is restored by the division.
+    """Return the layers of a scene and its hidden points; `reach` is the range of C_d, by default that of `blur`."""
+    # There is hidden light behind a point if a farther point is nearer to it in the image than the difference between
+    # the radii of their circles of confusion: marginal rays then pass the edge. The nearest farther point marks the
+    # edge. Diffraction spreads about 1 % of the light outside the geometric radius; division by `total` restores it.
     defocus, radii = _radii(blur, reach or (float(blur.defocus.min()), float(blur.defocus.max())))
     thickness = max(0.5, float(np.ptp(radii)) / MOST_LAYERS)
     layers, behind = np.empty(blur.shape, dtype=np.uint8), np.empty(blur.shape, dtype=np.int32)

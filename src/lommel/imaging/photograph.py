@@ -35,7 +35,7 @@ TILE = 1024  # default side of the tiles of memory maps, pixels
 
 _DaskArray: TypeAlias = Any  # dask is typed in part only
 
-_STRIP = 2**20  # values of a depth map read together, to find its range with little memory
+_STRIP = 2**20  # number of depth values read together, which limits the memory for the depth range
 
 
 class LazyArray(Protocol):
@@ -62,8 +62,8 @@ class Photograph:
     error : float
         Largest error of interpolated windows relative to their peak, checked half-way between computed windows. With
         ``energy=1``, the sum over all pixels of the largest error of a PSF at any depth and in any channel: without
-        occlusion, the light of a pixel is off by at most this sum times the brightest point of the scene. The sum
-        includes estimates of the error far from the point and of rounding, not the rounding to integers.
+        occlusion, the error of the light of a pixel is at most this sum times the brightest point of the scene. The
+        sum includes estimated errors far from the point and of floating-point rounding, not rounding to integers.
     window : int
         Side of the largest window, pixels.
     clipped : float
@@ -96,7 +96,7 @@ def fill_missing(depth: ArrayLike, missing: str) -> Values:
     if missing == "infinity":
         return np.where(unknown, np.inf, distances)
     if unknown.all():
-        raise ValueError('depth is NaN everywhere; give a map with depths, or missing="infinity"')
+        raise ValueError('depth is NaN everywhere; pass a map with depths, or missing="infinity"')
     from scipy.ndimage import distance_transform_edt
 
     nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)
@@ -104,7 +104,7 @@ def fill_missing(depth: ArrayLike, missing: str) -> Values:
 
 
 def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 0) -> tuple[Pixels, float]:
-    """Return the stored values of finite light (1 is white), and the fraction of them that an integer type clips."""
+    """Return finite light (1 is white) as stored values, and the fraction of values clipped to an integer range."""
     if light.dtype != np.float32 or dtype != np.uint8 or light.size == 0:
         return from_light(light, encoding, dtype), clipped_fraction(light, dtype)
     # Comparing with the thresholds between levels is faster than encoding each value, with the same result.
@@ -118,7 +118,7 @@ def encode_light(light: Values, encoding: str, dtype: DTypeLike, threads: int = 
 
 @lru_cache
 def _thresholds(encoding: str) -> NDArray[np.float32]:
-    """Return the light at which rounding to 8 bits changes from one level to the next."""
+    """Return the 255 values of light at which the rounded 8-bit value increases by one."""
     return to_light("thresholds", (np.arange(255) + 0.5) / 255.0, encoding, np.float64).astype(np.float32)
 
 
@@ -140,13 +140,13 @@ def output_array(
 
 
 def require_image(name: str, shape: tuple[int, ...]) -> None:
-    """Raise ValueError unless `shape` is that of an image, which the message calls `name`."""
+    """Raise ValueError unless `shape` is the shape of an image; `name` is the argument in the message."""
     if len(shape) not in (2, 3) or 0 in shape:
         raise ValueError(f"{name} must have the shape (height, width) or (height, width, channels), got {shape}")
 
 
 def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> None:
-    """Raise ValueError unless `shape` and `depth` are the shapes of an image, called `name`, and its depth map."""
+    """Raise ValueError unless `shape` is the shape of an image, the argument `name`, and `depth` of its depth map."""
     require_image(name, shape)
     if depth != shape[:2]:
         raise ValueError(f"depth must have the shape of the {name}, {shape[:2]}, got {depth}")
@@ -156,9 +156,9 @@ def require_scene(name: str, shape: tuple[int, ...], depth: tuple[int, ...]) -> 
 class FocusPlan:
     """Depth-of-field rendering of one scene, for live use: focus and f-number change from frame to frame.
 
-    The options are checked and the image is decoded once. Each frame computes the windows and the occlusion of its
-    lens setting, unless they are kept from an earlier frame, then blurs and encodes. The values are those of
-    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
+    The options are checked and the image is decoded once. For each frame, the windows and the occlusion of its lens
+    setting are computed, unless they are kept from an earlier frame; then the image is blurred and encoded. The
+    values equal the result of :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
 
     Parameters
     ----------
@@ -175,8 +175,8 @@ class FocusPlan:
     Raises
     ------
     TypeError, ValueError
-        As :func:`lommel.imaging.depth_of_field`; also if the windows of `lens` at its own focus exceed `largest`,
-        since they are computed when the plan is made.
+        See :func:`lommel.imaging.depth_of_field`; also if windows of `lens` at its own focus exceed `largest`, since
+        the constructor computes them.
 
     Examples
     --------
@@ -235,7 +235,7 @@ class FocusPlan:
     def _occlusion_at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
         """Return the blur with occlusion at a focus distance and f-number, from the cache if it is there."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
-        # Sensor distance and aperture diameter determine the lens, also where it is refocused to its own distance.
+        # Sensor distance and aperture diameter identify the lens, also if it is refocused to its present distance.
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._cache:
             self._cache.move_to_end(key)
@@ -268,7 +268,7 @@ class FocusPlan:
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or the blur exceeds the largest window allowed. `out` is then untouched.
+            If an argument is out of range, or a window exceeds `largest`. `out` is not changed then.
         """
         if out is not None:
             output_array(out, "image", self.shape, self.dtype)
@@ -281,7 +281,7 @@ class FocusPlan:
         photograph = _make_photograph(values, occlusion.blur, clipped)
         if out is None:
             return photograph
-        # Errors must leave `out` as it was, so it is written to at the end.
+        # `out` is written last: it keeps its values if an error is raised.
         np.copyto(out, photograph.values)
         return replace(photograph, values=out)
 
@@ -332,9 +332,9 @@ def depth_of_field(
 
     The PSFs are pixel-integrated, with diffraction, aberrations and colour (:class:`lommel.imaging.DepthBlur`), and
     near points occlude far ones (:class:`lommel.imaging.Occlusion`). Arrays are rendered as a whole; memory maps, and
-    arrays with `tile`, in overlapping tiles with little memory; dask arrays lazily, by chunks. Tiles and chunks agree
-    with the whole image except for rounding: all use the same windows. They overlap by half a window; `occlusion`
-    adds twice the range of blur radii, the largest distance of an occluded point from the occluding edge.
+    arrays with `tile`, in overlapping tiles with little memory; dask arrays lazily, by chunks. Tiles and chunks use
+    the windows of the whole image, and agree with it except for rounding. They overlap by half a window; with
+    `occlusion` also by twice the range of blur radii, the largest distance of an occluded point from an edge.
 
     Parameters
     ----------
@@ -342,7 +342,7 @@ def depth_of_field(
         Unsigned integers (white is their largest value) or floats (white is 1).
     depth : array_like, memory map or dask array, shape (height, width)
         Distance of each point from the lens along the axis, metres; may be infinite. Tiles and chunks read the map
-        twice, first for its range; ``missing="nearest"`` reads it as a whole, since any tile may hold the nearest.
+        twice, first for its range; ``missing="nearest"`` reads the whole map into memory.
     lens : Lens
         Lens with radially symmetric aberrations.
     pixel : float
@@ -361,7 +361,7 @@ def depth_of_field(
     depths : (float, float), optional
         Nearest and farthest distance in the scene, metres; by default they are read from `depth`.
     out : ndarray, optional
-        Array or memory map that receives the values, with the shape and type of the result. Not for dask arrays.
+        Array or memory map for the values, with the shape and type of the result. Not for dask arrays.
     progress : callable, optional
         Called as ``progress(done, tiles)`` after each tile. Not for dask arrays.
     {options}
@@ -376,8 +376,9 @@ def depth_of_field(
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        the blur exceeds `largest`, if an image has two or four channels and no `wavelengths` are given (one may be
-        alpha), or if `out` does not fit. Tiles already written are kept. Chunks are checked when they are computed.
+        a window exceeds `largest`, if an image has two or four channels and no `wavelengths` are given (one channel
+        may be alpha), or if `out` has another shape or type. `out` keeps tiles that were written before an error.
+        Chunks are checked when they are computed.
     """
     require_known(depth_of_field, options, Keywords)
     require_lens(lens, "image, depth, lens, pixel")
@@ -393,7 +394,7 @@ def depth_of_field(
                 "out and progress are not for dask arrays, which are computed later: use "
                 "dask.array.store(result, out) and dask.diagnostics.ProgressBar"
             )
-        # dask runs chunks in parallel, so that by default each chunk has one thread.
+        # dask computes chunks in parallel: by default each chunk has one thread.
         of_chunks: Keywords = {"threads": 1, **options}
         return _render_chunks(image, depth, lens, pixel, encoding, tile, depths, Settings(**of_chunks))
     if tile is None and supersample == 1 and any(isinstance(part, np.memmap) for part in (image, depth, out)):
@@ -482,7 +483,7 @@ def _render_chunks(
     # dask raises an error if the overlap is longer than the array.
     overlap = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
     if image.ndim == 3:
-        # dask matches the axes of the two arrays from the last one, so that depth needs an axis of channels.
+        # dask aligns the last axes of the two arrays: depth needs an axis of channels, too.
         distances, overlap = distances[..., None], overlap | {2: 0}
     photograph: LazyArray = da.map_overlap(
         blur.chunk,
@@ -526,11 +527,11 @@ class TileBlur:
         self.whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
         self._defocus_range = (float(self.whole.defocus.min()), float(self.whole.defocus.max()))
         self.half = max(bank.half for bank in self.whole.banks)
-        # Width, pixels, of the margin around a part whose points contribute light to the part.
+        # Width of the margin, in pixels: points in the margin of a part contribute light to the part.
         self.overlap = self.half + (reach_behind(self.whole, self._defocus_range) if self._occlusion else 0)
 
     def light(self, image: Pixels, depth: Pixels) -> Values:
-        """Return the light of a part; it is incomplete in a margin of `overlap` pixels where the part was cut out."""
+        """Return the light of a part; it is incomplete within `overlap` pixels of edges where the part was cut."""
         image, depth = validation.array("image", image), validation.array("depth", depth)
         return self.operator(depth).forward(scene_light("image", image, self.encoding, self.whole.dtype))
 
@@ -541,19 +542,19 @@ class TileBlur:
         low, high = self._defocus_range
         if blur.defocus.min() < low or blur.defocus.max() > high:
             raise ValueError(
-                f"depth must give a defocus C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole "
-                f"image, got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}; give depths= a wider range"
+                f"depth must be within depths=, the range of the whole image: C_d from {low:.6g} to {high:.6g} rad, "
+                f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}; pass a wider range as depths="
             )
         return Occlusion(blur, self._defocus_range) if self._occlusion else blur
 
     def chunk(self, image: Pixels, depth: Pixels) -> Pixels:
-        """Return the stored values of a part; its depth map may have a third axis of length 1, as dask needs it."""
+        """Return the stored values of a part; `depth` may have a third axis of length 1, which dask requires."""
         light = self.light(image, depth.reshape(depth.shape[:2]))
         return encode_light(light, self.encoding, image.dtype, self.whole.threads)[0]
 
 
 def depth_range(depth: Pixels, missing: str = "raise") -> tuple[float, float]:
-    """Return the nearest and the farthest distance, metres, reading a strip of rows at a time."""
+    """Return the nearest and the farthest distance, metres; reads one strip of rows after the other."""
     require_metres(depth.dtype)
     rows = max(1, _STRIP // depth.shape[1])
     low, high = np.inf, -np.inf
@@ -573,7 +574,7 @@ def _require_range(low: float, high: float) -> tuple[float, float]:
 POSITION_TOL = 1e-3
 """Tolerance of the undistorted positions of pixels, in pixels, checked half-way between interpolation nodes."""
 
-_UNINTERPOLATED = 4096  # largest number of pixels whose positions are computed one by one, without interpolation
+_UNINTERPOLATED = 4096  # number of pixels up to which all positions are computed without interpolation
 _MAX_NODES = 257  # largest number of interpolation nodes along a side
 _MODES = {"reflect": "reflect", "extend": "nearest", "zero": "grid-constant"}  # SciPy's modes for the option `border`
 
@@ -593,17 +594,17 @@ def field_photograph(
 ) -> Photograph:
     """Render a sharp image as a lens records it: blur over the field, distortion, lateral colour, shading.
 
-    The image is what an ideal lens would record. Each channel is resampled by quintic splines to where the tilts of
-    the map move its light (:meth:`lommel.FieldMap.displacement`), then blurred by :class:`lommel.imaging.FieldBlur`
-    with the PSFs of the map without these tilts, and multiplied by the shading of the map. The three steps together
-    are the blur by the PSFs of the map with its tilts, for displacements of any size.
+    `image` is the image of an ideal lens. The wavefront tilts of the map displace light
+    (:meth:`lommel.FieldMap.displacement`): each channel is resampled accordingly by quintic splines, blurred by
+    :class:`lommel.imaging.FieldBlur` with the PSFs of the map without tilts, and multiplied by the shading of the
+    map. Together these steps are the blur by the PSFs of the map with tilts, for displacements of any size.
 
     Parameters
     ----------
     image : array_like, shape (height, width) or (height, width, channels)
         Unsigned integers (white is their largest value) or floats (white is 1).
     field_map : FieldMap
-        Map at positions without distortion; lateral and axial colour come from the lens of its aperture.
+        Map over undistorted field positions; the lens of its aperture determines lateral and axial colour.
     pixel : float
         Pixel pitch, in the unit of the map (metres if it has a wavelength).
     encoding : {"srgb", "linear"}
@@ -620,8 +621,8 @@ def field_photograph(
     Returns
     -------
     Photograph
-        Without resampling, no pixel is off by more than ``error + 2 * lost`` times the brightest point, in light;
-        `error` is the largest sum of absolute differences between interpolated and exact windows.
+        Apart from resampling, the error of the light of a pixel is at most ``error + 2 * lost`` times the brightest
+        point; `error` is the largest sum of absolute differences between interpolated and exact windows.
 
     Raises
     ------
@@ -630,12 +631,13 @@ def field_photograph(
 
     Notes
     -----
-    A uniform scene stays uniform except for the shading, which is the measured relative illumination: where the
-    distortion stretches the image, the total light of each point grows. :class:`lommel.imaging.FieldBlur`, whose
-    windows contain the tilts, keeps the total light of each point instead.
+    A uniform scene stays uniform except for the shading, the measured relative illumination. Where distortion
+    stretches the image, the total light of each point therefore increases. :class:`lommel.imaging.FieldBlur` with the
+    tilts in its windows conserves the total light of each point instead.
 
-    Positions are accurate to 0.001 pixel. Splines change a Gaussian of standard deviation 1 pixel by 0.3 % of its
-    peak, of 1.5 pixels by 0.04 %, of 2 pixels by 0.005 %; at sharp edges they overshoot; negative light is clipped.
+    Positions are accurate to 0.001 pixel. Resampling by splines changes a Gaussian by 0.3 % of its peak for a
+    standard deviation of 1 pixel, by 0.04 % for 1.5 pixels, and by 0.005 % for 2 pixels. At sharp edges splines
+    overshoot; negative light is clipped.
 
     Examples
     --------
@@ -679,7 +681,7 @@ class UntiltedLight(PointLight):
     """PSF of the light that arrives at a sensor position, centred on this position."""
 
     def pupil(self, y: Array, x: Array, defocus: Array) -> Pupil:
-        """Return the stack of pupils, without tilts, of the light that arrives at sensor positions (y, x)."""
+        """Return the pupils without tilts of the light that arrives at the sensor positions (y, x)."""
         return self.field_map.untilted(x, y, self.spectrum)
 
 
@@ -703,7 +705,7 @@ def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Val
     pitch = [float(axis[1] - axis[0]) if len(axis) > 1 else blur.pixel for axis in (blur.y, blur.x)]
     y, x = undistorted_positions(blur.field_map, blur.y, blur.x, spectrum, POSITION_TOL * min(pitch))
     source = np.stack([(y - blur.y[0]) / pitch[0], (x - blur.x[0]) / pitch[1]])  # row and column, pixels
-    # Without distortion the image stays as it is, free of resampling errors.
+    # Without distortion the image is not resampled.
     if np.abs(source - np.indices(plane.shape)).max() <= POSITION_TOL:
         return plane
     distorted: Values = map_coordinates(plane, source, order=5, mode=_MODES[blur.border], output=plane.dtype)
@@ -714,7 +716,7 @@ def distort(plane: Values, blur: UntiltedBlur, spectrum: Spectrum | None) -> Val
 def undistorted_positions(
     field_map: FieldMap, y: Array, x: Array, spectrum: Spectrum | None, tol: float
 ) -> tuple[Array, Array]:
-    """Return, within `tol`, the y and x without distortion of the light that arrives at rows `y` and columns `x`."""
+    """Return the undistorted y and x, to within `tol`, of the light that arrives at rows `y` and columns `x`."""
     from scipy.interpolate import RectBivariateSpline
 
     if len(y) * len(x) <= _UNINTERPOLATED or min(len(y), len(x)) < 16:
@@ -733,6 +735,6 @@ def undistorted_positions(
         if error <= tol:
             down, across = (s(*(np.linspace(0.0, 1.0, len(axis)) for axis in (y, x))) for s in splines)
             return down, across
-        # The spacing halves, so that the old nodes are among the new ones.
+        # Halve the spacing: the new nodes include the old ones.
         count = 2 * count - 1
     raise ValueError("distortion of the map varies too fast to be interpolated; make a map with smoother tilts")

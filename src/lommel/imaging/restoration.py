@@ -1,17 +1,16 @@
-"""Deblurring: the sharp scene from a photograph with known depth map, lens and noise.
+"""Deblurring: estimate the sharp scene from a photograph with known depth map, lens and noise.
 
-Safeguards of restorations: what to leave as noise, and how much of the photograph to keep.
-A result x of a photograph y is compared with y, which is at hand without any method. It is not taken where
+Two checks compare a result x with the photograph y. Let A be the blur operator. x is rejected, and y returned, if
 
-- the blur of x differs from y by more than the noise, and by more than a small part of what the blur of y does;
-- x differs from y by much more than the blur of y does. Sharpening and blurring by the right PSF change an image by
-  similar amounts; a PSF that is too wide makes artefacts that are far larger.
+- A x differs from y by more than the noise, and by more than a small fraction of the difference of A y from y; or
+- x differs from y by much more than A y does. Sharpening and blurring by the right PSF change an image by similar
+  amounts; a PSF that is too wide causes far larger artefacts.
 
-After few steps, or where y itself explains what was recorded, the share of y with which x comes nearest to the scene
-is predicted. With d = x - y, the noise n and the blur A, the squared error of ``y + a d`` less that of y has the
-expectation ``a^2 |d|^2 + 2 a E[d.n] - 2 a d.(1 - A) scene``. By Stein's lemma E[d.n] follows from the derivatives of
-x by y (Stein 1981, doi:10.1214/aos/1176345632), here along one random direction (Ramani et al. 2008,
-doi:10.1109/TIP.2008.2001404); x stands for the scene in the last term, which is small where blur is.
+After few steps, or if A y agrees with y within the noise, the result is ``y + a (x - y)``; 1 - a is the share of the
+photograph. With d = x - y and the noise n, squared error of the result - squared error of y has the expectation
+``a^2 d.d + 2 a E[d.n] - 2 a d.(1 - A) scene``, and a minimises it. By Stein's lemma E[d.n] follows from the
+derivatives of x with respect to y (Stein 1981, doi:10.1214/aos/1176345632), here along one random direction (Ramani
+et al. 2008, doi:10.1109/TIP.2008.2001404). In the last term, which is small for a weak blur, x replaces the scene.
 """
 
 from __future__ import annotations
@@ -64,18 +63,18 @@ from lommel.optics.lens import Lens
 from lommel.recorded.counts import full_value
 from lommel.recorded.noise import Noise
 
-_MISFIT = 0.08  # largest discrepancy of a result beyond 1, over that of the photograph beyond 1
-_CHANGE = 4.5  # mean change of a pixel over that by the blur; up to 3.3 in photographs whose blur is as stated
-_LEAST_CHANGE = 0.8  # of the noise: the change that removing noise makes without any deblurring
-_FEW = 5  # steps: results of so few may be smoother than the photograph
-_TURN = 0.1  # of the noise: step of the difference quotient of a result by the photograph
+_MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepancy - 1) of the photograph
+_CHANGE = 4.5  # largest accepted abs(x - y) / abs(A y - y), means over pixels; up to 3.3 if the blur is as stated
+_LEAST_CHANGE = 0.8  # change of a pixel by denoising alone, without deblurring / noise
+_FEW_STEPS = 5  # a result after at most this number of steps may be smoother than the photograph
+_DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 
 
 Method = RichardsonLucy | TotalVariation | OnePass
 
 
 def solve(method: Method, observed: PhotographCounts, tell: ProgressCallback) -> Solution:
-    """Return the sharp light behind counts, by a method that leaves what they show to be noise."""
+    """Return the sharp image of counts by a `method`, which stops at the discrepancy expected of the noise."""
     if isinstance(method, OnePass):
         return method.solve(observed, tell)
     return iterated(noise_aware(method, observed), observed, tell)
@@ -84,62 +83,61 @@ def solve(method: Method, observed: PhotographCounts, tell: ProgressCallback) ->
 def noise_aware(
     method: RichardsonLucy | TotalVariation, observed: PhotographCounts
 ) -> RichardsonLucy | TotalVariation:
-    """Return the method with the discrepancy that the photograph's noise has as target, if above its own target."""
+    """Return the method with the target raised, if necessary, to the discrepancy of the Wiener filter."""
     if not 0.0 < method.target < 1.0 or (isinstance(method, TotalVariation) and method.strength is not None):
         return method
-    shown = wiener_target(observed)
-    return method if shown is None or shown[0] <= method.target else replace(method, target=shown[0])
+    expected = wiener_target(observed)
+    return method if expected is None or expected[0] <= method.target else replace(method, target=expected[0])
 
 
-def judged(observed: PhotographCounts, found: Solution, method: Method) -> tuple[float, str]:
-    """Return the share of the photograph, 0 to 1, with which a result is not worse, and why the method stopped."""
-    after, before = (observed.mean(observed.discrepancies_of(each)) for each in (found.light, observed.image))
-    # Steps of a given number need not have come to an end.
-    ended = found.stopped != STEPS or not isinstance(method, RichardsonLucy)
-    misfit = ended and after - 1.0 - observed.slack > max(_MISFIT * (before - 1.0), 0.0)
-    if misfit or _is_overdone(observed, found.light):
+def check_result(observed: PhotographCounts, result: Solution, method: Method) -> tuple[float, str]:
+    """Return the share of the photograph to blend into a result (1 if rejected), and the reason why it stopped."""
+    after, before = (observed.mean(observed.discrepancies_of(each)) for each in (result.light, observed.image))
+    # Richardson-Lucy that reached its number of steps need not fit yet.
+    converged = result.stopped != STEPS or not isinstance(method, RichardsonLucy)
+    misfit = converged and after - 1.0 - observed.slack > max(_MISFIT * (before - 1.0), 0.0)
+    if misfit or _is_overdone(observed, result.light):
         return 1.0, MISFIT
-    slight = before <= 1.0 or found.steps <= _FEW
-    return _nearest_share(observed, found) if slight and found.steps else 0.0, found.stopped
+    slight = before <= 1.0 or result.steps <= _FEW_STEPS
+    return _best_share(observed, result) if slight and result.steps else 0.0, result.stopped
 
 
-def mixed(observed: PhotographCounts, light: Values, share: float) -> Values:
-    """Return light with a share of the photograph, where that is known."""
+def blend(observed: PhotographCounts, light: Values, share: float) -> Values:
+    """Return ``(1 - share) * light + share * photograph``; unknown pixels keep their light."""
     if share == 0.0:
         return light
     return np.asarray(light + light.dtype.type(share) * np.where(observed.weight > 0.0, observed.image - light, 0.0))
 
 
 def _is_overdone(observed: PhotographCounts, light: Values) -> bool:
-    """Return whether light differs from the photograph by more than any blur like the stated one would explain."""
+    """Return whether light differs from the photograph by more than the stated blur can explain."""
     known, photo = observed.certain, observed.image
-    # Of shot noise, in units of light: counts over the gain.
+    # Standard deviation of the shot noise in units of light.
     noise = np.sqrt(observed.counts[known] / (observed.weight[known] * observed.white))
     by_blur = np.abs(observed.model(photo) - observed.counts)[known].mean(dtype=np.float64)
     least = _LEAST_CHANGE * noise.mean(dtype=np.float64)
     return bool(np.abs(light - photo)[known].mean(dtype=np.float64) > _CHANGE * max(by_blur, least))
 
 
-def _nearest_share(observed: PhotographCounts, found: Solution) -> float:
-    """Return the share of the photograph with which a result is predicted to come nearest to the scene."""
+def _best_share(observed: PhotographCounts, result: Solution) -> float:
+    """Return the share of the photograph, 1 - a, with the smallest expected squared error of the blend."""
     known = observed.certain
-    shown = wiener_target(observed)
-    noise = min(shown[1], 1.0) if shown is not None else 1.0
+    expected = wiener_target(observed)
+    noise = min(expected[1], 1.0) if expected is not None else 1.0
     sigma = np.sqrt(noise * observed.counts / (np.where(known, observed.weight, 1.0) * observed.white))
     signs = np.random.default_rng(0).choice(np.array([-1.0, 1.0]), size=sigma.shape)
-    moved = _TURN * sigma * signs * known
-    # Random signs b of size sigma: b.(dx/dy b) is on average the sum of sigma^2 dx/dy, that is E[x.n] (Stein's
-    # lemma).
-    other = found.alike(observed.replaced(observed.light + moved))
-    # d = x - y: the change of y itself is subtracted.
-    along = (sigma * signs * (other - found.light - moved))[known].sum(dtype=np.float64) / _TURN
-    change = (found.light - observed.counts + observed.added)[known].astype(np.float64)
+    step = _DIFFERENCE_STEP * sigma * signs * known
+    # Stein's lemma: E[x.n] is the sum of sigma^2 dx/dy. It is the mean of b.(dx/dy b) over random b = +-sigma.
+    other = result.alike(observed.replaced(observed.light + step))
+    # E[d.n], with d = x - y: the change of y is subtracted from the change of x.
+    covariance = (sigma * signs * (other - result.light - step))[known].sum(dtype=np.float64) / _DIFFERENCE_STEP
+    d = (result.light - observed.counts + observed.added)[known].astype(np.float64)
     # (1 - A) x in place of (1 - A) scene.
-    sharpened = (found.light - (observed.model(found.light) - observed.added))[known]
-    # The floor only keeps 0 / 0 away where the result is the photograph.
-    size = max(float(change @ change), 1e-300)
-    # a^2 |d|^2 + 2 a E[d.n] - 2 a d.(1 - A) x is least at this a, the share of the result; 1 - a is the photograph's.
-    return min(max(1.0 - (float(change @ sharpened) - float(along)) / size, 0.0), 1.0)
+    sharpened = (result.light - (observed.model(result.light) - observed.added))[known]
+    # The limit avoids 0 / 0 if the result equals the photograph.
+    square = max(float(d @ d), 1e-300)
+    # a^2 d.d + 2 a E[d.n] - 2 a d.(1 - A) x is smallest at a = (d.(1 - A) x - E[d.n]) / d.d.
+    return min(max(1.0 - (float(d @ sharpened) - float(covariance)) / square, 0.0), 1.0)
 
 
 def restore_with(
@@ -156,24 +154,24 @@ def restore_with(
     Parameters
     ----------
     light : array_like of float, shape (height, width) or (height, width, channels)
-        Recorded image, linear in light apart from the offset. NaN marks unknown pixels.
+        Recorded image: offset + a multiple of the light. NaN marks unknown pixels.
     blur : LinearBlur
-        :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or one of your own; no entry of its
-        matrix may be negative.
+        :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or a subclass of your own, whose matrix
+        must not have negative elements.
     noise : Noise
-        Of the values of `light`.
+        Noise of `light`.
     method : RichardsonLucy, TotalVariation or OnePass, optional
         By default ``RichardsonLucy()``.
     saturation : float, default infinity
-        Value at which pixels saturate, which then are lower limits of the light.
+        Value at which pixels saturate; saturated pixels are lower limits of the light.
     progress : callable, optional
         Called as ``progress(step, discrepancy, seconds_left)`` at each step; an exception that it raises ends the
-        restoration. By default a line on standard error after two seconds, where that is a terminal.
+        restoration. By default progress is printed after two seconds, if standard error is a terminal.
 
     Returns
     -------
     Restoration
-        Its `values` are its `light`, of the dtype of `blur`.
+        Both `values` and `light` are the restored light, in the dtype of `blur`.
 
     Raises
     ------
@@ -200,13 +198,13 @@ def restore_with(
     observed = PhotographCounts(blur, recorded, noise, limit)
     with shown(progress) as tell:
         before = observed.mean(observed.discrepancies_of(observed.image))
-        found = solve(way, observed, tell)
-    share, stopped = judged(observed, found, way)
-    kept = mixed(observed, found.light, share)
-    after = observed.discrepancies_of(kept)
+        result = solve(way, observed, tell)
+    share, stopped = check_result(observed, result, way)
+    restored = blend(observed, result.light, share)
+    after = observed.discrepancies_of(restored)
     return Restoration(
-        kept, kept, observed.mean(after), tuple(map(float, after)), before, found.steps, stopped,
-        found.strength, 1.0 - float(observed.known.sum()) / recorded.size, photograph=share,
+        restored, restored, observed.mean(after), tuple(map(float, after)), before, result.steps, stopped,
+        result.strength, 1.0 - float(observed.known.sum()) / recorded.size, photograph=share,
         findings=_findings(stopped, observed.mean(after)),
     )  # fmt: skip
 
@@ -229,18 +227,18 @@ def restore(
 ) -> Restoration:
     """Deblur a photograph with a known depth map and lens, as far as its noise allows.
 
-    The inverse of :func:`lommel.imaging.depth_of_field`, with the same operator (occlusion included) and its exact
-    transpose. Arrays are restored at once; memory maps, and arrays with `tile`, in tiles with little memory: the
-    central tile determines the number of steps, or the strength, and all others use the same, so that there are no
-    seams. Tiles overlap by twice the reach of the blur and a window more; in tests they differed from the whole
-    image, with the same steps or strength, by 3e-4 of white rms (with total variation by 1.5e-3), and
-    without `occlusion` by up to 1e-2.
+    The inverse of :func:`lommel.imaging.depth_of_field`, with the operator of that function (occlusion included) and
+    its exact transpose. Arrays are restored as a whole; memory maps, and arrays with `tile`, in tiles with little
+    memory. The central tile determines the number of steps, or the strength; all other tiles use this value, which
+    avoids seams. Tiles overlap by one window plus twice the overlap of :func:`lommel.imaging.depth_of_field`. In
+    tests, tiles differed from the whole image, at equal steps or strength, by 3e-4 of white rms; with total variation
+    by 1.5e-3, and without `occlusion` by up to 1e-2.
 
     Parameters
     ----------
     photo : array_like or memory map, shape (height, width) or (height, width, channels)
-        Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. NaN,
-        and what the mask of a masked array hides, are unknown pixels.
+        Unsigned integers (white is their largest value) or floats (white is 1), neither sharpened nor denoised. NaN
+        and masked elements of a masked array mark unknown pixels.
     depth : array_like or memory map, shape (height, width), or None
         Distance of each point from the lens along the axis, metres; may be infinite. None for a FieldMap.
     lens : Lens or FieldMap
@@ -249,21 +247,21 @@ def restore(
     pixel : float
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
-        Of the values of `photo`, and of the result.
+        Encoding of `photo` and of the result.
     noise : Noise
         Noise of linear values with white at 1, for any type of `photo`: ``white=`` is in electrons at white.
     method : RichardsonLucy, TotalVariation or OnePass, optional
         By default ``RichardsonLucy()``.
     saturation : float, optional
-        Linear value (1 is white) at which pixels saturate, which then are lower limits of the light. By default 1;
-        the largest integer always counts as saturated. Infinity for floats that are valid beyond white.
+        Linear value (1 is white) at which pixels saturate; saturated pixels are lower limits of the light. By default
+        1; the largest integer is always saturated. Use infinity for floats that are valid beyond white.
     tile : int, optional
         Side of the tiles, pixels, 16 to 16384; by default 1024 for memory maps. Memory beyond input and output is
         about a hundred bytes per pixel and channel of a tile. Not for a FieldMap.
     out : ndarray, optional
-        Array or memory map of the shape and type of `photo` that the values are written to; shares no memory with it.
+        Array or memory map for the values, with the shape and type of `photo`; must not share memory with `photo`.
     progress : callable, optional
-        As of :func:`lommel.imaging.restore_with`; by tiles called as ``progress(done, tiles)`` after each.
+        See :func:`lommel.imaging.restore_with`. For tiles, called as ``progress(done, tiles)`` after each tile.
     {options}
 
     Returns
@@ -275,8 +273,8 @@ def restore(
     ------
     TypeError, ValueError
         If an argument is unknown or out of range, if shapes do not match, if the lens is not radially symmetric, if
-        the blur exceeds `largest`, if no pixel (of a tile) is known, or if `out` does not fit. What tiles have
-        written by then stays.
+        a window exceeds `largest`, if no pixel (of a tile) is known, or if `out` has another shape or type. `out`
+        keeps tiles that were written before an error.
 
     Examples
     --------
@@ -311,14 +309,14 @@ def restore(
         light = recorded(given, encoding, limit, hidden)
         if depth is not None:
             raise ValueError(
-                "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
+                "depth must be None with a FieldMap, which has the defocus of one distance; for a depth map, pass "
                 "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
             )
-        blur: LinearBlur = _over_the_field(given.shape, lens, pixel, settings, options)
+        blur: LinearBlur = _field_blur(given.shape, lens, pixel, settings, options)
     else:
         require_lens(lens, "photo, depth, lens, pixel")
         if depth is None:
-            raise ValueError("depth must be the distance of each point, metres, where lens is a Lens, got None")
+            raise ValueError("depth must be the distance of each point, metres, if lens is a Lens, got None")
         distances = validation.array("depth", depth)
         if tile is not None:
             require_scene("photo", given.shape, distances.shape)
@@ -333,12 +331,12 @@ def restore(
         channels = settings.channels(given.shape, lens.wavelength)
         by_depth = DepthBlur(distances, lens, pixel, channels=channels, **settings.of_blur)
         blur = Occlusion(by_depth) if settings.occlusion else by_depth
-    found = restore_with(light, blur, noise, method=way, saturation=limit, progress=progress)
-    assert found.light is not None
-    values, clipped = encode_light(found.light, encoding, given.dtype, settings.threads or 0)
+    result = restore_with(light, blur, noise, method=way, saturation=limit, progress=progress)
+    assert result.light is not None
+    values, clipped = encode_light(result.light, encoding, given.dtype, settings.threads or 0)
     if out is not None:
         np.copyto(out, values)
-    return replace(found, values=values if out is None else out, clipped=clipped)
+    return replace(result, values=values if out is None else out, clipped=clipped)
 
 
 def recorded(photo: Pixels, encoding: str, limit: float, hidden: NDArray[np.bool_] | None = None) -> Array:
@@ -348,22 +346,22 @@ def recorded(photo: Pixels, encoding: str, limit: float, hidden: NDArray[np.bool
     if hidden is not None:
         unknown |= hidden
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
-    if limit < math.inf:  # else whoever asks knows of light beyond white
+    if limit < math.inf:  # saturation=inf states that light beyond white is expected
         warn_if_bright(light)
     light[unknown] = np.nan
     if not np.any(light < limit):
         raise ValueError(
-            f"photo must have pixels that are neither masked, NaN nor saturated, got none below {limit:g}; white is "
-            "1, and saturation= says where else pixels are full"
+            f"photo must have pixels that are neither masked, NaN nor saturated, got none below {limit:g}; if pixels "
+            "saturate at another value (white is 1), set saturation="
         )
     return light
 
 
 def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
-    """Return the light from which on pixels of a photograph are saturated, stated or not."""
+    """Return the light at and above which pixels of a photograph are saturated."""
     if saturation is not None:
         stated = validation.real("saturation", saturation, above=0.0, infinite=True)
-        # A value of float32 that is nearest to what was stated may be below it.
+        # The stated value may be rounded down in the type of the photograph.
         return min(stated, 1.0) if photo.dtype.kind == "u" else min(stated, float(photo.dtype.type(stated)))
     if photo.dtype.kind != "u":
         return 1.0
@@ -371,14 +369,14 @@ def full_light(photo: Pixels, encoding: str, saturation: float | None) -> float:
     return float(to_light("photo", np.array([full], dtype=photo.dtype), encoding, np.float64)[0])
 
 
-def _over_the_field(
+def _field_blur(
     shape: tuple[int, ...], field_map: FieldMap, pixel: float, settings: Settings, given: Keywords
 ) -> FieldBlur:
-    """Return the operator of a field map whose centre is at the centre of a photograph of this shape."""
+    """Return the blur by a field map whose optical axis is at the centre of a photograph of this shape."""
     for name in ("occlusion", "missing", "tol"):
         if name in given:
             raise ValueError(
-                f"{name} is for photographs with a depth, got a FieldMap; leave it out, or hand a FieldBlur to "
+                f"{name} is for photographs with a depth, got a FieldMap; leave it out, or pass a FieldBlur to "
                 "lommel.imaging.restore_with"
             )
     wavelength = field_map.pupil_without_wavefront.wavelength
@@ -400,7 +398,7 @@ def _by_tiles(
     out: Pixels,
     progress: Callable[..., object] | None,
 ) -> Restoration:
-    """Return a photograph restored tile by tile, its values in `out`; the mask `hidden` marks unknown pixels."""
+    """Restore a photograph tile by tile into `out`; `given` is the photograph and the mask of unknown pixels."""
     photo, hidden = given
 
     def observed(around: Window) -> PhotographCounts:
@@ -411,33 +409,33 @@ def _by_tiles(
         except ValueError as error:
             rows, columns = around
             raise ValueError(
-                f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop} {error}; "
-                "larger tiles (tile=) hold more"
+                f"in rows {rows.start} to {rows.stop} and columns {columns.start} to {columns.stop}, {error}; or use "
+                "larger tiles (tile=)"
             ) from None
-        # Parameters of the noise that each pixel has its own of are cut too.
+        # `noise.part`: noise parameters that are maps are cut to the part as well.
         return PhotographCounts(blur.operator(np.asarray(depth[around])), light, noise.part(*around), limit)
 
     def from_middle(tile: tuple[Window, Window, Window]) -> float:
         return math.hypot(*(at.start + at.stop - size for at, size in zip(tile[0], photo.shape, strict=False)))
 
     tiles = list(tiles_of(photo.shape, side, 2 * blur.overlap + 2 * blur.half))
-    # The central tile is solved in full; the others repeat its steps and its share of the photograph.
+    # The central tile determines the steps and the share of the photograph; the other tiles repeat them.
     middle = min(tiles, key=from_middle)
     central = observed(middle[1])
     first = solve(method, central, silent)
-    share, stopped = judged(central, first, method)
+    share, stopped = check_result(central, first, method)
     known, clipped = np.zeros(photo.shape[2:] or 1, dtype=np.int64), 0.0
     after, before = np.zeros((2, *known.shape))
     for done, tile in enumerate(tiles, 1):
         place, around, within = tile
-        seen = observed(around)
-        light = mixed(seen, first.light if tile is middle else first.alike(seen), share)
-        # The discrepancies inside the tile, of the result and of the photograph itself.
-        here = np.zeros((*seen.blur.shape, *(1,) * (photo.ndim - 2)), dtype=bool)
-        here[within] = True
-        inside = seen.replaced(np.where(here, seen.light, np.nan))
+        counts = observed(around)
+        light = blend(counts, first.light if tile is middle else first.alike(counts), share)
+        # Discrepancies of the result and of the photograph, in the tile without its overlap.
+        mask = np.zeros((*counts.blur.shape, *(1,) * (photo.ndim - 2)), dtype=bool)
+        mask[within] = True
+        inside = counts.replaced(np.where(mask, counts.light, np.nan))
         known += inside.known
-        for total, scene in ((after, light), (before, seen.image)):
+        for total, scene in ((after, light), (before, counts.image)):
             total += inside.discrepancies_of(scene) * np.maximum(inside.known, 1)
         values = np.ascontiguousarray(light[within])
         out[place], cut = encode_light(values, blur.encoding, out.dtype, blur.whole.threads)
@@ -447,7 +445,7 @@ def _by_tiles(
     count = float(known.sum())
     # Discrepancies are means per known pixel: sums of tiles are weighted by their known pixels.
     discrepancy, each = float(after.sum()) / count, tuple(map(float, after / np.maximum(known, 1)))
-    # The central tile may agree with its noise where others do not.
+    # The central tile may fit within its noise although other tiles do not.
     stopped = stopped if stopped != NOISE or discrepancy <= 1.0 else STEPS
     return Restoration(
         out, None, discrepancy, each, float(before.sum()) / count, first.steps, stopped,
@@ -459,21 +457,21 @@ def _findings(stopped: str, discrepancy: float) -> Findings:
     """Return the findings on the restoration of a photograph."""
     numbers = {"discrepancy": discrepancy}
     if stopped == MISFIT:
-        text = "depth, lens or noise do not fit the photograph, which is the result"
+        text = "depth, lens or noise do not fit the photograph, which is returned unchanged"
         return Findings([Finding("misfit", "error", text, numbers)])
     if stopped == STEPS:
-        text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more would fit better"
+        text = f"the maximum number of steps was reached at a discrepancy of {discrepancy:.3g}: more steps fit better"
         return Findings([Finding("not_settled", "doubt", text, numbers)])
     return Findings()
 
 
 def _checked_method(method: object, progress: object) -> Method:
-    """Return the method, Richardson-Lucy for None; TypeError if it is none, or if `progress` cannot be called."""
+    """Return the method, RichardsonLucy() for None; TypeError for another type, or if `progress` is not callable."""
     validation.function("progress", progress, required=False)
     if method is None:
         return RichardsonLucy()
     if not isinstance(method, RichardsonLucy | TotalVariation | OnePass):
-        hint = "; write it with brackets" if isinstance(method, type) else ""
+        hint = "; add parentheses to the class name" if isinstance(method, type) else ""
         raise TypeError(
             "method must be RichardsonLucy(...), TotalVariation(...) or OnePass(...), got "
             f"{validation.shown(method)}{hint}"

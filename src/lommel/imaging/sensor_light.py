@@ -1,4 +1,4 @@
-"""Pixel-integrated PSFs at any defocus with a proven error bound, and their windows."""
+"""Pixel-integrated PSFs at any defocus with a proven error bound, and their windows (squares of pixels)."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ from lommel.optics.wavefront.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
 _QUADRATURE = of_large_phases(1e-13)
-_LOCAL = 600.0  # half widths in v above which sparse rules are faster than dense ones
+_LOCAL = 600.0  # half width of a window, in v, above which a sparse quadrature rule is faster than a dense one
 
 
 @dataclass(frozen=True)
 class SensorLight:
-    """The pixel-integrated PSF of one channel, as shares of the light of a point, at any defocus."""
+    """The pixel-integrated PSF of one channel at any defocus: the share of a point's light on each pixel."""
 
     pupil: Pupil  # in focus, radially symmetric, at the wavelength of the lens
-    phase: Callable[[Array], Wavefront]
-    spectrum: Sequence[tuple[float, float]]
-    pixel: float
+    phase: Callable[[Array], Wavefront]  # Lens.phase: wavefronts for values of the defocus C_d
+    spectrum: Sequence[tuple[float, float]]  # pairs of a wavelength (metres) and a weight
+    pixel: float  # pixel pitch, metres
     threads: int = 0
-    rate: Callable[[float], float] | None = None  # as Lens.phase_rate; by default that of a paraxial lens
+    rate: Callable[[float], float] | None = None  # Lens.phase_rate; None for the constant rate 2 of a paraxial lens
 
     @classmethod
     def of(cls, lens: Lens, spectrum: Sequence[tuple[float, float]], pixel: float, threads: int = 0) -> Self:
-        """Return the light that a lens of radially symmetric aberrations makes of one channel."""
+        """Return the PSF model of one channel for a lens with radially symmetric aberrations."""
         pupil = Pupil(
             lens.aberrations,
             obscuration=lens.obscuration,
@@ -59,9 +59,8 @@ class SensorLight:
         for wavelength, weight in self.spectrum:
             there = pupil.in_light(wavelength)
             step = math.pi * self.pixel / there.scale
-            # I is relative to the peak without aberrations: the share of a pixel is the integral of I over its square
-            # in v,
-            # over 4 pi times the transmission.
+            # I is relative to the peak without aberrations. The share of the light on a pixel is the integral of I
+            # over the pixel's square in v, divided by 4 pi times the transmission.
             share = weight * step**2 / (4.0 * math.pi * there.transmission)
             if half * step > _LOCAL:
                 local = local_rule(half, step)
@@ -72,8 +71,8 @@ class SensorLight:
         return np.asarray(total)
 
     def enough(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
-        """Return the half width of windows that hold `energy` of the light, and nearly 1 over their peaks."""
-        # Three defocus values determine the parabola.
+        """Return the half width of windows that hold the share `energy`, and a parabola: an estimate of 1 / peak."""
+        # Three values of defocus determine the parabola.
         ends = np.linspace(*defocus, 3)
         pupil = self.defocused(ends)
         half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
@@ -86,46 +85,46 @@ class SensorLight:
             if held >= energy:
                 half = int((sums >= energy).argmax(axis=1).max()) + 1
                 return half, Parabola.through(ends, shares.max(axis=1))
-            # Beyond the shadow of the aperture the light outside falls as the reciprocal of the distance or faster.
-            # The light within a square costs far less than that of each of its pixels.
+            # Outside the geometric shadow, the light farther than r from the centre falls like 1 / r or faster.
+            # The light in a square is computed much faster than the light on each pixel of the square.
             likely = (half + 0.5) * (1.0 - held) / (1.0 - energy)
             if half == largest or (likely > largest and (held := self._held(pupil, largest)) < energy):
                 raise too_large(largest, energy, pupil, self.spectrum, self.pixel, held)
-            # Half widths grow by 30 %: few tries, and little that is computed and not needed.
+            # Growth by 30 % compromises between the number of iterations and the number of superfluous pixels.
             half = min(math.ceil(1.3 * half) + 1, largest)
 
     def _held(self, pupil: Pupil, half: int) -> float:
-        """Return the least share of the light that windows hold."""
-        from lommel.measures.energy import radial_square_energy  # which few scenes need
+        """Return the share of light in a window of half width `half`: the smallest of the stack of pupils."""
+        from lommel.measures.energy import radial_square_energy  # imported here, since few scenes need it
 
         side = np.array((half + 0.5) * self.pixel)
         each = ((weight, pupil.in_light(wavelength)) for wavelength, weight in self.spectrum)
         return float(np.min(sum(weight * radial_square_energy(_METHOD, light, side) for weight, light in each)))
 
 
-_BLOCKS = 18  # blocks of values of U computed together
-_APART = 4  # steps of v from one computed value of U to the next
-_TAPS = 28  # values of U that interpolation uses
-_DEAR = 8.0  # cost of a value of J0 over that of a term of the series at one radius
+_BLOCKS = 18  # number of blocks of `_TAPS` values of U that are computed together
+_STRIDE = 4  # number of steps of v between two computed values of U
+_TAPS = 28  # number of values of U in each interpolation
+_BESSEL_COST = 8.0  # time for one value of J0 / time for one term of the series at one radius
 
 
 def _profiles(pupil: Pupil, v: Array) -> Array:
-    """Return I at equally spaced v from 0 on, at most 0.4 apart, for a stack of pupils."""
+    """Return I at the radii `v`, which start at 0 with a constant step of at most 0.4, for a stack of pupils."""
     terms = pupil.radial_terms()
     low, reach = pupil.obscuration**2, float(v[-1])
     nodes = quadrature_nodes(growth(terms, low, reach, pupil.illumination), _QUADRATURE.tol, low)
-    if np.abs(terms).sum() < _DEAR * nodes:
+    if np.abs(terms).sum() < _BESSEL_COST * nodes:
         return _METHOD.profile(pupil, v).values
-    # For many pupils of large phases the series takes many times as long as matrix products with values of J0, of
-    # which every fourth is enough.
-    before, after = _between(_APART * float(v[1]))
+    # For many pupils with large phases, the series takes many times as long as a quadrature with J0 (a matrix
+    # product) at every fourth radius, followed by interpolation.
+    before, after = _interpolation_weights(_STRIDE * float(v[1]))
     made = np.empty((len(terms), v.size))
-    wide = _TAPS * _APART  # values of I that a block makes
+    wide = _TAPS * _STRIDE  # number of values of I from each block
     for start in range(0, v.size, _BLOCKS * wide):
         blocks = min(_BLOCKS, -(-(v.size - start) // wide))
-        at = start // _APART + np.arange(_TAPS * (blocks + 1)) - (_TAPS // 2 - 1)
+        at = start // _STRIDE + np.arange(_TAPS * (blocks + 1)) - (_TAPS // 2 - 1)
         rising, place = np.unique(np.abs(at), return_inverse=True)  # U is even
-        field = _QUADRATURE.evaluate(pupil, _APART * v[1] * rising).values[:, place]
+        field = _QUADRATURE.evaluate(pupil, _STRIDE * v[1] * rising).values[:, place]
         squares = np.zeros(())
         for part in (field.real, field.imag):
             each = np.ascontiguousarray(part).reshape(-1, _TAPS)
@@ -140,15 +139,15 @@ def _profiles(pupil: Pupil, v: Array) -> Array:
     return made
 
 
-# U is of exponential type 1 in v: with the cardinal series times sinh(b sqrt(1 - (x / m)^2)) / sinh(b), m values on
-# either side, h apart, and b = m (pi - h), those between them err by about exp(-b) of the largest. M. Kircheis,
-# D. Potts, M. Tasche, "On regularized Shannon sampling formulas with localized sampling", Sampl. Theory Signal
-# Process. Data Anal. 20, 20 (2022), doi:10.1007/s43670-022-00039-1.
+# U is of exponential type 1 in v. It is interpolated from m samples on each side, at the spacing h, by the cardinal
+# series times sinh(b sqrt(1 - (x / m)^2)) / sinh(b), b = m (pi - h). The error is about exp(-b) times the largest U.
+# M. Kircheis, D. Potts, M. Tasche, "On regularized Shannon sampling formulas with localized sampling", Sampl. Theory
+# Signal Process. Data Anal. 20, 20 (2022), doi:10.1007/s43670-022-00039-1.
 @lru_cache(maxsize=4)
-def _between(spacing: float) -> tuple[Array, Array]:
-    """Return the weights of interpolation, of values of U in a block and in the next one; shape (taps, values)."""
+def _interpolation_weights(spacing: float) -> tuple[Array, Array]:
+    """Return two matrices (taps, values) of weights: for the samples of U in a block, and in the next block."""
     half = _TAPS // 2
-    at = half - 1 + np.arange(_TAPS * _APART) / _APART
+    at = half - 1 + np.arange(_TAPS * _STRIDE) / _STRIDE
     x = at - np.arange(2 * _TAPS)[:, None]
     steep = half * (math.pi - spacing)
     inside = np.sqrt(np.maximum(0.0, 1.0 - (x / half) ** 2))
@@ -157,7 +156,7 @@ def _between(spacing: float) -> tuple[Array, Array]:
 
 
 MAX_HALF = 2048
-"""Largest half width of windows that may be allowed, in pixels."""
+"""Largest value of the option `largest`, the maximum half width of a window in pixels."""
 
 
 def too_large(
@@ -168,9 +167,10 @@ def too_large(
     pixel: float,
     held: float | None = None,
 ) -> ValueError:
-    """Return the error for too large windows, with a half width that suffices for a stack of pupils."""
-    # Beyond the shadow each edge diffracts light whose mean falls as r^-3 from there on: of a round aperture
-    # lambda N / (pi^3 r^3), which adds up to 8 sin(pi / 4) / pi^3 lambda N / a outside of a square of the sides 2 a.
+    """Return the ValueError for windows larger than `largest`; the message suggests a half width that is enough."""
+    # Outside the shadow, each edge of the pupil adds diffracted light that falls like r^-3 on average. The edge of a
+    # circular aperture adds lambda N / (pi^3 r^3), in total 8 sin(pi / 4) lambda N / (pi^3 a) outside a square of
+    # side 2 a.
     edges = 1.0 + pupil.obscuration + (len(pupil.spider.angles) / math.pi if pupil.spider else 0.0)
     stops = pupil.stop.shapes if isinstance(pupil.stop, Segments) else (pupil.stop,)
     for line in (line for stop in stops if stop is not None for line in stop.outline(256)):
@@ -180,19 +180,19 @@ def too_large(
         light = pupil if wavelength is None else pupil.in_light(wavelength)
         shadow = max(shadow, float(light.geometric_radius().max()))
         diffracted += weight * light.scale * edges / float(np.min(light.transmission))
-    # Of the two summands, the geometric shadow and what its edges diffract.
+    # Radius of the geometric shadow, plus the half width that the diffracted light requires.
     far = shadow + 1.05 * 8.0 * math.sin(0.25 * math.pi) / math.pi**3 * diffracted / (1.0 - energy)
     enough = max(math.ceil(far / pixel), largest) + 1
     larger = f"allow larger windows (largest={enough} or more), " if enough <= MAX_HALF else ""
-    known = "" if held is None else f", of which these hold {math.floor(1e6 * held) / 1e6:g}"
+    known = "" if held is None else f" (windows of this size hold {math.floor(1e6 * held) / 1e6:g})"
     return ValueError(
-        f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{known}"
-        f"; stop down, {larger}or ask for less of it (energy=)"
+        f"the blur needs windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light{known}"
+        f"; stop down, {larger}or reduce this fraction (energy=)"
     )
 
 
-_ERROR = 1e-9  # bound of the polynomial's error, for windows whose peaks are about 1
-_MOST = 20_000  # largest number of Chebyshev nodes
+_ERROR = 1e-9  # error bound of the interpolation polynomial, for windows scaled to a peak of about 1
+_MAX_NODES = 20_000  # largest number of Chebyshev nodes
 
 
 @dataclass(frozen=True)
@@ -205,7 +205,10 @@ class Parabola:
 
     @classmethod
     def through(cls, defocus: Array, values: Array) -> Parabola:
-        """Return the parabola closest to 1 / `values`, none above 1, at three equally spaced defocus values."""
+        """Return the parabola through 1 / `values` at three equally spaced `defocus` values, raised to at least 1.
+
+        The parabola is the constant 1 if the `values` are almost equal. They must be at most 1.
+        """
         step, (before, here, after) = 0.5 * float(defocus[2] - defocus[0]), (1.0 / values).tolist()
         bend = 0.5 * (before + after) - here
         # Almost equal peaks need no parabola, and the division by bend would amplify rounding.
@@ -215,28 +218,28 @@ class Parabola:
         return cls(bend / step**2, float(defocus[1]) - shift * step, max(1.0, here - bend * shift**2))
 
     def __call__(self, defocus: Array) -> Array:
-        """Return its values."""
+        """Return the values of the parabola."""
         return self.curvature * (defocus - self.middle) ** 2 + self.least
 
 
-# The field at a point is the integral over the pupil of A exp(i Phi), A real, and in the complex plane of the
-# defocus C I(C) = U(C) conj(U(conj(C))). There Im Phi differs by at most rate |Im C| from one place of the pupil to
-# another, so that by the inequality of Cauchy and Schwarz I is at most exp(rate |Im C|) times the light that the
-# pupil lets through, and the share in a pixel at most `bound` as much. Let M be the largest of that on the ellipse
-# with the foci -1 and 1 (the ends of the range) and semi-axes that sum up to rho: a polynomial through n nodes errs
-# by at most 4 M rho^(1 - n) / (rho - 1) (Trefethen, Approximation Theory and Approximation Practice, 2013, Theorem
-# 8.2). Little more than rate times half of the range are enough. Errors of the windows at the nodes themselves grow
-# by a factor of at most 1 + 2 log(n) / pi. The peak of a defocused point is a small part of that of one in focus,
-# and errors are to be small beside either: so the polynomial is through the windows times a parabola, nearly that of
-# 1 over their peaks, and is divided by it.
+# The field U at an image point is the integral of A exp(i Phi) over the pupil, A real. For a complex defocus C the
+# intensity is I(C) = U(C) conj(U(conj(C))). Im Phi varies over the pupil by at most rate |Im C|. By the
+# Cauchy-Schwarz inequality, I is at most exp(rate |Im C|) times the light that the pupil transmits, and the share of
+# the light on a pixel is at most `bound` exp(rate |Im C|). Let M be the maximum of this on the ellipse with the foci
+# -1 and 1 (the ends of the defocus range) and semi-axes of the sum rho. The error of the polynomial through n
+# Chebyshev nodes is at most 4 M rho^(1 - n) / (rho - 1) (Trefethen, Approximation Theory and Approximation Practice,
+# 2013, Theorem 8.2). A number n slightly above rate times half of the range is enough. Interpolation amplifies
+# errors of the windows at the nodes by at most 1 + 2 log(n) / pi. The peak of a defocused PSF is much lower than the
+# peak in focus, and errors must be small relative to both. Therefore the polynomial interpolates the windows times a
+# parabola that approximates 1 / peak, and its values are divided by the parabola.
 @dataclass(frozen=True)
 class DefocusNodes:
-    """Windows at any defocus of a range, as Chebyshev polynomials with an error bound."""
+    """Windows at any defocus in a range: Chebyshev interpolation with an error bound."""
 
     low: float
     high: float
-    parabola: Parabola  # factor of the windows
-    coefficients: Array  # (n, cells): of the Chebyshev polynomials, for these windows
+    parabola: Parabola  # the windows are multiplied by it before interpolation
+    coefficients: Array  # (n, cells): Chebyshev coefficients of parabola * windows
     threads: int = 0
 
     @classmethod
@@ -251,7 +254,10 @@ class DefocusNodes:
         bound: float,
         threads: int = 0,
     ) -> DefocusNodes:
-        """Compute as many windows as the bound asks for, with its `rate` for C up to a distance, and its `bound`."""
+        """Return the interpolation of `windows`, with the number of nodes that the error bound above requires.
+
+        `rate(c)` is the rate in this bound for all C with abs(C) <= c.
+        """
         middle, reach = 0.5 * (low + high), 0.5 * (high - low)
         axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # beyond the foci
         # rho = sum of the semi-axes of the ellipse with foci -1 and 1 whose major semi-axis is 1 + axis.
@@ -261,17 +267,18 @@ class DefocusNodes:
         # |Im C| is at most the minor semi-axis, (rho - 1 / rho) / 2, times half of the range.
         growth = fastest * reach * 0.5 * (rho - 1.0 / rho)
         most = parabola.curvature * (abs(middle - parabola.middle) + beyond) ** 2 + parabola.least
-        # Solved for n: 4 M rho^(1 - n) / (rho - 1) = _ERROR, at the rho that needs the fewest nodes.
+        # 4 M rho^(1 - n) / (rho - 1) = _ERROR, solved for n, at the rho for which n is smallest.
         count = float((1.0 + (np.log(4.0 * bound * most / (_ERROR * (rho - 1.0))) + growth) / np.log(rho)).min())
-        if not count <= _MOST:
+        if not count <= _MAX_NODES:
             raise ValueError(
-                f"depth spans C_d from {low:.4g} to {high:.4g} rad, which takes {count:.4g} PSFs, more than {_MOST}"
+                f"depth spans C_d from {low:.4g} to {high:.4g} rad, which needs {count:.4g} PSFs, more than "
+                f"{_MAX_NODES}; stop down or reduce the range of depth"
             )
-        # Angles are odd multiples of half of pi / n, and their cosines come again and again.
+        # Every angle is a multiple of pi / (2 n): a table of 4 n cosines is enough.
         odd = 2 * np.arange(math.ceil(count)) + 1
         cosines = np.cos(np.arange(4 * odd.size) * (0.5 * math.pi / odd.size))
         transform = cosines[np.outer(np.arange(odd.size), odd) % cosines.size] * (2.0 / odd.size)
-        # The Chebyshev coefficient of order 0 is the mean, half of the formula of the others.
+        # The Chebyshev coefficient of order 0 is the mean: its factor is 1 / n, not 2 / n.
         transform[0] *= 0.5
         at = middle + reach * cosines[odd]
         return cls(
@@ -279,9 +286,9 @@ class DefocusNodes:
         )
 
     def __call__(self, defocus: Array) -> tuple[Array, float]:
-        """Return the windows at values of the defocus, and a bound on their errors over their peaks."""
-        made = self.values(defocus)
-        return made, _ERROR / float((self.parabola(defocus) * made.max(axis=1)).min())
+        """Return the windows at values of the defocus, and a bound on their errors relative to their peaks."""
+        windows = self.values(defocus)
+        return windows, _ERROR / float((self.parabola(defocus) * windows.max(axis=1)).min())
 
     def values(self, defocus: Array) -> Array:
         """Return the windows at values of the defocus."""
@@ -292,18 +299,18 @@ class DefocusNodes:
         return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
 
     def of_first(self, cells: int) -> Self:
-        """Return the interpolation of the first pixels only."""
+        """Return the interpolation restricted to the first `cells` pixels."""
         return replace(self, coefficients=np.ascontiguousarray(self.coefficients[:, :cells]))
 
     def sums(self, weights: Array) -> Self:
-        """Return the interpolation of sums over the last pixels times weights, shape (sums, pixels)."""
+        """Return the interpolation of ``windows[:, -pixels:] @ weights.T``, for `weights` of shape (sums, pixels)."""
         last = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
         return replace(self, coefficients=np.ascontiguousarray(last @ weights.T))
 
 
 def _cosines(angle: Array, count: int) -> Array:
     """Return cos(k angle) for k < count, shape (count, n)."""
-    # Powers of exp(i angle) by doubling: each is a product of two, which loses an ulp.
+    # Powers of exp(i angle) by doubling: each power is the product of two lower ones, which costs one rounding.
     powers = np.empty((count, angle.size), dtype=np.complex128)
     powers[0], known = 1.0, 1
     if count > 1:
@@ -315,47 +322,47 @@ def _cosines(angle: Array, count: int) -> Array:
     return np.ascontiguousarray(powers.real)
 
 
-# A window that reaches h pixels from the middle, a real number, uses of the ring at the Chebyshev distance k the
-# share h + 1 - k, from 0 to 1, averaged over the neighbouring windows, so that nothing jumps as a point moves.
+# Let h be the half width of a window, a real number of pixels. The ring of pixels at the Chebyshev distance k is
+# multiplied by h + 1 - k, clipped to [0, 1] and averaged over adjacent windows: the blur is continuous in defocus.
 def find_cuts(octants: Array, half: int, energy: float) -> Array:
-    """Return the reach h of each window, so that it, and those interpolated from it and the next, hold `energy`."""
+    """Return the half width h of each window, such that windows hold the share `energy`, interpolated ones too."""
     sums = sums_of_windows(octants, half)
     enough = sums >= np.clip(energy, sums[:, :1], sums[:, -1:])
     rows, outer = np.arange(len(sums)), enough.argmax(axis=1)
     ring = sums[rows, outer] - sums[rows, outer - 1]
     over = np.maximum(0.0, sums[rows, outer] - energy)
     own = outer - np.divide(over, ring, out=np.zeros(len(sums)), where=outer > 0)
-    # What the neighbours take counts: those between are to hold enough as well.
+    # Maximum over neighbours: windows interpolated between them must hold enough light as well.
     return of_neighbours(own)
 
 
 def of_neighbours(values: Array) -> Array:
-    """Return the largest of each value or row and its two neighbours."""
+    """Return, for each value or row, the maximum of it and its two neighbours."""
     padded = np.concatenate([values[:1], values, values[-1:]])
     return np.asarray(np.maximum(np.maximum(padded[:-2], padded[2:]), values))
 
 
 def ring_shares(cuts: Array, half: int) -> Array:
-    """Return the share used of each ring of pixels, 0 to 1, the mean over neighbours: 1/6, 2/3, 1/6."""
+    """Return the factor of each ring of pixels, 0 to 1, averaged over adjacent windows by 1/6, 2/3, 1/6."""
     padded, away = np.pad(cuts, 1, mode="edge"), np.arange(half + 1)
     ring = np.clip(padded[:, None] + 1.0 - away, 0.0, 1.0)
     return np.asarray((ring[:-2] + 4.0 * ring[1:-1] + ring[2:]) / 6.0)
 
 
 def shares_used(cuts: Array, half: int) -> Array:
-    """Return the share used of each pixel, 0 to 1, from the middle row and column on."""
+    """Return the factor of each pixel, 0 to 1, for one quadrant of each window, from the centre on."""
     away = np.arange(half + 1)
     return ring_shares(cuts, half)[:, np.maximum(away[:, None], away)]
 
 
 def cut(octants: Array, cuts: Array) -> Array:
-    """Return windows cut at their reach, from the middle row down and the middle column on."""
+    """Return one quadrant of each window, from the centre on, truncated to the half widths `cuts`."""
     used = math.ceil(cuts.max())
     return np.asarray(quarters(octants, used) * shares_used(cuts, used))
 
 
 def sums_of_quarters(quarter: Values) -> Array:
-    """Return the sums of windows that are given from the middle row down and the middle column on."""
-    # Rows and columns away from the middle stand for two each.
+    """Return the sums of whole windows, each represented by one quadrant that begins at the centre."""
+    # Rows and columns other than the central ones count twice, for their mirror images.
     down, across = (np.where(np.arange(side) == 0, 1.0, 2.0) for side in quarter.shape[1:])
     return np.asarray(quarter @ across @ down)

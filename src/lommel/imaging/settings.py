@@ -50,30 +50,30 @@ class Settings:
     Parameters
     ----------
     occlusion : bool, default True
-        Near objects occlude far ones. Without occlusion rendering is faster, but light from behind bleeds over the
-        edges of near objects.
+        Near objects occlude far ones. Without occlusion, rendering is faster, but light of the background bleeds over
+        the edges of near objects.
     wavelengths : Channels or sequence, optional
-        :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
-        default the wavelength of the lens for a grey image, and 600, 540 and 460 nm for an RGB image.
+        :class:`lommel.Channels`, or for each channel a wavelength (metres) or a sequence of (wavelength, weight). The
+        default is the wavelength of the lens for a grey image, and 600, 540 and 460 nm for an RGB image.
     missing : {"raise", "nearest", "infinity"}, default "raise"
-        Treatment of pixels whose depth is NaN: raise an error, take the depth of the nearest pixel of the image with
-        a known depth, or take infinity.
+        Treatment of pixels whose depth is NaN: raise an error, use the depth of the nearest pixel with a known depth,
+        or use infinity.
     border : {"reflect", "extend", "zero"}, default "reflect"
         Continuation of the image beyond its edges: mirrored, the last pixels repeated, or dark. Depth is mirrored or
         extended in the same way. Light that the blur spreads beyond the image is lost.
     energy : float, default 0.98
-        Fraction of the energy of the PSF inside its window, 0.5 to 0.9999, or 1. Below 1 the rest is spread over
-        the window. With 1 the PSF is not truncated (a window plus a smooth remainder over the whole image), at 1.7
-        times the cost. Tiles and dask chunks need a value below 1.
+        Fraction of the PSF's light inside its window, 0.5 to 0.9999, or 1. Below 1 the light outside the window is
+        spread over the window. With 1 the PSF is not truncated (a window plus a smooth remainder over the whole
+        image), and rendering takes 1.7 times as long. Tiles and dask chunks require a value below 1.
     tol : float, default 1e-4
         Tolerance of the interpolation between tabulated PSFs, relative to their peak, 1e-7 to 1e-1; checked half-way
-        between table entries. With ``energy=1`` also the approximate tolerance of the summed error beyond the
-        windows, except for the finest diffraction rings far out. The attribute `error` of the blur bounds the error;
-        a warning is given where it exceeds twice `tol`.
+        between table entries. With ``energy=1``, `tol` is also the approximate tolerance of the error summed over
+        the pixels outside the windows, without the finest diffraction rings. The attribute `error` of the blur is
+        the error reached; with ``energy=1`` a warning is issued if it exceeds 2 tol.
     largest : int, optional
         Maximum half width of a PSF window, pixels, 1 to 2048; by default half of the shorter side of the image.
     dtype : float32 or float64, default float32
-        Type of the blurred image and of its sums.
+        Type of the blurred image and of the sums over source points.
     threads : int, optional
         Maximum number of threads; by default the number of processors. The result does not depend on it.
 
@@ -110,11 +110,11 @@ class Settings:
         for name, most in (("largest", 2048), ("threads", 1024)):
             if (value := getattr(self, name)) is not None:
                 checked[name] = validation.integer(name, value, least=1, most=most)
-        vars(self).update(checked)  # a frozen dataclass refuses assignments
+        vars(self).update(checked)  # a frozen dataclass does not allow assignments
 
     @classmethod
     def of(cls, function: Callable[..., object], given: Mapping[str, Any], keywords: type) -> Self:
-        """Return the options `given` to a function; TypeError for an option that the TypedDict `keywords` lacks."""
+        """Return validated options from `given`; TypeError for a name that is not in the TypedDict `keywords`."""
         options.require_known(function, given, keywords)
         return cls(**given)
 
@@ -129,7 +129,7 @@ class Settings:
         if self.wavelengths is not None:
             if len(self.wavelengths) != count:
                 raise ValueError(
-                    f"wavelengths must be one for each of the {count} channels, got {len(self.wavelengths)}"
+                    f"wavelengths must have one entry for each of the {count} channels, got {len(self.wavelengths)}"
                 )
             return cast("Sequence[Spectrum]", self.wavelengths)
         if count == 1:
@@ -138,7 +138,7 @@ class Settings:
         if count == 3:
             return RED_GREEN_BLUE
         hint = "; drop the alpha channel" if count in (2, 4) else ""
-        raise ValueError(f"an image of {count} channels needs wavelengths, one for each{hint}")
+        raise ValueError(f"an image of {count} channels needs wavelengths, one for each channel{hint}")
 
 
 def spectra(name: str, channels: object) -> tuple[tuple[tuple[float, float], ...], ...]:
@@ -146,7 +146,7 @@ def spectra(name: str, channels: object) -> tuple[tuple[tuple[float, float], ...
     if isinstance(channels, Channels):
         return channels.spectra
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:
-        raise TypeError(f"{name} must be a sequence, one for each channel, got {validation.shown(channels)}")
+        raise TypeError(f"{name} must be a sequence of one entry for each channel, got {validation.shown(channels)}")
     return tuple(_spectrum(channel) for channel in channels)
 
 

@@ -10,19 +10,19 @@ PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 
 
 def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
-    """Return an image as a sensor records it, with photon and read noise, differentiable in the image.
+    """Add the photon and read noise of a sensor to an image, differentiably.
 
-    ``image + sqrt(variance) * normal`` with the variance ``excess max(electrons, 0) + read^2`` of
-    :class:`lommel.Noise`, in its units: the normal approximation of Poisson noise, reparametrised, so that the
-    gradient includes the change of the noise with the light. It is close for ten electrons and more; for fewer, or
-    for exact counts without gradient, see :meth:`lommel.Noise.record`.
+    Returns ``image + sqrt(variance) * normal / white``, with ``variance = excess * max(electrons, 0) + read^2`` of
+    :class:`lommel.Noise`: the normal approximation of Poisson noise. The gradient includes the change of the noise
+    with the light (reparametrisation). The approximation is good from about ten electrons per pixel. For fewer
+    electrons, or for exact counts without gradients, see :meth:`lommel.Noise.record`.
 
     Parameters
     ----------
     image : array
-        Expected image in the unit of `noise`; linear light with white at 1 where ``noise.white`` is the full well.
+        Expected image in the unit of `noise`; linear light with white at 1 if ``noise.white`` is the full well.
     noise : Noise
-        With single numbers.
+        Noise with numbers (not maps) for `white`, `read` and `offset`.
     normal : array
         Standard normal values of the shape of `image`, such as ``torch.randn_like(image)`` or
         ``jax.random.normal(key, image.shape)``.
@@ -30,38 +30,37 @@ def traced_noise(image: Operand, noise: Noise, normal: Operand) -> Operand:
     Returns
     -------
     array
-        Neither clipped nor rounded.
+        Image with noise, neither clipped nor rounded.
 
     Raises
     ------
     TypeError, ValueError
-        If `noise` is not one, or not of single numbers, or the shapes differ.
+        If `noise` is not a Noise, or holds maps, or the shapes differ.
     """
     validation.instance("noise", noise, Noise)
     white = 1.0 if noise.white is None else noise.white
     if any(getattr(value, "shape", ()) != () for value in (white, noise.read, noise.offset)):
-        raise ValueError("noise must have single numbers here, got values for each pixel")
+        raise ValueError("noise must have single numbers, got values for each pixel; use their medians")
     if not hasattr(image, "shape") or tuple(image.shape) != tuple(getattr(normal, "shape", ())):
         raise ValueError(
             f"normal must have the shape of the image, {tuple(getattr(image, 'shape', ()))}, got "
             f"{tuple(getattr(normal, 'shape', ()))}"
         )
     white, read = float(white), float(noise.read)
-    # Without reading the noise of a dark pixel is 0, and its square root has no derivative there: 1e-6 electrons^2.
+    # Adding 1e-6 electrons^2 keeps the derivative of the square root finite for a dark pixel without read noise.
     electrons = (image - float(noise.offset)) * white
-    # The derivative of the root stays finite in darkness without read noise.
     # (x + |x|) / 2 is max(x, 0) in operations that every framework has.
     light = 0.5 * noise.excess * (electrons + abs(electrons))
     return image + (light + (read**2 + 1e-6)) ** 0.5 * normal * (1.0 / white)
 
 
 def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
-    """Return what a sensor with a Bayer pattern records of a colour image.
+    """Return the mosaic of a colour image: for each pixel, the value of its colour in the Bayer pattern.
 
     Parameters
     ----------
     image : array, shape (..., 3, height, width)
-        Red, green and blue; even sides.
+        Red, green and blue planes; height and width must be even.
     pattern : {"RGGB", "BGGR", "GRBG", "GBRG"}, default "RGGB"
         Colours of the first two rows and columns.
 
@@ -72,10 +71,10 @@ def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
     Raises
     ------
     ValueError
-        If the shape or the pattern is another.
+        If `image` has another shape, or `pattern` another value.
     """
     colours = _colours(pattern)
-    # Bayer patterns repeat after two pixels.
+    # The sides must be even: Bayer patterns have a period of two pixels.
     shape = tuple(getattr(image, "shape", ()))
     if len(shape) < 3 or shape[-3] != 3 or shape[-2] % 2 or shape[-1] % 2:
         raise ValueError(f"image must have the shape (..., 3, height, width) with even sides, got {shape}")
@@ -87,17 +86,17 @@ def traced_mosaic(image: Operand, pattern: str = "RGGB") -> Operand:
 
 
 def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Operand:
-    """Return a colour image from that of a Bayer sensor, by bilinear interpolation; linear, hence differentiable.
+    """Return a colour image from a Bayer mosaic by bilinear interpolation; linear, and therefore differentiable.
 
-    Missing values are the means of the nearest two or four recorded ones of their colour; beyond the edges the
-    mosaic is mirrored about its last pixels, which keeps the pattern.
+    A missing value is the mean of the nearest two or four recorded values of its colour. Beyond the edges the mosaic
+    is mirrored about its outermost pixels, which continues the pattern.
 
     Parameters
     ----------
     mosaic : array, shape (..., height, width)
-        Even sides, of 4 or more.
+        Recorded values; height and width must be even and at least 4.
     pattern : {"RGGB", "BGGR", "GRBG", "GBRG"}, default "RGGB"
-        As of :func:`traced_mosaic`.
+        Colours of the first two rows and columns.
 
     Returns
     -------
@@ -106,7 +105,7 @@ def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Operand:
     Raises
     ------
     ValueError
-        If the shape or the pattern is another.
+        If `mosaic` has another shape, or `pattern` another value.
     """
     colours = _colours(pattern)
     shape = tuple(getattr(mosaic, "shape", ()))
@@ -114,7 +113,7 @@ def traced_demosaic(mosaic: Operand, pattern: str = "RGGB") -> Operand:
         raise ValueError(f"mosaic must have the shape (..., height, width) with even sides of 4 or more, got {shape}")
     xp = _namespace(mosaic)
     sites = _sites(mosaic, colours, 1)
-    # Weights 1/4, 1/2, 1/4 each way make means of the neighbours where one site in four has the colour.
+    # One pixel in four has the colour: weights 1/4, 1/2, 1/4 along both axes, times 4, are means of its neighbours.
     red, blue = (4.0 * _smooth(xp, _smooth(xp, mosaic * _sites(mosaic, colours, k), -1), -2) for k in (0, 2))
     green = sites * mosaic + (1.0 - sites) * _cross(xp, mosaic * sites)
     return xp.stack([red, green, blue], axis=-3)
@@ -135,7 +134,7 @@ def _namespace(x: Operand) -> Operand:
 
 
 def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
-    """Return 1 where the pattern has a colour, else 0, with the sides of `like`."""
+    """Return a mask of the height, width and dtype of `like`: 1 where the pattern has the colour, else 0."""
     xp, (height, width) = _namespace(like), like.shape[-2:]
     where = (
         {"device": like.device} if type(like).__module__.partition(".")[0] in ("torch", "array_api_strict") else {}
@@ -143,12 +142,12 @@ def _sites(like: Operand, colours: tuple[int, ...], colour: int) -> Operand:
     row, column = (
         xp.reshape(xp.arange(side, **where) % 2, shape) for side, shape in ((height, (-1, 1)), (width, (1, -1)))
     )
-    place = 2 * row + column
-    found: Operand = place < 0
-    for k, there in enumerate(colours):
-        if there == colour:
-            found = found | (place == k)
-    return xp.astype(found, like.dtype)
+    index = 2 * row + column
+    mask: Operand = index < 0
+    for k, own in enumerate(colours):
+        if own == colour:
+            mask = mask | (index == k)
+    return xp.astype(mask, like.dtype)
 
 
 def _neighbour_sum(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
@@ -160,7 +159,7 @@ def _neighbour_sum(xp: ArrayFunctions, x: Operand, axis: int) -> Operand:
         here[axis] = slice(first, last)
         return x[tuple(here)]
 
-    # Mirrored about the edge pixel, so that the neighbour beyond the edge has the same colour in the pattern.
+    # Mirrored about the edge pixel: the mirrored neighbour has the colour that the pattern would have there.
     before = xp.concat([part(1, 2), part(0, count - 1)], axis=axis)
     after = xp.concat([part(1, count), part(count - 2, count - 1)], axis=axis)
     return before + after

@@ -311,7 +311,7 @@ def test_another_transfer_function_is_taken(images, whole):
         ({"photographs": [np.ones((40, 40)), np.ones((40, 41))]}, "photographs must be of one shape"),
         ({"photographs": [np.ones(40)] * 2}, r"photographs\[0\] must have the shape"),
         ({"photographs": [np.full((40, 40), np.nan)] * 2}, "no pixel that is known in all of them"),
-        ({"photographs": [np.zeros((40, 40))] * 2}, "must hold light on average"),
+        ({"photographs": [np.zeros((40, 40))] * 2}, "must have a mean above 0"),
         ({"pixel": 0.0}, "pixel must be"),
         ({"encoding": "log"}, "encoding must be"),
         ({"noise": 3.0}, "noise must be a Noise"),
@@ -325,7 +325,7 @@ def test_another_transfer_function_is_taken(images, whole):
         ({"magnification": "zoom"}, "magnification must be"),
         ({"saturation": -1.0}, "saturation must be > 0"),
         ({"progress": 3}, "progress must be callable"),
-        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must be one for each of the 1 channels"),
+        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must have one entry for each of the 1 channels"),
     ],
 )
 def test_what_is_out_of_range_is_told(change, message):

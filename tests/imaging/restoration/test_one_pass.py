@@ -113,7 +113,7 @@ def test_blur_that_filters_do_not_reach_is_refused():
 
 
 def test_other_operators_are_refused_by_name():
-    with pytest.raises(ValueError, match=r"got the blur Identity; RichardsonLucy\(\) takes any"):
+    with pytest.raises(ValueError, match=r"got the blur Identity; use RichardsonLucy\(\)"):
         restore_with(np.ones((64, 64)), Identity(), NOISE, method=OnePass())
     with pytest.raises(ValueError, match="loss must be > 0"):
         OnePass(loss=0.0)

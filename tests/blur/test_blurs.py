@@ -134,7 +134,7 @@ def test_a_round_gaussian_is_round_at_every_angle():
 
 
 def test_a_kind_of_blur_that_psfs_would_not_see_is_refused():
-    with pytest.raises(TypeError, match="Ring must state covariance and streak"):
+    with pytest.raises(TypeError, match="Ring must define covariance and streak"):
 
         class Ring(Blur):
             def transfer(self, fx, fy=0.0, *, wavelength=None):
@@ -144,7 +144,7 @@ def test_a_kind_of_blur_that_psfs_would_not_see_is_refused():
 def test_a_kind_of_blur_names_its_lengths_so_that_their_unit_is_checked():
     kinds = lm.Seeing(0.1), lm.Jitter(1e-6, 2e-6), lm.ChargeDiffusion(3e-6), lm.Motion(4e-6)
     assert [kind.lengths for kind in kinds] == [(), (1e-6, 2e-6), (3e-6,), (4e-6,)]
-    with pytest.raises(TypeError, match="Ring must state length_names"):
+    with pytest.raises(TypeError, match="Ring must define length_names"):
 
         class Ring(Blur):
             pass

@@ -204,7 +204,7 @@ def test_what_few_lattices_do_not_reach_one_of_its_own_does(monkeypatch):
     monkeypatch.setattr(
         recorded, "_stack_images", lambda asked, *args: shared.append(asked.shared) or of_stack(asked, *args)
     )
-    monkeypatch.setattr(recorded, "_outwards", lambda count: 10**4)
+    monkeypatch.setattr(recorded, "_round_up", lambda count: 10**4)
     assert lm.psf(pupil, 9, 4.0, blur=lm.Seeing(0.05), tol=1e-4).error_bound <= 1e-4
     assert shared == [True, False]
 
@@ -224,4 +224,4 @@ def test_shares_of_the_error_are_asked_for_until_they_fit():
 
 @pytest.mark.parametrize("count", [0, 1, 31, 32, 33, 100, 607, 3072, -5, -700])
 def test_lattices_grow_by_little(count):
-    assert 0 <= recorded._outwards(count) - count <= abs(count) / 16
+    assert 0 <= recorded._round_up(count) - count <= abs(count) / 16

@@ -246,7 +246,7 @@ def test_the_strehl_ratio_is_that_on_the_axis_of_what_is_recorded():
         ({"blur": lm.Seeing(0.1, 2.0, 500e-9)}, "blur must fit the unit of the pupil"),
         ({"blur": lm.Jitter(2e-6)}, "lengths are in lambda\\*N here"),
         ({"blur": lm.Jitter(0.3), "derivatives": ("defocus",)}, "derivatives need square pixels"),
-        ({"pixel": (0.5, 0.6), "method": lm.Geometric()}, "method must have point values"),
+        ({"pixel": (0.5, 0.6), "method": lm.Geometric()}, "method must compute point values"),
         ({"fill": 1.5}, "fill must be at most 1"),
         ({"fill": (0.5, 0.0)}, r"fill\[1\] must be > 0"),
         ({"fill": 0.5, "integrate": False}, "integrate must not be False"),

@@ -249,7 +249,7 @@ def test_banks_that_would_be_too_large_are_refused_with_what_to_do(monkeypatch):
             SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (0.0, 60.0), tol=1e-3, energy=0.95, largest=10
         )
     monkeypatch.setattr("lommel.imaging.bank._MAX_WINDOWS", 200)
-    with pytest.raises(ValueError, match=r"exceeds the limits of 200 windows .* ask for a larger tol than 1e-07"):
+    with pytest.raises(ValueError, match=r"exceeds the limits of 200 windows .* choose a larger tol than 1e-07"):
         build_bank(
             SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL), (0.0, 20.0), tol=1e-7, energy=0.9, largest=60
         )

@@ -292,7 +292,7 @@ def test_other_files_of_the_same_names_are_refused(files, which, shard):
     else:
         lm.imaging.write_depth(files / which, np.full(SHAPE, 1.5))
     with pytest.raises(
-        ValueError, match=rf"set holds pictures of another {which[7:]} \(\d+ bytes, crc32 .*; give anot"
+        ValueError, match=rf"set holds pictures of another {which[7:]} \(\d+ bytes, crc32 .*; choose anot"
     ):
         rendered(files, psfs=0, shard=shard)
     assert shard or contents(files / "set") == before

@@ -84,7 +84,7 @@ def test_profiles_of_many_pupils_are_those_of_the_series(monkeypatch, obscuratio
     stack, v = light.defocused(np.linspace(-30.0, 90.0, 5)), 0.4 * np.arange(4101)
     exact = lm.NijboerZernike(1e-8).profile(stack, v).values
     for dear in (0.0, np.inf):  # matrix products, the series
-        monkeypatch.setattr(sensor_light, "_DEAR", dear)
+        monkeypatch.setattr(sensor_light, "_BESSEL_COST", dear)
         made = sensor_light._profiles(stack, v)
         assert (np.abs(made - exact).max(axis=1) <= 2e-8 * exact.max(axis=1)).all()
 

@@ -80,7 +80,7 @@ def test_a_traced_plan_is_pickled_with_its_tables():
 @pytest.mark.parametrize(
     ("c", "error", "message"),
     [
-        ([1.0, 2.0, 3.0], ValueError, r"must have a column for each of \('defocus', 'spherical'\), got the shape"),
+        ([1.0, 2.0, 3.0], ValueError, r"must have one column for each of \('defocus', 'spherical'\), got the shape"),
         (1.0, ValueError, r"the shape \(\)"),
         ([99.0, 0.0], lm.ToleranceError, "defocus = 99"),
         ([np.nan, 0.0], lm.ToleranceError, "defocus = nan"),

@@ -51,12 +51,12 @@ class Blur:
     def __init_subclass__(cls) -> None:
         if "transfer" in vars(cls) and cls.__module__ != __name__:
             raise TypeError(
-                f"{cls.__name__} must state covariance and streak, from which PSFs are computed, and leave "
-                "transfer as it is: PSFs would not include a blur of transfer alone"
+                f"{cls.__name__} must define covariance and streak, not transfer: PSFs are computed from covariance "
+                "and streak"
             )
         if "length_names" not in vars(cls):
             raise TypeError(
-                f"{cls.__name__} must state length_names, the names of its parameters that are lengths on the sensor"
+                f"{cls.__name__} must define length_names, the names of its parameters that are lengths on the sensor"
             )
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
@@ -169,7 +169,7 @@ class Seeing(Blur):
         if self.outer_scale is not None:
             outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True)
             vars(self)["outer_scale"] = None if math.isinf(outer) else outer
-        # With only one of the two the unit of r0 is ambiguous: metres, or fractions of the diameter of the aperture.
+        # With only one of them, the unit of r0 would be ambiguous: metres, or diameters of the aperture.
         if (self.focal_length is None) != (self.wavelength is None):
             raise ValueError(
                 "focal_length and wavelength must be given together (r0 in metres) or not at all (r0 divided by the "
@@ -190,7 +190,7 @@ class Seeing(Blur):
         fwhm : float
             Seeing FWHM in radians (1 arcsec is 4.848e-6), for a large telescope and an infinite outer scale.
         focal_length, wavelength, outer_scale : float
-            As of :class:`lommel.Seeing`.
+            See :class:`lommel.Seeing`.
 
         Returns
         -------
@@ -213,7 +213,7 @@ class Seeing(Blur):
         """Return the coherence frequency ``r0 / (wavelength focal_length)``, cycles per metre, or per lambda*N."""
         if self.wavelength is None or self.focal_length is None:
             return self.r0
-        # r0 is proportional to wavelength^(6/5) (Fried), and so r0 / (wavelength f) to wavelength^(1/5).
+        # r0 is proportional to wavelength^(6/5) (Fried), and r0 / wavelength to wavelength^(1/5).
         colour = 1.0 if wavelength is None else wavelength / self.wavelength
         return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
@@ -240,7 +240,7 @@ def karman(air: Seeing, wavelength: float | None) -> tuple[float, float]:
     # r0 is proportional to wavelength^(6/5); the outer scale does not depend on the wavelength.
     colour = 1.0 if wavelength is None or air.wavelength is None else (wavelength / air.wavelength) ** 1.2
     ratio = air.outer_scale / (air.r0 * colour)
-    # Normalised such that small z gives Kolmogorov's law, KOLMOGOROV q^(5/3).
+    # Normalised such that the limit of small z is Kolmogorov's law, KOLMOGOROV q^(5/3).
     factor = 0.5 * KOLMOGOROV * ratio ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0)
     return factor * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3), 2.0 * math.pi / ratio
 
@@ -252,11 +252,11 @@ def _von_karman(at: Array, factor: float) -> Array:
     z = np.atleast_1d(at)
     # lim z^nu K_nu(z) = 2^(nu - 1) Gamma(nu) for z -> 0, nu - 1 = -1/6.
     limit = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
-    # Clipped at z = 700, before K_nu underflows: there the structure function equals its limit in all digits.
+    # Clipped at z = 700, before K_nu underflows: the structure function equals its limit to all digits there.
     far = np.minimum(np.maximum(z, 1.0), 700.0)
     large = np.where(z > 1.0, limit - far**_NU * kv(_NU, far), 0.0)
     # For small z the difference cancels: K_nu is replaced by two series in z^2 / 4 (DLMF 10.27.4 and 10.25.2),
-    # without the first term of the even series, which is the limit itself. 14 terms give all digits for z <= 1.
+    # without the first term of the even series, which equals the limit. 14 terms yield all digits for z <= 1.
     k, near = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
     powers = (0.25 * near * near) ** k / gamma(k + 1.0)
     rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
@@ -371,11 +371,11 @@ KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter,
 
 
 def blurs(value: object) -> tuple[Blur, ...]:
-    """Return one blur, or several, as a tuple, None as an empty one; TypeError for anything else."""
+    """Return one or several blurs as a tuple, empty for None; TypeError for other values."""
     if value is None:
         return ()
     several = (value,) if isinstance(value, Blur) else value
-    # Strings are iterable, too, but the message must show the whole string, not a letter.
+    # A string is iterable, but the message must show the whole string, not its first letter.
     if not isinstance(several, Iterable) or isinstance(several, str | bytes):
         raise TypeError(f"blur must be one of {', '.join(KINDS)}, or several, got {validation.shown(value)}")
     checked = tuple(several)
@@ -402,7 +402,7 @@ def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
             how = (
                 "focal_length and wavelength"
                 if metric
-                else "only r0 divided by the diameter, as it has no wavelength"
+                else "only r0 divided by the diameter, as the pupil has no wavelength"
             )
             raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {how}, got {blur!r}")
         for length in blur.lengths:

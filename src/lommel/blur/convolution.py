@@ -1,20 +1,23 @@
-"""Sampled images convolved with blur by FFT, on a lattice that is proven wide enough, with values of any pixels.
+"""Convolution of sampled images with blur by FFT, with error bounds, and interpolation to pixels.
 
-There are two kinds of kernels. Jitter, diffusion and motion are negligible beyond their `reach`: the response
-``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and the errors by wrapping around and
-by truncation are those of the kernel beyond the reach. Seeing has a wide halo: its kernel is tabulated, the lattice
-holds all of it, and the error is the light beyond the lattice times the kernel there.
+Positions are in v, angular frequencies w in radians per unit of v; the spectrum of the image ends at abs(w) = 2. The
+lattice is the square grid of samples, with the step h. A gate G(w) is a smooth low-pass filter: 1 for abs(w) <= 2,
+and 0 from 2 pi / h - 2 on, where the lattice would alias into abs(w) <= 2. T is the transfer function of the blur.
 
-Values of pixels of any size and position from samples on a square lattice, along rows, then columns.
-The transform of ``box(w) exp(-(w / s)^2 / 2)``, boxes being convolved with the Gaussian, is
-``g(x) = sin(m x) / (pi x) exp(-(s x)^2 / 2)``: a gate from ``-m`` to ``m`` whose fall is an error function. So
-``h sum_k g(x - k h) exp(i w k h) = exp(i w x)`` for ``abs(w) <= 2`` but for the error of the gate (Poisson's sum),
-and g averaged over a pixel gives averages. The sum truncated after some samples errs by an exponential integral.
+There are two kinds of kernels. Jitter, diffusion and motion (short blur) have a finite reach, outside which the
+kernel is negligible: the response ``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the samples, and
+the errors of wrap-around and truncation follow from the kernel outside the reach. Seeing has a wide halo, which falls
+like r^(-11/3): its kernel is tabulated over the whole lattice, and the error is the light outside the lattice times
+the kernel at that distance.
 
-The kernel of turbulence has wings that fall as r^(-11/3). With w in units in which the image ends at 2,
-``c(r) = (1 / 2 pi) int T(w) G(w) J0(w r) w dw``, G a gate that is 1 up to 2 and 0 where samples h apart would confuse
-w with less than that. With ``w = u^3`` both ``w^(5/3)`` and von Karman's structure function are entire, so that
-Gauss's rule converges geometrically from 0 on.
+Pixels of any size and position are interpolated from the samples, along rows, then along columns. The gate along one
+axis is a box from -m to m convolved with a Gaussian, and its transform is
+``g(x) = sin(m x) / (pi x) exp(-(s x)^2 / 2)``. Therefore ``h sum_k g(x - k h) exp(i w k h) = exp(i w x)`` for
+``abs(w) <= 2``, except for the error of the gate (Poisson's sum). Averaging g over a pixel yields pixel averages. The
+error of truncating the sum is an exponential integral.
+
+The kernel of seeing is ``c(r) = (1 / 2 pi) int T(w) G(w) J0(w r) w dw``. With ``w = u^3`` both ``w^(5/3)`` and von
+Karman's structure function are entire in u: Gauss's rule from 0 converges geometrically.
 """
 
 from __future__ import annotations
@@ -38,17 +41,17 @@ if TYPE_CHECKING:
 
 
 class Readout(NamedTuple):
-    """Sparse matrix from samples, from index `first` on, to pixels; `error` bounds its response up to w = 2."""
+    """Interpolation along one axis, from samples to pixels."""
 
-    matrix: csr_array
-    first: int
-    error: float
-    gain: float
+    matrix: csr_array  # (pixels, samples)
+    first: int  # index of the first sample; sample 0 is on the axis
+    error: float  # bound on the error for a wave exp(i w x) with abs(w) <= 2
+    gain: float  # largest sum over a row of the absolute values of the matrix
     low: float  # lower edge of the first pixel, in v
     high: float  # upper edge of the last pixel, in v
 
     def ends(self, reach: float) -> tuple[float, float]:
-        """Return the interval in v that holds the axis and all places within `reach` of the pixels."""
+        """Return the interval in v that contains the axis and all positions within `reach` of the pixels."""
         return min(self.low - reach, 0.0), max(self.high + reach, 0.0)
 
     @property
@@ -59,12 +62,15 @@ class Readout(NamedTuple):
 
 @lru_cache(maxsize=8)
 def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
-    """Return the weights of samples for averages over `active` around rising `places`, in v; point values for 0."""
+    """Return the weights for averages over intervals of width `active` around ascending `places`, both in v.
+
+    With ``active = 0`` the weights are those of point values.
+    """
     from scipy import sparse
 
     at = np.array(places)
     h, (beyond, cut) = gate.h, ends(gate)
-    # An odd number of taps, symmetric about the sample nearest to the pixel's middle.
+    # An odd number of taps, symmetric about the sample nearest to the centre of the pixel.
     taps = 2 * math.ceil((beyond + 0.5 * active) / h) + 1
     start = np.rint(at / h).astype(np.int64) - taps // 2
     k = start[:, None] + np.arange(taps)
@@ -74,73 +80,75 @@ def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
     shape = at.size, int(start.max()) + taps - first
     matrix = sparse.csr_array((weights.ravel(), (rows, (k - first).ravel())), shape=shape)
     low, high = float(at.min()) - 0.5 * active, float(at.max()) + 0.5 * active
-    # Weights are rounded, sums of `taps` products too; sqrt(taps) as of errors of random sign.
+    # Rounding of the weights and of sums of `taps` products: errors of random sign grow like sqrt(taps).
     rounding = 2.0**-50 * math.sqrt(taps)
     return Readout(matrix, first, gate.error + cut + rounding, float(np.abs(weights).sum(axis=1).max()), low, high)
 
 
 @lru_cache(maxsize=16)
 def ends(gate: Gate) -> tuple[float, float]:
-    """Return a truncation distance in v, and a bound on h times the sum of abs(g) over all samples beyond it."""
+    """Return a truncation distance in v, and a bound on h times the sum of abs(g) over the samples outside it."""
     from scipy.special import exp1
 
-    # Where exp(-(s x)^2 / 2) / (pi x) sums to about the error of the gate: E1(y) ~ exp(-y) / y.
+    # The sum of exp(-(s x)^2 / 2) / (pi x) outside this distance is about the error of the gate: E1(y) ~ exp(-y) / y.
     large = -math.log(gate.error)
-    s = _fall(gate)
+    s = _gaussian_rate(gate)
     beyond = math.sqrt(2.0 * (large - math.log(large + 1.0))) / s
-    # Each side is below the integral from one step nearer on, and abs(g) <= exp(-(s x)^2 / 2) / (pi x).
+    # The sum on each side is at most the integral that starts one step earlier; abs(g) <= exp(-(s x)^2 / 2) / (pi x).
     return beyond + gate.h, float(exp1(0.5 * (s * beyond) ** 2)) / math.pi
 
 
 @lru_cache(maxsize=16)
 def gained(gate: Gate) -> float:
-    """Bound h times the sum of abs(g) over samples anywhere."""
-    # Over one step all positions of samples occur; 2 % cover what lies between 65 of them.
+    """Return a bound on h times the sum of abs(g) over all samples, for any position relative to the samples."""
+    # 65 positions within one step; a margin of 2 % covers the positions between them.
     return 1.02 * readout(tuple(np.linspace(0.0, gate.h, 65)), 0.0, gate).gain
 
 
-def _fall(gate: Gate) -> float:
+def _gaussian_rate(gate: Gate) -> float:
+    """Return s of the factor exp(-(s x)^2 / 2) of g."""
     return gate.width / math.sqrt(2.0)
 
 
 def _averaged(x: Array, active: float, gate: Gate) -> Array:
-    """Return g averaged over a pixel around x."""
+    """Return g averaged over an interval of width `active` around x."""
     if active == 0.0:
-        return _gate(x, gate)
-    return np.asarray((_passed(x + 0.5 * active, gate) - _passed(x - 0.5 * active, gate)) / active)
+        return _gate_transform(x, gate)
+    return np.asarray((_integral(x + 0.5 * active, gate) - _integral(x - 0.5 * active, gate)) / active)
 
 
-def _passed(x: Array, gate: Gate) -> Array:
+def _integral(x: Array, gate: Gate) -> Array:
     """Return the integral of g from 0 to x."""
-    # Gauss nodes for half a wave of sin(middle x) each, and 40 for the Gaussian factor.
-    far = 9.0 / _fall(gate)  # beyond which there is 1e-18 of it
+    # One Gauss node for every 2 radians of sin(m x), and 40 nodes for the Gaussian factor.
+    far = 9.0 / _gaussian_rate(gate)  # the Gaussian factor is below 1e-17 outside
     nodes, weights = gauss_legendre(math.ceil(0.5 * far * gate.middle) + 40)
     flat = np.clip(x, -far, far).ravel()
-    found = np.empty(flat.size)
-    # Blocks bound the memory of the product of places and nodes.
+    integral = np.empty(flat.size)
+    # Blocks limit the memory of the outer product of positions and nodes.
     for start in range(0, flat.size, 2**14):
         part = flat[start : start + 2**14]
-        found[start : start + 2**14] = part * (_gate(np.multiply.outer(part, nodes), gate) @ weights)
-    return found.reshape(x.shape)
+        integral[start : start + 2**14] = part * (_gate_transform(np.multiply.outer(part, nodes), gate) @ weights)
+    return integral.reshape(x.shape)
 
 
-def _gate(x: Array, gate: Gate) -> Array:
+def _gate_transform(x: Array, gate: Gate) -> Array:
+    """Return g(x)."""
     rate = gate.middle / math.pi
-    return np.asarray(rate * np.sinc(rate * x) * np.exp(-0.5 * (_fall(gate) * x) ** 2))
+    return np.asarray(rate * np.sinc(rate * x) * np.exp(-0.5 * (_gaussian_rate(gate) * x) ** 2))
 
 
-_U = 2.0**-53
+_U = 2.0**-53  # unit roundoff of double precision
 
 
 class Short(NamedTuple):
-    """The Gaussian covariance (x, y) and the streaks, shape (k, 2), of blur of finite extent, in v."""
+    """Blur of finite extent (jitter, diffusion, motion): Gaussian covariance in (x, y), and streaks (k, 2), in v."""
 
     covariance: Array
     streaks: Array
 
     @classmethod
     def of(cls, several: tuple[Blur, ...], scale: float) -> Short:
-        """Return those of several blurs; `scale` is one lambda*N in their unit."""
+        """Return the total covariance and the streaks of several blurs; `scale` is one lambda*N in their unit."""
         to_v = math.pi / scale
         covariance = sum((blur.covariance for blur in several), np.zeros((2, 2)))
         streaks = [blur.streak for blur in several if blur.streak != (0.0, 0.0)]
@@ -148,13 +156,13 @@ class Short(NamedTuple):
 
     @property
     def nothing(self) -> bool:
-        """Whether there is no such blur."""
+        """Whether the covariance is 0 and there are no streaks."""
         return not (self.covariance.any() or self.streaks.size)
 
     def reach(self, left: float) -> tuple[float, float]:
-        """Return the distances along x and y that all but a part `left` of the light moves at most."""
+        """Return the distances along x and y that at most the fraction `left` of the light exceeds."""
         deviations = np.sqrt(np.diag(self.covariance))
-        # Half of `left` for the Gaussian's tails; a streak ends at half its length on either side.
+        # Half of `left` for the tails of the Gaussian; a streak extends by half of its length to either side.
         far = math.sqrt(2.0) * float(scipy.special.erfcinv(min(0.5 * left, 1.0)))
         x, y = far * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
         return float(x), float(y)
@@ -164,7 +172,7 @@ class Short(NamedTuple):
         (xx, xy), (_, yy) = self.covariance
         found = np.exp(-0.5 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
         for dx, dy in self.streaks:
-            # np.sinc has the factor pi in it, and w = 2 pi f.
+            # np.sinc(t) is sin(pi t) / (pi t), and w = 2 pi f.
             found *= np.sinc((dx * x + dy * y) / (2.0 * math.pi))
         return np.asarray(found)
 
@@ -173,17 +181,17 @@ class Spread(NamedTuple):
     """The response of blur on a lattice, shape (rows, columns // 2 + 1), with bounds on its errors."""
 
     response: NDArray[np.generic]
-    size: tuple[int, ...]  # of the padded lattice
-    gain: float  # sum of the moduli of the kernel
-    norm: float  # root of the sum of its squares
+    size: tuple[int, ...]  # rows and columns of the padded lattice
+    gain: float  # sum of the absolute values of the kernel
+    norm: float  # square root of the sum of the squares of the kernel
     error: float  # bound on the error of the response for abs(w) <= 2
-    missing: float  # bound on the blur, in v, that light beyond the lattice would arrive with
-    off: float  # bound on the error of the kernel, in v
-    core: float  # the largest value of the kernel of a halo, 0 without
-    blind: float  # bound on the sum of its moduli beyond its reach, wrapped around or absent
+    missing: float  # bound on the kernel density, in v^-2, for light from outside the lattice
+    off: float  # bound on the error of the kernel density, in v^-2
+    core: float  # largest kernel density of a halo, in v^-2; 0 without halo
+    blind: float  # bound on the sum of the absolute values of the short kernel outside its reach
 
     def on(self, samples: Array, threads: int) -> Array:
-        """Return a stack of samples, shape (n, rows, columns), spread."""
+        """Return the blurred samples, shape (n, rows, columns)."""
         workers = threads or -1
         out = np.empty(samples.shape)
         for one, place in zip(samples, out, strict=True):
@@ -193,19 +201,19 @@ class Spread(NamedTuple):
         return out
 
     def rounding(self, samples: Array) -> float:
-        """Bound what transforms in double precision add to any value of these samples."""
+        """Return a bound on the rounding error of the transforms for any value of the blurred `samples`."""
         size = float(np.sqrt((samples**2).sum(axis=(1, 2)).max()))
         return 20.0 * math.log2(math.prod(self.size)) * _U * self.norm * size
 
 
 def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, ended: bool) -> Spread:
-    """Return the response on a lattice of at least `least` samples.
+    """Return the response on a lattice of at least `least` samples (rows, columns).
 
-    Light spreads up to `margin` (v) beyond the pixels if all blur has `ended` at ``abs(w) = 2``, otherwise beyond the
-    samples that the gate of the readout takes.
+    `ended`: T is negligible for ``abs(w) > 2``. The lattice extends by `margin` (v) beyond the pixels if `ended`,
+    otherwise beyond the samples that the pixels are interpolated from.
     """
     gate, seen = halo.gate, bool(halo.several)
-    # Lengths with small prime factors: transforms of others take several times as long.
+    # Lengths with small prime factors: transforms of other lengths take several times as long.
     size = tuple(scipy.fft.next_fast_len(side, real=True) for side in least)
     y = 2.0 * math.pi / gate.h * scipy.fft.fftfreq(size[0])[:, None]
     x = 2.0 * math.pi / gate.h * scipy.fft.rfftfreq(size[1])
@@ -214,18 +222,18 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, e
     gain = norm = 1.0
     if not short.nothing:
         response, error = _periodic(short, gate, x, y), 3.0 * gate.error
-        # The sum of moduli of a kernel of finite extent beyond its reach and that of the gate, twice.
+        # Twice: absolute sum of the short kernel outside its reach plus the truncation distance of the gate.
         blind = 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
         kernel = scipy.fft.irfft2(response, size)
         gain, norm = float(np.abs(kernel).sum()), float(np.sqrt((kernel**2).sum()))
     if seen:
-        # Relative to the density in v^-2; the table holds weights per sample, h^2 times that.
-        tabulated, apart = _kernel(halo, size)
+        # The table holds weights per sample, h^2 times the density in v^-2.
+        tabulated, table_error = _kernel(halo, size)
         core = float(tabulated.max()) / gate.h**2
-        # Light that finite blur moves farther than its reach is at most this part of the brightest value.
+        # The short blur moves at most the fraction gate.error of the light farther than its reach.
         far = halo.bound(margin) + (0.0 if short.nothing else gate.error * core)
         missing = far if ended else gain * halo.gated_bound(margin) + blind * core
-        off = gain * apart * core
+        off = gain * table_error * core
         response = scipy.fft.rfft2(tabulated) * response
         kernel = scipy.fft.irfft2(response, size)
         error += gate.error
@@ -234,8 +242,8 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, e
 
 
 def _periodic(short: Short, gate: Gate, x: Array, y: Array) -> Array:
-    # Copies at whole periods 2 pi / h are what sampling adds (Poisson); beyond the nearest, the gate is 0.
-    """Return the response of samples: that of the plane, gated along both axes, and its copies."""
+    """Return the response on the lattice: T G of the plane, G being a gate along each axis, with its copies."""
+    # Sampling adds copies at multiples of 2 pi / h (Poisson). Only the nearest copies overlap nonzero gates.
     period = 2.0 * math.pi / gate.h
     found = np.zeros((y.size, x.size))
     for i in (-1.0, 0.0, 1.0):
@@ -251,12 +259,12 @@ def _gated(w: Array, gate: Gate) -> Array:
 
 
 def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
-    """Return the kernel of a halo on a lattice, its centre at the first corner, and its error over its peak."""
+    """Return the kernel of a halo on a lattice, its centre at index (0, 0), and its error relative to its peak."""
     h, half = halo.gate.h, (size[0] // 2 + 1, size[1] // 2 + 1)
-    # About what the gate makes of the light of the band.
+    # The error of the table is a tenth of the error of the gate, which is relative to 1, not to the peak of c.
     error = max(0.1 * halo.gate.error / float(halo.at(np.zeros(1))[0]), 1e-12)
     filtered, step, off = table(halo, h * math.hypot(*half), error)
-    # By symmetry one octant has all distances: tabulated once, then mirrored to the whole lattice.
+    # By symmetry one octant contains all distances: it is computed once and mirrored to the whole lattice.
     squares, index = distinct_radii(half[0] - 1, half[1] - 1)
     quadrant = h * h * between(filtered, step, error, h * np.sqrt(squares))[index]
     # The kernel wraps around: index n - k is the distance k on the other side.
@@ -264,46 +272,46 @@ def _kernel(halo: Halo, size: tuple[int, ...]) -> tuple[Array, float]:
     return quadrant[rows[:, None], columns], off
 
 
-_BAND = 1.2  # radians from one entry of a table to the next
-_NODES, _PHASE = 40, 40.0  # of a panel, and how far J0 turns in one at most
-_DARK = 1e-22
-_KEPT = 2**20  # values of J0
+_BAND = 1.2  # step of a table in r times the largest w: phase of J0 between two entries, radians
+_NODES, _PHASE = 40, 40.0  # Gauss nodes in a panel (an interval of u), and largest phase w r of J0 across it, radians
+_DARK = 1e-22  # transfer function that counts as 0
+_KEPT = 2**20  # largest number of cached values of J0
 
 
 class Gate(NamedTuple):
-    """A response of 1 up to ``w = 2`` and 0 from ``2 pi / h - 2`` on, but for `error` of both."""
+    """A low-pass response: 1 up to ``w = 2`` and 0 from ``2 pi / h - 2`` on, each within `error`."""
 
-    h: float
-    middle: float
-    width: float
+    h: float  # step of samples, in v
+    middle: float  # m: the response is 1/2 at w = m
+    width: float  # scale of the error function, in w
     error: float
 
     @classmethod
     def of(cls, h: float, error: float) -> Gate:
-        """Return the gate for samples `h` apart that errs by at most `error`."""
+        """Return the gate for samples with the step `h`, with the given `error`."""
         far = 2.0 * math.pi / h - 2.0
         return cls(h, 0.5 * (2.0 + far), 0.5 * (far - 2.0) / float(scipy.special.erfcinv(0.5 * error)), error)
 
     def round(self, w: Array) -> Array:
-        """Return the response to waves of the length w of the vector of frequency, smooth in w^2."""
+        """Return a rotationally symmetric gate, a smooth function of w^2, at the modulus w of the frequency."""
         middle, half, fall = self._squared
         return np.asarray(0.5 * scipy.special.erfc((w * w - middle) / half * (fall / self.width)))
 
     @property
     def end(self) -> float:
-        """From where on the round response is below 1e-30."""
+        """Frequency w above which :meth:`round` is below 1e-30."""
         middle, half, fall = self._squared
         return math.sqrt(middle + 8.3 * half * self.width / fall)
 
     @property
     def _squared(self) -> tuple[float, float, float]:
-        # Middle and half of the fall in w^2, and half of it in w.
+        # Centre and half width of the transition in w^2, and its half width in w.
         far = 2.0 * math.pi / self.h - 2.0
         return 0.5 * (4.0 + far * far), 0.5 * (far * far - 4.0), 0.5 * (far - 2.0)
 
 
 class Halo(NamedTuple):
-    """Rotationally symmetric blur by turbulence as a kernel."""
+    """Kernel of seeing, rotationally symmetric."""
 
     several: tuple[Seeing, ...]
     scale: float
@@ -312,7 +320,7 @@ class Halo(NamedTuple):
 
     @classmethod
     def of(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None, gate: Gate) -> Halo:
-        """Return the seeing of several blurs in light of a wavelength, of which one lambda*N is `scale`."""
+        """Return the kernel of all Seeing among several blurs, at one wavelength; `scale` is one lambda*N."""
         return cls(tuple(blur for blur in several if isinstance(blur, Seeing)), scale, wavelength, gate)
 
     def response(self, w: Array) -> Array:
@@ -324,7 +332,7 @@ class Halo(NamedTuple):
 
     @property
     def finest(self) -> float:
-        """Over which w the response changes at the least."""
+        """Smallest interval of w over which the response varies."""
         found = 0.5
         for blur in self.several:
             outer = math.inf if blur.outer_scale is None else blur.outer_scale / (2.0 * math.pi * blur.r0)
@@ -332,15 +340,15 @@ class Halo(NamedTuple):
         return found
 
     def at(self, r: Array) -> Array:
-        """Return the kernel at radii in v, directly."""
+        """Return the kernel at radii in v by quadrature, without a table."""
         w, weight = _rule(self, float(np.max(r, initial=1.0)))
         return _transformed(weight, w, r)
 
     def bound(self, far: float) -> float:
-        """Bound the density of the shifts, which has no gate, beyond the radius `far`."""
-        # Seeing is a mixture of Gaussians, and so is b: it falls with r, and a Gaussian of the variance t is at R at
-        # most 1 / (1 - 2 s / R^2) times one of the variance t + s. So b(R) is bounded by the transform of
-        # T exp(-s w^2 / 2), which ends soon.
+        """Return a bound on the density b of image shifts (the kernel without gate) at radii above `far`."""
+        # b is a mixture of Gaussians and decreases with r. At the radius R, a Gaussian of variance t is at most
+        # 1 / (1 - 2 s / R^2) times a Gaussian of variance t + s. The transform of T exp(-s w^2 / 2), times this
+        # factor, therefore bounds b(R); the integrand is negligible above a small w.
         s = min(2.0, 0.02 * far * far)
         w, weight = _rule(self, far, gated=False)
         soft = weight * np.exp(-0.5 * s * w * w)
@@ -348,7 +356,7 @@ class Halo(NamedTuple):
         return (max(float(scipy.special.j0(far * w) @ soft), 0.0) + rounding) / (1.0 - 2.0 * s / far**2)
 
     def gated_bound(self, far: float) -> float:
-        """Bound the modulus of the kernel, the density convolved with the transform of the gate, likewise."""
+        """Return a bound on the absolute value of the kernel, b convolved with the gate's transform, above `far`."""
         near = far - min(0.25 * far, 45.0)
         smear, left = _gate_norm(self.gate, far - near)
         return smear * self.bound(near) + left
@@ -363,7 +371,7 @@ def _rule(halo: Halo, far: float, *, gated: bool = True) -> tuple[Array, Array]:
 
 
 def _panels(halo: Halo, far: float, *, gated: bool = True) -> tuple[float, int]:
-    """Return where the rule ends in w, and how many panels it has: few of each, so that seeing shares nodes."""
+    """Return the upper limit of the rule in w and its number of panels, rounded to be the same for similar seeing."""
     end = halo.gate.end if gated else 11.0
     probe = np.linspace(0.0, end, 4097)
     dark = np.flatnonzero(halo.response(probe) < _DARK)
@@ -373,9 +381,9 @@ def _panels(halo: Halo, far: float, *, gated: bool = True) -> tuple[float, int]:
 
 @lru_cache(maxsize=8)
 def _nodes(end: float, panels: int) -> tuple[Array, Array]:
-    """Return nodes in w up to an end, and their weights of ``(1 / 2 pi) w dw``."""
+    """Return nodes w up to `end`, and their weights, which include ``(1 / 2 pi) w dw``."""
     edges = np.cbrt(np.linspace(0.0, end, panels + 1))
-    # The first, in which w varies by all of itself, is where the root is felt.
+    # The first panel is subdivided: the relative variation of w is largest in it.
     edges = np.concatenate([edges[:1], edges[1] * np.array([0.5, 0.75]), edges[1:]])
     x, weight = gauss_legendre(_NODES)
     wide = np.diff(edges)[:, None]
@@ -385,7 +393,7 @@ def _nodes(end: float, panels: int) -> tuple[Array, Array]:
 
 @lru_cache(maxsize=4)
 def _waves(end: float, panels: int, step: float, count: int) -> Array:
-    """Return J0 at so many equal steps of r and all nodes, which any seeing may share."""
+    """Return J0(w r) at `count` equally spaced r and all nodes w; cached for any seeing."""
     w, _ = _nodes(end, panels)
     return np.asarray(scipy.special.j0(np.multiply.outer(step * np.arange(float(count)), w)))
 
@@ -400,13 +408,13 @@ def _transformed(weight: Array, w: Array, r: Array) -> Array:
 
 
 def _summed(waves: Array, weight: Array) -> Array:
-    # By the core: of sums this short, threads of BLAS wait for each other longer than they take.
+    # By the compiled core: for sums this short, the threads of BLAS spend most of the time waiting.
     return product(waves, weight[:, None], 1)[:, 0]
 
 
 @lru_cache(maxsize=4)
 def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
-    """Return the kernel at equal steps of r to beyond `far`, the step, and what of ``c(0)`` is off between."""
+    """Return the kernel at equally spaced r up to `far`, filtered for interpolation, the step, and error / c(0)."""
     w, weight = _rule(halo, far)
     step = _BAND / float(w.max())
     rule = filtered_taps(_BAND, error)
@@ -422,7 +430,7 @@ def table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
 
 
 def between(known: Array, step: float, error: float, r: Array) -> Array:
-    """Return the kernel at radii within a :func:`table`."""
+    """Return the kernel at the radii `r`, interpolated in a :func:`table`."""
     taps = filtered_taps(_BAND, error).taps
     half = taps.size // 2
     mirrored = np.concatenate([known[half:0:-1], known])
@@ -436,10 +444,10 @@ def between(known: Array, step: float, error: float, r: Array) -> Array:
 
 @lru_cache(maxsize=16)
 def _gate_norm(gate: Gate, far: float) -> tuple[float, float]:
-    """Return the integral of the modulus of the transform of a gate, and the largest of it from `far` on."""
+    """Return the integral of the absolute transform of a gate over the plane, and its maximum beyond `far`."""
     x, weight = gauss_legendre(400)
     w, weight = gate.end * x, gate.end * weight
     r: Array = np.linspace(0.0, 60.0, 4001)
     g = np.abs(_transformed(weight * w * gate.round(w) / (2.0 * math.pi), w, r))
-    # It falls faster than exponentially; what is beyond 60 is below what is before.
+    # The transform decreases faster than exponentially: the part beyond r = 60 is negligible.
     return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(far, 45.0)].max())

@@ -1,8 +1,8 @@
-r"""Isotropic blurs as mixtures of Gaussians, whose products along rows and columns are those of images.
+r"""Isotropic blurs as mixtures of Gaussians, each of which is a product of factors along rows and columns.
 
-A transfer function that is completely monotone in the squared frequency is a positive mixture of Gaussians
-(Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is, and von Karman's: ``1 - z^nu K_nu(z)`` is a Bernstein
-function of ``z^2``. Few terms come near: 6 of Kolmogorov's within 1.3e-4.
+A transfer function that is completely monotone in the squared frequency is a mixture of Gaussians with positive
+weights (Bernstein's theorem). Kolmogorov's ``exp(-c q^(5/3))`` is completely monotone in q^2; so is von Karman's,
+because ``limit - z^nu K_nu(z)`` is a Bernstein function of ``z^2``. Few terms suffice: 6 for Kolmogorov to 1.4e-4.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from lommel.base.arrays import Array
 from lommel.blur.blurs import FWHM, Blur, Seeing
 
 TERMS = 6
-SIGMAS = 2.0 * math.sqrt(2.0 * math.log(2.0))  # standard deviations in the full width at half maximum of a Gaussian
-_FINEST, _WIDEST, _NODES = 0.3, 3e4, 120  # rates of the Gaussians from which the terms are selected, and their number
-_LEAST = 1e-7  # least weight of a term
+SIGMAS = 2.0 * math.sqrt(2.0 * math.log(2.0))  # full width at half maximum / standard deviation of a Gaussian
+_FINEST, _WIDEST, _NODES = 0.3, 3e4, 120  # smallest and largest rate of the candidate Gaussians, and their number
+_LEAST = 1e-7  # smallest weight of a term
 
-#: Weights, rates and error of the mixtures in fits, by outer scale over r0 and number of terms, computed as below.
+#: Results of `turbulence` (weights, rates, error) for (outer scale / r0, number of terms), stored to save time.
 _STATED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ...], float]] = {
     (None, 3): ((0.662778, 0.296069, 0.041153), (3.05998, 9.35535, 101.599), 2.3e-3),
     (None, 6): (
@@ -47,11 +47,11 @@ _STATED: dict[tuple[float | None, int], tuple[tuple[float, ...], tuple[float, ..
     ),
 }
 OUTER = (None, 1000.0, 240.0, 60.0)
-"""Outer scales over r0 that fits compare; None is Kolmogorov's infinite one."""
+"""Values of (outer scale / r0) that fits compare; None is an infinite outer scale (Kolmogorov)."""
 
 
 class Mixture(NamedTuple):
-    """``T(q) = sum weights exp(-rates q^2)``, weights of sum 1, within `error`; q is over the coherence frequency."""
+    """``T = sum weights exp(-rates q^2)`` within `error`, q = frequency / coherence frequency; sum(weights) = 1."""
 
     weights: Array
     rates: Array
@@ -60,7 +60,7 @@ class Mixture(NamedTuple):
 
 @lru_cache(maxsize=32)
 def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
-    """Return seeing as a mixture of at most `terms` Gaussians; `outer` is the outer scale over r0, None infinite."""
+    """Return seeing as a mixture of at most `terms` Gaussians; `outer` is outer scale / r0, None for infinity."""
     if (stated := _STATED.get((outer, terms))) is not None:
         return Mixture(np.array(stated[0]), np.array(stated[1]), stated[2])
     from scipy import optimize
@@ -68,44 +68,44 @@ def turbulence(outer: float | None = None, terms: int = TERMS) -> Mixture:
     # Beyond q = 2.6 Kolmogorov's T is below 1e-7, and von Karman's has reached its limit.
     q = np.append(np.linspace(1e-3, 2.6, 400), np.geomspace(2.6, 30.0, 40)[1:])
     goal = np.asarray(Seeing(1.0, outer_scale=outer).transfer(q))
-    # A rate of 0 is a constant: von Karman's T falls to exp(-limit) above 0, and not to 0.
+    # The rate 0 is a constant term: von Karman's T decreases to a positive limit.
     rates = np.append(np.geomspace(_FINEST, _WIDEST, _NODES), 0.0)
 
-    def light(r: Array) -> Array:
+    def gaussians(r: Array) -> Array:
         return np.exp(-np.multiply.outer(q * q, r))
 
-    heavy = 30.0  # weight of the equation sum = 1, which keeps the light, against those of the 439 frequencies
-    design = np.vstack([light(rates), np.full(len(rates), heavy)])
-    # Non-negative least squares: weights below 0 would make images negative.
+    heavy = 30.0  # weight of the equation sum(weights) = 1, relative to the equations of the 439 frequencies
+    design = np.vstack([gaussians(rates), np.full(len(rates), heavy)])
+    # Non-negative least squares: negative weights could make images negative.
     weights, _ = optimize.nnls(design, np.append(goal, heavy))
-    kept = np.flatnonzero(weights > _LEAST)
-    kept = kept[np.argsort(rates[kept])]
-    w, r = _merged(weights[kept], rates[kept], terms)
-    w, r = _polished(goal, q * q, w, r)
-    return Mixture(w, r, float(np.abs(light(r) @ w - goal).max()))
+    used = np.flatnonzero(weights > _LEAST)
+    used = used[np.argsort(rates[used])]
+    w, r = _merge_terms(weights[used], rates[used], terms)
+    w, r = _reduce_error(goal, q * q, w, r)
+    return Mixture(w, r, float(np.abs(gaussians(r) @ w - goal).max()))
 
 
-def _merged(w: Array, r: Array, terms: int) -> tuple[Array, Array]:
-    """Return `terms` terms, merging the most similar neighbours one pair at a time."""
+def _merge_terms(w: Array, r: Array, terms: int) -> tuple[Array, Array]:
+    """Return at most `terms` terms, by merging the most similar neighbours, one pair after the other."""
     while len(r) > terms:
-        both = w[:-1] + w[1:]
-        # Loss of a merge: the reduced weight times the squared distance of the logarithms of both rates.
-        cost = w[:-1] * w[1:] / both * np.diff(np.log(r + 0.05)) ** 2
+        total = w[:-1] + w[1:]
+        # Cost of merging two terms: w1 w2 / (w1 + w2) times the squared difference of the logarithms of their rates.
+        cost = w[:-1] * w[1:] / total * np.diff(np.log(r + 0.05)) ** 2
         i = int(cost.argmin())
-        # The merged rate keeps sum weights * rates, the second moment of the transfer function at q = 0.
-        r = np.concatenate([r[:i], [(w[i] * r[i] + w[i + 1] * r[i + 1]) / both[i]], r[i + 2 :]])
-        w = np.concatenate([w[:i], [both[i]], w[i + 2 :]])
+        # The merged rate conserves sum(weights * rates), which is -dT / d(q^2) at q = 0.
+        r = np.concatenate([r[:i], [(w[i] * r[i] + w[i + 1] * r[i + 1]) / total[i]], r[i + 2 :]])
+        w = np.concatenate([w[:i], [total[i]], w[i + 2 :]])
     return w / w.sum(), r
 
 
-def _polished(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Array]:
-    """Return terms with a smaller largest error, by least squares reweighted towards large errors."""
+def _reduce_error(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Array]:
+    """Return terms with a smaller maximum error, by least squares with weights that grow with the error."""
     from scipy import optimize
 
     count = len(w)
 
     def parts(x: Array) -> tuple[Array, Array, Array]:
-        # Softmax: positive weights of sum 1 for any parameters, so that the search needs no bounds.
+        # Softmax: weights are positive and sum to 1 for any parameters, and the search needs no bounds.
         raised = np.exp(x[:count] - x[:count].max())
         rates = np.exp(np.clip(x[count:], -30.0, 30.0))
         return raised / raised.sum(), rates, np.exp(-np.multiply.outer(square, rates))
@@ -137,10 +137,10 @@ def _polished(goal: Array, square: Array, w: Array, r: Array) -> tuple[Array, Ar
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """Shape of blur: Gaussians with `weights` (c,) and variances ``fixed + rates @ squares`` (pixels^2).
+    """Shape of blur: a mixture of Gaussians with `weights` (c,) and variances ``fixed + rates @ squares`` (pixels^2).
 
-    `rates` (c, b) multiply the b unknown squared widths, called by `names`: ``(FWHM / 2.355)^2`` of "seeing", the
-    variance of a "Gaussian". `outer` is the outer scale of the seeing over r0.
+    `squares` are the b unknown squared widths, with `names`: ``(FWHM / 2.355)^2`` for "seeing", the variance for
+    "Gaussian". `rates` has the shape (c, b). `outer` is (outer scale of the seeing) / r0.
     """
 
     weights: Array
@@ -167,7 +167,7 @@ class Shape:
     def turbulent(cls, outer: float | None = None, terms: int = TERMS, *, alone: bool = False) -> Shape:
         """Return seeing of unknown width, convolved with a Gaussian of unknown width unless `alone`."""
         made = turbulence(outer, terms)
-        # exp(-rate q^2) has the variance rate / (2 pi^2) over (r0 / wavelength)^2; FWHM converts that to the width.
+        # The variance of exp(-rate q^2) is rate / (2 pi^2) (wavelength / r0)^2; FWHM is in units of wavelength / r0.
         rates = made.rates * (SIGMAS / FWHM) ** 2 / (2.0 * math.pi**2)
         columns = [rates] if alone else [rates, np.ones(len(rates))]
         names = ("seeing",) if alone else ("seeing", "Gaussian")

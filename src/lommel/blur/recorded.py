@@ -1,4 +1,4 @@
-"""Blurred, pixel-integrated images by any method, from samples as fine as the tolerance needs."""
+"""Blurred, pixel-integrated images by any method, from samples whose number follows from the tolerance."""
 
 from __future__ import annotations
 
@@ -27,69 +27,68 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
-# The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
-# aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
-# methods/averaging.py). What samples err by counts as often as the moduli of all weights together.
-# Blur that ends at ``abs(w) = 2 s`` is computed in units of v / s, in which it ends at 2 too, on a lattice as coarse;
-# samples of the intensity are finer, for theirs must not be taken for frequencies of the blur (docs/certificate.md,
-# section 17).
+# The spectrum of the intensity ends at ``abs(w) = 2`` (the band), and ``int abs(OTF) dw`` is at most the unaberrated
+# peak: a response with the error e in the band causes errors of at most e times this peak (as in
+# methods/averaging.py). An error of the samples is multiplied by at most the sum of the absolute weights.
+#
+# The share s of the band: blur is negligible for ``abs(w) > 2 s``. Blur is then computed in the unit v / s, in which
+# it ends at 2, on a coarse lattice. Samples of the intensity are finer, because their frequencies above 2 s must not
+# alias into the frequencies of the blur (docs/certificate.md, section 17). They are gathered (low-pass filtered and
+# resampled) on the coarse lattice. Gate, readout, halo and lattice: see lommel.blur.convolution.
 
 STEP = 0.8
-"""Step of samples in v, over the share of the band that blur leaves."""
-_WORTH = 0.8  # share of the band above which a coarser lattice does not pay
-_COARSEST = 1e-4  # error of a gate, over the largest possible value of light in this band
-_MOST = 6144  # samples a side
-_AT_ONCE = 2**24  # samples of a block of pupils
-_KEPT = 2**21  # samples of a pupil up to which they are kept for other blur
-_STEPS = 4  # lattices of a pupil that are kept
+"""Step of the coarse lattice, in the unit v / s."""
+_WORTH = 0.8  # share of the band above which a coarser lattice saves no time
+_COARSEST = 1e-4  # largest error of a gate, relative to the largest possible light in the band
+_MAX_SIDE = 6144  # largest number of samples along an axis
+_AT_ONCE = 2**24  # largest number of samples of a block of pupils
+_KEPT = 2**21  # largest number of samples of a pupil that is cached for other blur
+_STEPS = 4  # number of cached lattices of a pupil
 
 
 class Request(NamedTuple):
-    """Method, threads, tolerance of samples, error of responses, and margin of the lattice for turbulence, in v.
-
-    Where samples are `shared` with other blur, the lattice is one of few, a little finer and wider than needed.
-    """
+    """Parameters of a computation. With `shared`, lattices are rounded to finer and wider ones, to be cached."""
 
     method: Method | None
     threads: int
-    tol: float
-    error: float
-    margin: float
+    tol: float  # tolerance of the samples, relative to their peak
+    error: float  # error of the responses, relative to the unaberrated peak
+    margin: float  # margin of the lattice around the pixels for seeing, in v
     shared: bool = True
 
 
 class BlurredStack(NamedTuple):
-    """Images of the flattened stack and parts of their error bounds, each of shape (n,)."""
+    """Images of the flattened stack, and the parts of their absolute error bounds, each of shape (n,)."""
 
     values: Array
-    given: Array  # error of the samples; NaN where the method has no bound
-    response: Array  # error of the responses, and rounding
-    missing: Array  # light from beyond the lattice that turbulence would bring
+    given: Array  # part due to errors of the samples; NaN where the method has no bound
+    response: Array  # part due to errors of the responses and rounding
+    missing: Array  # part due to light outside the lattice, which seeing would spread into the image
     method: Method
 
 
 def summed(request: Request, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> BlurredStack:
-    """Return images summed over the wavelengths of a spectrum, each blurred by its own width of turbulence."""
+    """Return images summed over the wavelengths of a spectrum; each wavelength is blurred by its own seeing."""
     method = request.method
     if not isinstance(method, Polychromatic):
         return _stack_images(request, Component(1.0, 1.0, pupil), grid, several)
     parts = method.components(pupil)
-    # Turbulence depends on the wavelength, so that blur must come before the sum.
+    # Seeing depends on the wavelength: blur before the sum over wavelengths.
     made = [_stack_images(request._replace(method=method.method), part, grid, several)[:4] for part in parts]
     weighted = ([part.weight * value for value in values] for part, values in zip(parts, made, strict=True))
     return BlurredStack._make([*(np.sum(each, axis=0) for each in zip(*weighted, strict=True)), method])
 
 
 class Band(NamedTuple):
-    """Share of the band of the intensity that blur leaves, and bounds on integrals of the moduli of spectra.
+    """Share s of the band in which the blur is not negligible, and bounds on integrals of absolute spectra.
 
-    Each integral is over frequencies, in the unit in which that of the aperture alone is the unaberrated peak.
+    The integrals are in units in which the integral over the spectrum of an unaberrated image is its peak.
     """
 
     share: float
-    tail: float  # light through blur, beyond the share
-    clear: float  # light without blur, within it
-    blurred: float  # light through blur
+    tail: float  # integral of OTF times T outside the share
+    clear: float  # integral of the OTF, without blur, inside the share
+    blurred: float  # integral of OTF times T
 
     @property
     def ended(self) -> bool:
@@ -98,11 +97,11 @@ class Band(NamedTuple):
 
     @classmethod
     def of(cls, pupil: BasePupil, several: tuple[Blur, ...], error: float, *, shared: bool = True) -> Band:
-        """Return the share beyond which blur leaves at most `error` of the peak; one of few if `shared`."""
+        """Return the share outside which the blurred spectrum is at most `error` of the peak; rounded if `shared`."""
         fading, light = Fading.above(several, pupil.scale, pupil.wavelength), pupil.transmission
         # abs(O) <= pi tau bounds the tail by 8 tau int T f df: certificate, section 17, "Blur that ends early".
         share, left = fading.end(error * pupil.amplitude**2 / (8.0 * light), FURTHER)
-        if shared:  # in eighths of octaves, so that blur of about the same width has the same lattice
+        if shared:  # rounded to eighths of octaves: blurs of similar width have equal lattices
             share = 2.0 ** (math.ceil(8.0 * math.log2(share)) / 8.0)
         if share > _WORTH:
             share, left = 1.0, 0.0
@@ -110,18 +109,18 @@ class Band(NamedTuple):
 
 
 def _stack_images(request: Request, part: Component, grid: Grid, several: tuple[Blur, ...]) -> BlurredStack:
-    """Return images of a stack in one wavelength; pupils around one axis share a lattice."""
+    """Return images of a stack at one wavelength; pupils with one common axis share a lattice."""
     pupil = part.pupil
     if grid.stack:
         each = [
             _stack_images(request, part._replace(pupil=pupil[index]), grid[index], several)
             for index in np.ndindex(grid.stack)
         ]
-        return _joined(each)
+        return _join(each)
     band, peak = Band.of(pupil, several, request.error, shared=request.shared), pupil.amplitude**2
-    # In units of v / share blur ends at abs(w) = 2, as the intensity does: one gate and one step serve all blur.
+    # In the unit v / share every blur ends at abs(w) = 2: gate and step do not depend on the blur.
     scale = pupil.scale / band.share
-    # An error within a narrow band moves less light, so that a coarser gate has the same effect on the image.
+    # A narrow band contains less light: a gate with a larger relative error has the same effect on the image.
     error = max(request.error, min(request.error * peak / band.clear, _COARSEST))
     gate = Gate.of(STEP, 2.0 ** math.floor(math.log2(error)) if request.shared else error)
     rows, columns = (
@@ -133,29 +132,29 @@ def _stack_images(request: Request, part: Component, grid: Grid, several: tuple[
     reach = max(max(-first, first + n - 1) for first, n in zip(lattice.first, lattice.counts, strict=True))
     far = reach * lattice.h / (math.pi * band.share)
     if halo.several and far > 0.5 * pupil.period:
-        # Light of a repeated image would be counted, and what it spreads here is in no bound.
+        # Repeated images would add light to the lattice, which the bounds do not include.
         raise ToleranceError(
-            f"the mask repeats the image every {pupil.period:g} lambda*N, too soon for this seeing to this "
-            f"tolerance, which take {2.0 * far:.4g}: give a finer mask, or one with squares=True"
+            f"the mask repeats the image every {pupil.period:g} lambda*N, but this seeing and tolerance need "
+            f"{2.0 * far:.4g} lambda*N or more: use a finer mask, or one with squares=True"
         )
     blocks = _blocks(pupil, math.prod(lattice.counts))
-    return _joined([_block_images(request, block, band, lattice, (rows, columns)) for block in blocks])
+    return _join([_block_images(request, block, band, lattice, (rows, columns)) for block in blocks])
 
 
-def _joined(parts: list[BlurredStack]) -> BlurredStack:
-    """Return images of parts of a stack, joined along it."""
+def _join(parts: list[BlurredStack]) -> BlurredStack:
+    """Concatenate the images of parts of a stack."""
     each = zip(*(one[:4] for one in parts), strict=True)
     return BlurredStack._make([*(np.concatenate(values) for values in each), parts[0].method])
 
 
 class Gather(NamedTuple):
-    """Weights, shape (samples, places), by which samples of one side are gathered on a coarser lattice."""
+    """Weights, shape (samples, coarse samples), that resample one axis to a coarser lattice."""
 
-    matrix: Any
-    first: int  # index of the first place
-    error: float  # of the response to waves of the band
-    gain: float  # largest sum of moduli over places
-    sums: float  # largest sum of moduli over samples
+    matrix: Any  # None if the lattices are equal
+    first: int  # index of the first coarse sample
+    error: float  # error of the response to waves in the band
+    gain: float  # gain of the readout that resamples: largest sum of absolute weights
+    sums: float  # largest sum of absolute weights of a coarse sample, times h / (coarse step)
 
     @classmethod
     def of(cls, h: float, first: int, count: int, gate: Gate) -> Gather:
@@ -168,14 +167,14 @@ class Gather(NamedTuple):
 
 
 class Lattice(NamedTuple):
-    """Samples in v over the share of the band, rows and columns, and the kernel that blurs them once gathered."""
+    """Lattice of samples (rows, columns), the gathering, and the kernel that blurs gathered samples."""
 
-    step: float  # from sample to sample, in v
-    h: float  # the same in units of v over the share
-    first: tuple[int, int]  # index of the first sample, 0 on the axis
+    step: float  # step of the samples, in v
+    h: float  # step of the samples, in the unit v / share
+    first: tuple[int, int]  # index of the first sample; sample 0 is on the axis
     counts: tuple[int, int]
     gathers: tuple[Gather, Gather]
-    blind: float  # bound on the sum of moduli of weights of samples beyond the ends
+    blind: float  # bound on the sum of absolute weights for samples outside the lattice
     gate: Gate
     kernel: Spread | None
 
@@ -184,43 +183,43 @@ class Lattice(NamedTuple):
         """Return the lattice for pixels (rows, columns) to the requested errors."""
         gate, margin = halo.gate, request.margin * band.share
         plain, seen = short.nothing and not halo.several, bool(halo.several)
-        # Copies of the band of the intensity begin where that of the blur ends, or from the next sixteenth on.
+        # The step is such that aliases of the band begin where the blur ends, with `shared` at the next sixteenth.
         ended = math.ceil(16.0 * band.share) / 16.0 if request.shared else band.share
         step = min(gate.h / band.share, math.pi / (1.0 + ended))
-        # Within rounding of the coarse step no gathering is needed, which costs two products and an error.
+        # If the steps are equal within rounding, samples are not gathered.
         h = gate.h if step * band.share >= gate.h * (1.0 - 1e-15) else step * band.share
         beyond, cut = ends(gate)
         begins, counts, least, gathers = [], [], [], []
         for side, reach in zip(pixels, short.reach(gate.error)[::-1], strict=True):
             room = 0 if plain else math.ceil((reach + (0.0 if short.nothing else beyond)) / gate.h)
             first, last = side.first - room, side.first + side.samples - 1 + room
-            # The readout takes places as far as the gate reaches, and gathering takes samples as far from those.
+            # Readout and gathering each need samples up to the truncation distance of the gate.
             more = 0.0 if h == gate.h else beyond
             near, far = first * gate.h - more, last * gate.h + more
             if seen and band.ended:
-                # Light moves up to the margin from the pixels themselves; the samples of the readout must exist too.
+                # The lattice extends by the margin beyond the pixels, and holds at least the samples of the readout.
                 least_of, most_of = side.ends(reach)
                 near = min(least_of - margin, side.first * gate.h + more)
                 far = max(most_of + margin, (side.first + side.samples - 1) * gate.h - more)
             elif seen:
                 near, far = min(near, 0.0) - margin, max(far, 0.0) + margin
             low, high = math.floor(near / h), math.ceil(far / h)
-            # A lattice symmetric about the axis costs a quarter.
+            # Samples on a lattice symmetric about the axis take a quarter of the time.
             if 2 * max(-low, high) + 1 <= 1.2 * (high - low + 1):
-                high = max(-low, high) if not request.shared else _outwards(max(-low, high))
+                high = max(-low, high) if not request.shared else _round_up(max(-low, high))
                 low = -high
             begins.append(low)
             counts.append(high - low + 1)
-            if max(counts) > _MOST:
+            if max(counts) > _MAX_SIDE:
                 break
             gathers.append(made := Gather.of(h, low, counts[-1], gate))
             places = counts[-1] if made.matrix is None else made.matrix.shape[1]
-            # The padded side holds all differences of places, so that no light wraps around to a place that is read.
+            # The padded side exceeds all differences of positions: no light wraps around to a sample that is used.
             least.append(2 * max(last - made.first, made.first + places - 1 - first) + 2 if seen else places)
-        if max(counts) > _MOST:
+        if max(counts) > _MAX_SIDE:
             raise ToleranceError(
-                f"this image takes a lattice of {max(counts)} samples a side, more than {_MOST}, to be known to the "
-                "tolerance: ask for a larger tol, or for a smaller window"
+                f"this image takes a lattice of {max(counts)} samples a side, more than {_MAX_SIDE}, to reach the "
+                "tolerance: choose a larger tol, or a smaller window"
             )
         kernel = None if plain else spread(short, halo, (least[0], least[1]), margin, ended=band.ended)
         blind = 0.0 if seen or h == gate.h else 2.0 * cut * max(one.sums for one in gathers)
@@ -229,24 +228,24 @@ class Lattice(NamedTuple):
         )
 
     def gathered(self, samples: Array, threads: int) -> Array:
-        """Return a stack of samples gathered on the coarser lattice."""
+        """Return a stack of samples, gathered on the coarse lattice."""
         down, across = (one.matrix for one in self.gathers)
         if down is None:
             return samples
-        # By the core: threads of BLAS wait for each other, for as long as all the rest takes.
-        # (h / H)^2: gathered values are densities on the coarse lattice, as samples are on the fine one.
-        turned = (self.h / self.gate.h) ** 2 * down.T
-        return np.stack([product(product(turned, one, threads), across, threads) for one in samples])
+        # Products by the compiled core: the threads of BLAS would spend half of the time waiting.
+        # The factor (h / coarse step)^2 conserves densities.
+        transposed = (self.h / self.gate.h) ** 2 * down.T
+        return np.stack([product(product(transposed, one, threads), across, threads) for one in samples])
 
 
-def _outwards(count: int) -> int:
-    """Return `count` rounded up to five significant bits, so that lattices of similar size are shared."""
+def _round_up(count: int) -> int:
+    """Return `count` rounded up to five significant bits: lattices of similar size become equal."""
     unit = 1 << max(0, count.bit_length() - 5)
     return -(-count // unit) * unit
 
 
 def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
-    """Return parts of a flattened stack whose samples fit into memory together."""
+    """Return parts of the flattened stack, each with at most `_AT_ONCE` samples."""
     count, size = math.prod(pupil.shape), max(1, _AT_ONCE // samples)
     if count <= size:
         return [pupil]
@@ -257,22 +256,22 @@ def _blocks(pupil: BasePupil, samples: int) -> list[BasePupil]:
 def _block_images(
     request: Request, pupil: BasePupil, band: Band, lattice: Lattice, pixels: tuple[Readout, Readout]
 ) -> BlurredStack:
-    """Return images of a few pupils from one lattice, with the error budget of certificate, section 17."""
+    """Return images of a block of pupils from one lattice, with the error budget of certificate, section 17."""
     (rows, columns), (down, across), kernel = pixels, lattice.gathers, lattice.kernel
     method, samples, off = _on_lattice(request, pupil, lattice)
     peak, light = pupil.amplitude**2, 4.0 * math.pi * pupil.transmission * band.share**2
     gain, missing = rows.gain * columns.gain, np.zeros(len(samples))
-    # Where turbulence ends within the band, errors count by the light of each sample, not by the peak.
-    each = kernel is not None and kernel.core > 0.0 and band.ended
-    clear, blurred = (band.clear, band.blurred) if each else (min(band.clear, peak), min(band.blurred, peak))
+    # `by_light`: if seeing ends within the band, errors are bounded by the light of the samples, not by the peak.
+    by_light = kernel is not None and kernel.core > 0.0 and band.ended
+    clear, blurred = (band.clear, band.blurred) if by_light else (min(band.clear, peak), min(band.blurred, peak))
     # (1 + a)(1 + b) - 1 of the responses along rows and columns.
     response = (rows.error + columns.error + rows.error * columns.error) * blurred
     if kernel is not None:
         gather, gathering = down.gain * across.gain, down.error + across.error + down.error * across.error
         spreading = kernel.error * clear + gathering * (band.blurred + kernel.error * band.clear)
-        most = light * kernel.core * gather if each else peak * down.sums * across.sums
+        most = light * kernel.core * gather if by_light else peak * down.sums * across.sums
         spreading += most * (kernel.blind + 2.0**-53 * sum(lattice.counts) * max(1.0, kernel.gain))
-        # Samples beyond the ends of a lattice without turbulence: at most the unaberrated peak each.
+        # Without seeing, each sample outside the lattice is at most the unaberrated peak.
         spreading += peak * lattice.blind * kernel.gain
         response += gain * (spreading + light * gather * kernel.off) + band.tail * (1.0 + gain * gather)
     rounding = 0.0
@@ -280,11 +279,12 @@ def _block_images(
         coarse = lattice.gathered(samples, request.threads)
         rounding = gain * kernel.rounding(coarse)
         area = lattice.h**2 * samples[0].size
-        # Parseval: h^2 times the sum over the whole plane is all light, 4 pi tau; the rest lies beyond the lattice.
+        # Parseval: h^2 times the sum over the whole plane is the total light, 4 pi tau. Light outside the lattice is
+        # the total minus the sum of the samples.
         there = lattice.h**2 * samples.sum(axis=(1, 2)) - area * np.nan_to_num(off)
         missing = kernel.missing * np.clip(light - there, 0.0, light)
-        if each:
-            # Blur is nowhere negative and has unit sum, so that its gain is 1 but for the errors of its weights.
+        if by_light:
+            # The kernel is not negative and sums to 1: its gain is 1, except for errors of the weights.
             gain = 1.0 + 2.0 * area * response / light
         else:
             missing *= gain
@@ -298,7 +298,7 @@ def _block_images(
 
 
 class Known(NamedTuple):
-    """Samples of a pupil on a lattice, kept for other blur and other wavelengths."""
+    """Cached samples of a pupil on a lattice, for other blur and other wavelengths."""
 
     first: tuple[int, int]
     tol: float
@@ -307,7 +307,7 @@ class Known(NamedTuple):
     off: Array
 
     def part(self, first: tuple[int, int], counts: tuple[int, int]) -> Array | None:
-        """Return the samples of a smaller lattice, None where it is not within this one."""
+        """Return the samples of a smaller lattice; None if this lattice does not contain it."""
         low = [there - here for there, here in zip(first, self.first, strict=True)]
         high = [at + count for at, count in zip(low, counts, strict=True)]
         if min(low) < 0 or high[0] > self.samples.shape[1] or high[1] > self.samples.shape[2]:
@@ -317,18 +317,18 @@ class Known(NamedTuple):
 
 @lru_cache(maxsize=2)
 def _known(_aperture: tuple[object, ...], _wavefront: Wavefront) -> dict[float, Known]:
-    """Return the samples kept for an aperture and a wavefront, by the step of their lattice."""
-    # The cache returns the same dictionary again, to be filled by the caller.
+    """Return the cached samples for an aperture and a wavefront, by the step of their lattice."""
+    # `lru_cache` returns one dictionary for equal arguments; callers add samples to it.
     return {}
 
 
 def _on_lattice(request: Request, pupil: BasePupil, lattice: Lattice) -> tuple[Method, Array, Array]:
-    """Return the method, samples of a stack on a lattice, and bounds on their errors, NaN where unknown."""
+    """Return the method, samples of a stack on a lattice, cached if possible, and their error bounds or NaN."""
     first, counts = lattice.first, lattice.counts
     fine = Grid(counts, lattice.step * pupil.scale / math.pi, center=(-first[0], -first[1]))
     if not request.shared or request.method or not isinstance(pupil, Pupil) or pupil.circular or pupil.shape:
         return _sampled(request, pupil, fine)
-    # In half decades of the tolerance, so that other blur of similar width meets the kept samples.
+    # Tolerances are rounded down to half decades: other blur of similar width can use the cached samples.
     request = request._replace(tol=10.0 ** (0.5 * math.floor(2.0 * math.log10(request.tol))))
     known = _known(pupil.aperture, pupil.wavefront)
     kept = known.get(lattice.step)
@@ -345,10 +345,10 @@ def _on_lattice(request: Request, pupil: BasePupil, lattice: Lattice) -> tuple[M
 
 
 def _sampled(request: Request, pupil: BasePupil, fine: Grid) -> tuple[Method, Array, Array]:
-    """Return the method, samples of a stack computed on a lattice, and bounds on their errors, NaN where unknown."""
+    """Compute the samples of a stack on a lattice; return the method, the samples and their error bounds or NaN."""
     if request.method is not None:
         ways: tuple[Method, ...] = (request.method.tightened(max(request.tol, request.method.least_tol)),)
-        # A method that is named keeps its own tolerance if that is tighter than needed.
+        # A method chosen by the user keeps its own tolerance if it is tighter than needed.
         if request.tol > request.method.tol:
             ways = (request.method,)
     else:
@@ -375,13 +375,13 @@ def _sampled(request: Request, pupil: BasePupil, fine: Grid) -> tuple[Method, Ar
     )
 
 
-_TRIES = 7
+_TRIES = 7  # largest number of computations with tightened requests
 
 
 def of_transfer(
     request: Request, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]
 ) -> Method | None:
-    """Return the quadrature over transfer functions, None where it does not apply or takes longer than a lattice."""
+    """Return the quadrature over transfer functions; None if it does not apply, or takes longer than a lattice."""
     method = request.method
     white = method if isinstance(method, Polychromatic) else None
     single = method if white is None else white.method
@@ -400,7 +400,7 @@ def of_transfer(
 
 
 def _lattice_seconds(request: Request, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float:
-    """Estimate the time of images from a lattice of samples."""
+    """Return the estimated time, in seconds, of images from a lattice of samples."""
     share = Band.of(pupil, several, request.error).share
     h = min(STEP / share, math.pi / (1.0 + share))
     beyond = request.margin or max(Short.of(several, pupil.scale).reach(1e-9)) + 30.0 / share
@@ -410,7 +410,7 @@ def _lattice_seconds(request: Request, pupil: BasePupil, grid: Grid, several: tu
 
 
 def transferred(way: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-    """Return images of a stack by quadrature over transfer functions, each pupil around its own axis."""
+    """Return images of a stack by quadrature over transfer functions; each pupil may have its own axis."""
     if not grid.stack:
         return way.images(pupil, grid, wanted)
     values = np.empty((math.prod(grid.stack), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
@@ -429,19 +429,19 @@ def transferred(way: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Im
 def recorded_images(
     method: Method | None, tol: float, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], wanted: Wanted
 ) -> tuple[Method, Images]:
-    """Return the method that sampled, and the blurred images of a stack, with errors below `tol` of the peak."""
+    """Return the method of the samples, and the blurred images of a stack with errors below `tol` of the peak."""
     if method is not None and method.sampling == "pixel":
         raise ValueError(
-            f"method must have point values for blur, fill and pixels that are not square, got "
-            f"{type(method).__name__}, which has none; leave it out"
+            f"method must compute point values for blur, fill and pixels that are not square, got "
+            f"{type(method).__name__}, which does not; leave method= out"
         )
     dtype, peaked = wanted.dtype, wanted.scale is None
-    # Half where values are divided by their own largest one, whose error counts again; a tenth is a reserve.
+    # Half of tol if values are divided by their own maximum, whose error adds; 10 % are a reserve.
     aim = (0.45 if peaked else 0.9) * (tol - 1.1 * storing(dtype))
     request = _first_request(method, pupil, grid, several, aim, wanted.threads)
     way = of_transfer(request, tol, pupil, grid, several)
     if way is not None:
-        # Declined or not met: the lattice has no such limits and is tried next.
+        # If the quadrature declines or misses the tolerance, the lattice is used.
         with suppress(ToleranceError, Declined):
             return way, transferred(way, pupil, grid, wanted)
     elsewhere = 0.0 if peaked else _axis_level(request, pupil, grid, several)
@@ -449,7 +449,7 @@ def recorded_images(
         try:
             made = summed(request, pupil, grid, several)
         except (ValueError, ToleranceError) as fault:
-            # A shared lattice is larger than needed: before an error is reported, the smallest one is tried.
+            # Shared lattices are larger than necessary: try the smallest lattice before reporting an error.
             if request.shared:
                 request = request._replace(shared=False)
                 continue
@@ -458,11 +458,11 @@ def recorded_images(
             raise
         tops = np.maximum(made.values.max(axis=(1, 2)), elsewhere)
         if not tops.min() > 0:
-            raise ValueError("no light falls into the window that is brighter than the errors there")
-        # Where the samples have no bound, the errors that blur adds are kept below the tolerance on their own.
+            raise ValueError("the light in the window is below the errors; use a window nearer to the image")
+        # If the samples have no error bound, only the errors added by blur are kept below the tolerance.
         unknown = bool(np.isnan(made.given).any())
         relative = ((0.0 if unknown else made.given) + made.response + made.missing) / tops
-        # e / (peak - e) of the exact peak; beyond a half nothing is proven.
+        # The exact peak is at least peak - e: relative error e / (peak - e); no bound if e / peak is 1/2 or more.
         relative = np.where(relative < 0.5, relative / (1.0 - np.minimum(relative, 0.5)), np.inf)
         bounds = stored(normalized_error(relative) if peaked else relative, dtype)
         if bounds.max() <= tol or (method is not None and not method.keeps_tol and not unknown):
@@ -478,10 +478,9 @@ def _refuse_seeing(
     ratio = _seeing_ratio(pupil, several)
     if ratio and not math.isfinite(pupil.period):
         raise ToleranceError(
-            f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing to "
-            f"{request.margin / math.pi:.0f} lambda*N beyond the window, too far for this aperture. Ask for a "
-            "larger tol, up to 0.01, or for a pupil with an obscuration only, which in strong seeing has nearly "
-            "the same image"
+            f"seeing of D / r0 = {ratio:.3g} to tol={tol:g} takes samples of the PSF without seeing up to "
+            f"{request.margin / math.pi:.0f} lambda*N outside the window, too far for this aperture. Choose a larger "
+            "tol, up to 0.01, or a pupil with only an obscuration: in strong seeing its image is nearly equal"
         ) from fault
 
 
@@ -496,13 +495,13 @@ def _scaled(made: BlurredStack, wanted: Wanted, bounds: Array | None) -> Images:
 
 
 def _seeing_ratio(pupil: BasePupil, several: tuple[Blur, ...]) -> float:
-    """Return the width of the broadest seeing in lambda*N, the diameter over r0; 0 without."""
+    """Return the largest D / r0 of the seeing (width in lambda*N); 0 without seeing."""
     air = (blur for blur in several if isinstance(blur, Seeing))
     return max((1.0 / (one.coherence(pupil.wavelength) * pupil.scale) for one in air), default=0.0)
 
 
 def _axis_level(request: Request, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...]) -> float | Array:
-    """Return a lower bound on the brightest pixel around the axis: errors of windows beside it are over it too."""
+    """Return a lower bound on the brightest pixel near the axis; errors of off-axis windows are relative to it."""
     rows, columns = np.broadcast_arrays(*grid.center)
     if np.all((rows > -0.5) & (rows < grid.height - 0.5) & (columns > -0.5) & (columns < grid.width - 0.5)):
         return 0.0
@@ -516,48 +515,48 @@ def _axis_level(request: Request, pupil: BasePupil, grid: Grid, several: tuple[B
 def _first_request(
     method: Method | None, pupil: BasePupil, grid: Grid, several: tuple[Blur, ...], aim: float, threads: int
 ) -> Request:
-    """Return the first request, estimated from the widths of diffraction, blur and pixels."""
+    """Return the first request, estimated from the widths of diffraction, blur and pixels; `aim`: target error."""
     to_v = math.pi / pupil.scale
     short = Short.of(several, pupil.scale)
     halo = Halo.of(several, pupil.scale, pupil.wavelength, Gate.of(STEP, 1e-6))
-    # Area of a uniform spot with the same light and peak; variances and squared widths of independent blurs add.
+    # `spot`: area of a uniform spot with the light and the peak of the PSF. Squared widths of independent blurs add.
     spot = 4.0 * math.pi * pupil.transmission / pupil.likely_peak
     sides = 2.0 * math.pi * np.diag(short.covariance) + (short.streaks**2).sum(axis=0)
     sides = sides + np.array([(to_v * a) ** 2 for a in grid.active[::-1]])
     area = math.sqrt(float(np.prod(spot + sides)))
-    # The kernel at 0 is the inverse of the area of the halo.
+    # The area of the halo is 1 / (kernel at 0).
     if halo.several:
         area += 1.0 / float(halo.at(np.zeros(1))[0])
-    # Most of the tolerance goes to light beyond the lattice, which costs the most to reduce.
+    # With seeing, most of the tolerance is left for light outside the lattice, which is the most costly to reduce.
     samples, responses = (0.12, 0.009) if halo.several else (0.3, 0.02)
-    tol = max(samples * aim * spot / area, 1e-13)  # over the peak of the samples
+    tol = max(samples * aim * spot / area, 1e-13)  # relative to the peak of the samples
     bright = 4.0 * math.pi * pupil.transmission / area
     error = max(responses * aim * bright / pupil.amplitude**2, 1e-15)
     request = Request(method, threads, tol, error, 0.0)
     if not halo.several:
         return request
     half = to_v * 0.5 * min(side * pitch for side, pitch in zip(grid.shape, grid.pitch, strict=True))
-    # Where turbulence does not end within the band, its kernel is convolved with the gate and is wider.
+    # If seeing does not end within the band, its kernel is convolved with the gate and is wider.
     more = 0.0 if Band.of(pupil, several, error).ended else 60.0
     blur = float(pupil.v(pupil.geometric_radius()).max())
     return request._replace(margin=blur + more + _margin(halo, half, _edges(pupil), 0.5 * aim / area))
 
 
 def _edges(pupil: BasePupil) -> float:
-    """Estimate the length of the edges of an aperture over that of a disc of the same area."""
-    # Light far from the axis is diffracted by edges, in proportion to their length (r^-3 each).
+    """Return an estimate of (length of the edges of an aperture) / (circumference of a disc of equal area)."""
+    # Light far from the axis falls like r^-3 and is proportional to the length of the edges.
     if not isinstance(pupil, Pupil) or pupil.circular:
         return 1.0 / (1.0 - getattr(pupil, "obscuration", 0.0))
     return 6.0 if isinstance(pupil.stop, Segments) else 2.0
 
 
 def _margin(halo: Halo, half: float, edges: float, allowed: float) -> float:
-    """Estimate the margin of a lattice around a window (half side `half`, v) that misses `allowed` light, in v."""
-    # Encircled energy of a disc far out: 1 - 2 / (pi R) (Rayleigh).
+    """Return an estimate of the margin (v) around a window of half side `half` (v) for an error of `allowed`."""
+    # Encircled energy of a disc at large R: 1 - 2 / (pi R) (Rayleigh).
     margins = np.geomspace(5.0, 1e5, 400)
     missing = np.minimum(edges * 2.0 / (math.pi * (half + margins)), 1.0)
     low, high = 0, margins.size - 1
-    # Bisection: both factors fall with the margin.
+    # Bisection: both factors decrease with the margin.
     while high - low > 1:
         middle = (low + high) // 2
         enough = missing[middle] * halo.bound(float(margins[middle])) <= allowed
@@ -566,7 +565,7 @@ def _margin(halo: Halo, half: float, edges: float, allowed: float) -> float:
 
 
 def _refined_request(request: Request, made: BlurredStack, allowed: Array) -> Request:
-    """Return the next request: each error reduced by its excess, with shares that sum to less than 1."""
+    """Return the next request, with the parameters of those errors reduced that exceed their part of `allowed`."""
     tol, error, margin = request.tol, request.error, request.margin
     given = np.zeros(len(allowed)) if np.isnan(made.given).any() else made.given
     if (much := float((given / (0.4 * allowed)).max())) > 1.0:
@@ -574,9 +573,9 @@ def _refined_request(request: Request, made: BlurredStack, allowed: Array) -> Re
     if (much := float((made.response / (0.2 * allowed)).max())) > 1.0:
         error *= max(0.5 / much, 1e-6)
     if (much := float((made.missing / (0.5 * allowed)).max())) > 1.0:
-        # The kernel falls as R^(-11/3) and the light beyond as R^-1: together R^(-14/3), hence the power 3/14.
+        # Kernel times light outside the margin: R^(-11/3) R^-1 = R^(-14/3), hence the power 3/14.
         margin *= min(1.1 * much ** (3.0 / 14.0), 3.0)
-        # The missing light is bounded by all light less the sum of the samples, so that their error counts there too.
+        # The missing light is computed as total light minus the sum of the samples, and includes their error.
         tol *= 0.5
     return request._replace(tol=tol, error=max(error, 1e-15), margin=margin)
 
@@ -595,7 +594,7 @@ def recorded(
     require_unit(several, pupil)
     if pupil.layered:
         raise ValueError(
-            "blur, fill and pixels that are not square are for lenses, got the pupil of an Objective: ask for finer "
+            "blur, fill and pixels that are not square are for lenses, got the pupil of an Objective: compute finer "
             "square pixels, and sum blocks of them"
         )
     way = method or candidates(pupil, Grid(grid.shape, min(grid.pitch)), tol)[-1]
@@ -604,7 +603,7 @@ def recorded(
     values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)
     question = wanted._replace(out=values.reshape(-1, *grid.shape))
     used, made = recorded_images(method, tol, pupil, grid, several, question)
-    # Samples are finer than the image that is reported; the quadrature is not a public method.
+    # Report the method for the image, not for its finer samples; the quadrature is not a public method.
     used = method or (way if isinstance(used, TransferIntegral) else used).with_tol(tol)
     return {
         "values": values,

@@ -1,18 +1,18 @@
-"""Images of radial pupils through isotropic blur, from the product of both transfer functions.
+"""Images of radial pupils through isotropic blur, by quadrature over the product of the two transfer functions.
 
-``e(v) = (8 / pi) int O(f) T(f) J0(2 f v) f df``, f over the cutoff, O the autocorrelation of the pupil function and T
-the transfer function of the blur, which for seeing ends early: a few hundred nodes in place of a lattice as wide as
-the halo. What is left out is bounded (docs/certificate.md, section 17).
+The image is ``e(v) = (8 / pi) int O(f) T(f) J0(2 f v) f df``. f is the frequency / the cutoff of the optics, O the
+autocorrelation of the pupil function, and T the transfer function of the blur. For seeing T is negligible above a low
+f: a few hundred nodes replace a lattice as wide as the halo. All truncation errors are bounded (docs/certificate.md,
+section 17).
 
-Transfer function of isotropic blur in the complex plane, and how much of it is left beyond a frequency.
-Frequencies f are over the cutoff of the optics, ``f = F x^3``: in x Kolmogorov's ``f^(5/3)`` and von Karman's
-structure function are entire (docs/certificate.md, section 17). A disc of x is given by its centre and radius.
+Error bounds of the quadrature over f require bounds on T in the complex plane. With ``f = F x^3``, F the end of the
+range, Kolmogorov's ``f^(5/3)`` and von Karman's structure function are entire in x. They are bounded on discs of
+complex x, each with a centre and a radius.
 
-Autocorrelation of radial pupils at frequencies of a rule, with proven bounds on all that is left out.
-With f over the cutoff and pupil coordinates over the radius of the aperture, ``O(f) = int P(r - f) conj(P(r + f))``
-is an integral over a lens of two discs of radius 1, less twice one over the disc of an obscuration, plus one over a
-lens of two such discs. Every rule is of Gauss and Legendre but for the azimuth of a disc, and errs by what the
-integrand is at most where one variable is complex (docs/certificate.md, section 17).
+With pupil coordinates r / the radius of the aperture, ``O(f) = int P(r - f) conj(P(r + f)) dr`` is a sum of parts: an
+integral over the overlap of two discs of radius 1 (a lens), minus twice an integral over the disc of the obscuration,
+plus an integral over the overlap of two such discs. Each part is computed by Gauss-Legendre rules (for the azimuth of
+a disc, by equal steps). The error follows from the maximum of the integrand for one complex variable.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_NU = 5.0 / 6.0
-_NEAR = 4.0  # abs(z) up to which the series of z^nu K_nu(z) is summed
-_TERMS = 30
-_STEPS: Array = 1.01 ** np.arange(-1600.0, 1.0)  # rising frequencies over the cutoff, 1e-7 to 1
+_NU = 5.0 / 6.0  # order nu of the Bessel function in von Karman's structure function
+_NEAR = 4.0  # abs(z) up to which the series of z^nu K_nu(z) is used
+_TERMS = 30  # number of terms of this series
+_STEPS: Array = 1.01 ** np.arange(-1600.0, 1.0)  # increasing frequencies / cutoff, 1e-7 to 1
 FURTHER: Array = 1.01 ** np.arange(-1600.0, 141.0)
-"""Frequencies up to 4 times the cutoff."""
+"""Increasing frequencies / cutoff, 1e-7 to 4."""
 
 
 class Karman(NamedTuple):
@@ -52,18 +52,21 @@ class Karman(NamedTuple):
     rate: float
 
     def least(self, z: NDArray[np.complex128], power: NDArray[np.complex128], wide: Array) -> Array:
-        # Certificate, section 17, "Over frequencies": by the series up to abs(z) = 4, by the real part of z beyond.
-        """Bound its real part from below on discs of x; `power` is ``z^(5/3)``, `wide` the largest abs(z)."""
+        """Return a lower bound on the real part over discs of x: `power` = ``z^(5/3)`` and z at the centres.
+
+        `wide` is the largest abs(z) of each disc.
+        """
+        # Certificate, section 17, "Over frequencies": the series for abs(z) <= 4, otherwise the real part of z.
         far = self.size * math.gamma(_NU) * 2.0 ** (_NU - 1.0)
         inside = np.minimum(wide, _NEAR)
         with np.errstate(over="ignore", invalid="ignore"):
-            # Between centre and rim of a disc the series changes by at most the difference of its sums of moduli.
+            # From centre to rim the series changes by at most the difference of its sums of absolute terms.
             at = self._series(z, power, -1.0).real
             grown = self._series(inside, inside ** (5.0 / 3.0), 1.0) - self._series(
                 np.abs(z), np.abs(z) ** (5.0 / 3.0), 1.0
             )
             near = np.where(wide <= _NEAR, at - grown.real, -np.inf)
-            # abs(K(z)) <= K(Re z), and y^nu K_nu(y) falls.
+            # abs(K_nu(z)) <= K_nu(Re z), and y^nu K_nu(y) decreases.
             right = z.real - (wide - np.abs(z))
             ratio = np.divide(wide, right, out=np.full(wide.shape, np.inf), where=right > 0.0)
             return np.asarray(np.maximum(near, far * (1.0 - ratio**_NU)))
@@ -71,7 +74,7 @@ class Karman(NamedTuple):
     def _series(self, z: NDArray[np.generic], power: NDArray[np.generic], sign: float) -> NDArray[np.complex128]:
         square = 0.25 * np.where(np.abs(z) <= _NEAR, z, 0.0) ** 2
         rising, even = _coefficients()
-        # Horner's rule in z^2 / 4, both series at once.
+        # Horner's rule in z^2 / 4, for the two series together.
         first, second = np.zeros(square.shape, complex), np.zeros(square.shape, complex)
         for a, b in zip(rising[::-1], even[::-1], strict=True):
             first, second = first * square + a, second * square + b
@@ -83,13 +86,13 @@ def _coefficients() -> tuple[Array, Array]:
     k, factor = np.arange(_TERMS), 0.5 * math.pi / math.sin(math.pi * _NU)
     gamma = scipy.special.gamma
     even = factor / (gamma(k + 1.0) * gamma(k + 1.0 - _NU))
-    # The first term of the even series is the limit, which the structure function does not have.
+    # The first term of the even series cancels `limit` in the structure function.
     even[0] = 0.0
     return factor / (gamma(k + 1.0) * gamma(k + 1.0 + _NU)), even
 
 
 class Fading(NamedTuple):
-    """Isotropic blur at frequencies over the cutoff: ``exp(-kolmogorov f^(5/3) - gauss f^2 - von Karman's)``."""
+    """Transfer function of isotropic blur, ``exp(-kolmogorov f^(5/3) - gauss f^2 - sum of Karman)``."""
 
     several: tuple[Blur, ...]
     scale: float
@@ -100,7 +103,7 @@ class Fading(NamedTuple):
 
     @classmethod
     def of(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading | None:
-        """Return the Fading of several blurs, None where they depend on the direction; `scale` is one lambda*N."""
+        """Return the Fading of several blurs; None if one depends on the direction; `scale` is one lambda*N."""
         kolmogorov = gauss = 0.0
         outer = []
         for blur in several:
@@ -119,9 +122,9 @@ class Fading(NamedTuple):
 
     @classmethod
     def above(cls, several: tuple[Blur, ...], scale: float, wavelength: float | None) -> Fading:
-        """Return isotropic blur with a transfer function nowhere below the modulus of that of several blurs."""
+        """Return isotropic blur whose transfer function bounds the absolute transfer function of several blurs."""
         covariance = sum((blur.covariance for blur in several), np.zeros((2, 2)))
-        # exp(-w.C w / 2) is at most that of the least eigenvalue of C; streaks, abs(sinc) <= 1, are left out.
+        # exp(-w.C w / 2) is bounded by the smallest eigenvalue of C; streaks are omitted, as abs(sinc) <= 1.
         least = max(float(np.linalg.eigvalsh(covariance)[0]) - 1e-12 * float(np.trace(covariance)), 0.0)
         air = (blur for blur in several if isinstance(blur, Seeing))
         found = cls.of((*air, Jitter(math.sqrt(least))), scale, wavelength)
@@ -136,9 +139,9 @@ class Fading(NamedTuple):
         return found
 
     def log_bound(self, x: NDArray[np.complex128], radius: Array, end: float) -> Array:
-        """Bound the logarithm of its modulus on discs of x, where ``f = end x^3``."""
+        """Return an upper bound on log(abs(T)) over discs of x, with ``f = end x^3``."""
         size = np.abs(x)
-        # Re x^5 at the centre less the largest change to the rim, w^5 - s^5, bounds it on the disc from below.
+        # On a disc, Re x^5 is at least its value at the centre minus w^5 - s^5, the largest change to the rim.
         wide = size + radius
         fifth = x**5
         found = -self.kolmogorov * end ** (5.0 / 3.0) * (fifth.real - (wide**5 - size**5))
@@ -149,48 +152,47 @@ class Fading(NamedTuple):
         return np.asarray(found)
 
     def remaining(self, steps: Array = _STEPS) -> Array:
-        """Bound ``int T f df`` from each of rising frequencies to the last, T falling."""
-        # Sums at the left ends of steps: T falls, so that they are upper sums.
+        """Return bounds on ``int T f df`` from each of the increasing frequencies `steps` to the last one."""
+        # T decreases: sums with the values at the left ends of the steps are upper bounds.
         pieces = 0.5 * self.at(steps[:-1]) * (steps[1:] ** 2 - steps[:-1] ** 2)
         return np.append(np.cumsum(pieces[::-1])[::-1], 0.0)
 
     @property
     def light(self) -> float:
-        """Bound on ``int T f df`` from 0 to 1."""
-        # T <= 1 below the first step.
+        """Bound on ``int T f df`` from 0 to 1, with T <= 1 below the first step."""
         return float(self.remaining()[0] + 0.5 * _STEPS[0] ** 2)
 
     def end(self, left: float, steps: Array = _STEPS) -> tuple[float, float]:
-        """Return the first step beyond which ``int T f df`` is at most `left`, and that integral's bound."""
+        """Return the first step above which ``int T f df`` is at most `left`, and the bound on this integral."""
         remaining = self.remaining(steps)
         first = int(np.argmax(remaining <= left))
         return float(steps[first]), float(remaining[first])
 
 
 ETAS = np.geomspace(0.02, 6.0, 40)
-"""Logarithms of the sums of the semi-axes of ellipses that are tried."""
-_VALUES_AT_ONCE = 2**20  # pupil values
-_U = 2.0**-53
+"""Logarithms of (sum of semi-axes) of the Bernstein ellipses for which errors are bounded."""
+_VALUES_AT_ONCE = 2**20  # largest number of pupil values computed together
+_U = 2.0**-53  # unit roundoff of double precision
 
 
 class Slopes(NamedTuple):
-    """Largest slopes of phase and amplitude of a stack of radial pupils, at complex places."""
+    """Bounds on the derivatives of phase and amplitude of a stack of radial pupils at complex positions."""
 
-    terms: tuple[float, ...]  # moduli of the coefficients of P_0, P_1, ... in 2t - 1, the largest of the stack
+    terms: tuple[float, ...]  # largest absolute coefficients, over the stack, of the Legendre P_0, P_1, ... in 2t - 1
     light: Apodization
 
     @classmethod
     def of(cls, pupil: Pupil) -> Slopes:
-        """Return those of a stack."""
+        """Return the bounds for a stack."""
         return cls((0.0, *np.abs(pupil.radial_terms()).max(axis=0).tolist()), pupil.illumination)
 
     def at(self, far: Array) -> tuple[Array, Array, Array]:
-        """Bound gradient, second derivatives and log amplitude at complex places up to `far` from the unit disc."""
+        """Return bounds on gradient, second derivatives and log amplitude up to the distance `far` from the disc."""
         legval, legder = np.polynomial.legendre.legval, np.polynomial.legendre.legder
-        # t = r.r is within 2 far + far^2 of [0, 1]; on an ellipse P_n and derivatives are largest at the right end.
+        # t = r.r is within 2 far + far^2 of [0, 1]; P_n and its derivatives are largest at the end of an ellipse.
         t = far * (2.0 + far)
         first, second = (legval(1.0 + 2.0 * t, legder(self.terms, k)) for k in (1, 2))
-        # Derivatives by t: P_n has the argument 2 t - 1. By r, dt = 2 r dr.
+        # Derivatives with respect to t, for the argument 2 t - 1 of P_n; then with respect to r, dt = 2 r dr.
         first, second = 2.0 * first, 4.0 * second
         gradient = 2.0 * (1.0 + far) * first
         growth = np.zeros(np.shape(far)) if self.light.uniform else self.light.growth(1.0 + 2.0 * t)
@@ -198,23 +200,26 @@ class Slopes(NamedTuple):
 
 
 def gauss_nodes(log_size: Array, allowed: Array, etas: Array = ETAS) -> Array:
-    """Return the number of Gauss nodes that keep a mean within `allowed`; `log_size`: log of M on each ellipse."""
-    # Exact up to the degree 2 n - 1, with positive weights: off by at most 4 M rho^(1 - 2 n) / (rho - 1).
+    """Return the number of Gauss nodes for an error of `allowed` of a mean; `log_size` is log(M) on each ellipse.
+
+    M is the maximum of the absolute integrand.
+    """
+    # Exact up to the degree 2 n - 1, with positive weights: the error is at most 4 M rho^(1 - 2 n) / (rho - 1).
     log = np.where(np.isfinite(log_size), log_size, np.inf)
     needed = 0.5 + 0.5 * (math.log(4.0) + log - np.log(np.expm1(etas)) - np.log(allowed)[..., None]) / etas
     return np.asarray(np.maximum(np.ceil(needed.min(axis=-1)), 2.0))
 
 
 class Part(NamedTuple):
-    """One of the integrals whose sum is the autocorrelation, for f from 0 to `end`."""
+    """One of the integrals whose sum is the autocorrelation O, for f from 0 to `end`."""
 
-    kind: str  # "lens" of two discs of a radius, or "disc": within the obscuration of one, anywhere in the other
+    kind: str  # "lens": overlap of two discs of this radius; "disc": obscuration of one pupil, inside the other pupil
     radius: float
     end: float
 
     def log_bound(self, slopes: Slopes, far: Array, off: Array) -> Array:
-        """Bound the logarithm of its modulus at frequencies at most `off` from the real ones up to `far`."""
-        # Only the place r + 2 f in the other pupil moves with f, twice as far: q' = 2 in the table of section 17.
+        """Return a bound on log(abs(part)) at complex f within the distance `off` of the real interval [0, far]."""
+        # Only the position r + 2 f in the second pupil depends on f: q' = 2 in the table of section 17.
         if self.kind == "disc":
             gradient, _, growth = slopes.at(2.0 * off)
             return np.asarray(math.log(2.0 * math.pi * self.radius**2) + off * 2.0 * gradient + growth)
@@ -232,22 +237,22 @@ class Part(NamedTuple):
         return np.where((ratio < 1.0) & np.isfinite(found), found, np.inf)
 
     def counts(self, slopes: Slopes, low: float, high: float, allowed: float) -> tuple[int, int]:
-        """Return the numbers of nodes along both coordinates for an error of `allowed`, f from `low` to `high`."""
+        """Return the numbers of nodes along the two coordinates for an error of `allowed`, f from `low` to `high`."""
         a, sinh = self.radius, np.sinh(ETAS)
         if self.kind == "disc":
             return self._disc_counts(slopes, high, 0.25 * allowed / (2.0 * math.pi * a * a))
-        # f c = f (1 - f / a), c the longest half of a chord of the lens, is largest at f = a / 2.
+        # f c is largest at f = a / 2, where c = a - f is the largest half length of a chord of the lens.
         middle = min(max(0.5 * a, low), high)
         product = middle * (a - middle)
         with np.errstate(over="ignore", invalid="ignore"):
             _, second, growth = slopes.at((a - low) * sinh)
-            # Half of `allowed` for either coordinate, over the area that the mean is multiplied by.
+            # Half of `allowed` for each coordinate, divided by the area that multiplies the mean.
             along = gauss_nodes(
                 sinh * 2.0 * product * second + 2.0 * growth,
                 np.array(0.5 * allowed / (2 * math.pi * a * a)),
             )
             opening = math.acos(min(low / a, 1.0))
-            # theta = tau arccos(f / a): an ellipse in tau is one in theta times half of the opening.
+            # theta = tau arccos(f / a): an ellipse in theta is an ellipse in tau times half of the opening angle.
             turn = 0.5 * opening * sinh
             cosh, long = np.cosh(turn), np.sqrt(np.cosh(2.0 * turn))
             _, second, growth = slopes.at(a * turn * long)
@@ -265,7 +270,7 @@ class Part(NamedTuple):
             long = np.sqrt(np.cosh(2.0 * ETAS))
             _, second, growth = slopes.at(eps * ETAS * long)
             log = ETAS * 2.0 * high * second * eps * long + 2.0 * growth
-            # Equal steps: 2 M / (e^(n b) - 1).
+            # Error of a rule with n equal steps: 2 M / (e^(n b) - 1).
             log = np.where(np.isfinite(log), log, np.inf)
             around = (np.log(2.0) + log - math.log(2.0 * min(allowed, 0.05)) + 0.1) / ETAS
         return int(along), 2 * max(1, math.ceil(0.5 * float(around.min())))
@@ -282,7 +287,7 @@ class Part(NamedTuple):
         return out
 
     def _nodes(self, counts: tuple[int, int]) -> tuple[Array, Array, Array]:
-        """Return both coordinates of all nodes, flattened, and their weights."""
+        """Return the two coordinates of all nodes, and their weights, as flat arrays."""
         x, w = gauss_legendre(counts[0], -1.0, 1.0) if self.kind == "lens" else gauss_legendre(counts[0])
         if self.kind == "lens":
             y, v = gauss_legendre(counts[1])
@@ -293,20 +298,20 @@ class Part(NamedTuple):
         return grid[0].ravel(), grid[1].ravel(), np.multiply.outer(w, v).ravel()
 
     def _places(self, f: Array, along: Array, across: Array, weight: Array) -> tuple[Array, Array, Array]:
-        """Return rho^2 in both pupils, and weights: arrays (frequencies, nodes)."""
+        """Return rho^2 in the first and in the second pupil, and weights, each (frequencies, nodes)."""
         a = self.radius
         if self.kind == "disc":
             x, y2 = a * along * np.cos(across), (a * along * np.sin(across)) ** 2
-            # Minus twice the disc of the obscuration of one pupil within the other: -2 times 2 pi a^2.
-            share = -4.0 * math.pi * a * a * along * weight  # one of either pupil
+            # -2 for the obscurations of the two pupils; 2 pi a^2 converts the mean to an integral over a disc.
+            share = -4.0 * math.pi * a * a * along * weight
             first = np.broadcast_to(x * x + y2, (f.size, x.size))
             return first, (x + 2.0 * f) ** 2 + y2, np.broadcast_to(share, first.shape)
         ratio = f / a
-        # arccos(ratio) by half the angle, without loss near ratio = 1.
+        # arccos(ratio) by the half angle, without loss of digits near ratio = 1.
         opening = 2.0 * np.arcsin(np.sqrt(np.maximum(0.5 * (1.0 - ratio), 0.0)))
         angle = opening * across
         cos = np.cos(angle)
-        # cos(angle) - cos(opening), without loss near the end.
+        # cos(angle) - cos(opening), without loss of digits near angle = opening.
         half = 2.0 * np.sin(0.5 * (opening + angle)) * np.sin(0.5 * (opening - angle))
         x, y2 = along * half, np.sin(angle) ** 2
         share = 2.0 * a * a * opening * cos * half * weight
@@ -314,7 +319,7 @@ class Part(NamedTuple):
 
 
 def _product(pupil: Pupil, s: Array, t: Array) -> Array:
-    """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd."""
+    """Return Re ``P(s) conj(P(t))``, s and t being rho^2; the imaginary part is odd, and its integral is 0."""
     terms, light = pupil.radial_terms(), pupil.illumination
     if not terms.any():
         product = np.ones((len(terms), *s.shape))
@@ -334,46 +339,49 @@ def parts(pupil: Pupil) -> list[Part]:
 
 
 def rounding(pupil: Pupil, nodes: int) -> float:
-    """Bound the rounding errors of an autocorrelation in double precision, over the light."""
+    """Return a bound on (rounding error of an autocorrelation in double precision) / (light)."""
     terms = np.abs(pupil.radial_terms())
     size, slope = float(terms.sum(axis=1).max()), float(pupil.illumination.slope)
     return float(_U * (4.0 * (terms.shape[1] + 10.0) * size + 6.0 * slope + nodes + 60.0))
 
 
-_ARCS = 64  # discs that cover half of an ellipse
-_PHASE = 40.0  # radians of J0 in a panel, about
-_MANY_RADII = 1000  # distinct radii above which pixels are averaged from a table
-_AT_ONCE = 2**21
-_TRIES = 6
+_ARCS = 64  # number of discs that cover half of an ellipse
+_PHASE = 40.0  # approximate phase of J0 across a panel (an interval of f), radians
+_MANY_RADII = 1000  # number of distinct radii above which pixels are interpolated from a table
+_AT_ONCE = 2**21  # largest number of values of J0 computed together
+_TRIES = 6  # largest number of computations with tightened tolerances
 _ETAS = ETAS[(ETAS > 0.1) & (ETAS < 3.0)]
 
 
 class Panel(NamedTuple):
-    """Nodes of one part of the autocorrelation over a range of f (over the cutoff), with inner numbers of nodes."""
+    """Nodes of one part of the autocorrelation in an interval of f."""
 
     part: Part
     f: Array
-    weight: Array  # of (8 / pi) T f df
-    counts: tuple[int, int]
+    weight: Array  # includes (8 / pi) T f df
+    counts: tuple[int, int]  # numbers of nodes along the two coordinates of the part
 
 
 class Rule(NamedTuple):
-    """Panels, a bound on what they leave out, the frequency that they end at, and ``int T f df`` beyond."""
+    """Quadrature rule over f."""
 
     panels: tuple[Panel, ...]
-    error: float
-    end: float
-    left: float
+    error: float  # bound on the error below `end`
+    end: float  # largest f
+    left: float  # bound on the integral of T f df above `end`
 
 
 @lru_cache(maxsize=16)
 def rule(fading: Fading, of: tuple[Part, ...], slopes: Slopes, left: float, v: float, allowed: float) -> Rule:
-    """Return the rule for radii up to `v` that errs by `allowed` below the frequency beyond which `left` remains."""
+    """Return the rule for radii up to `v` with the error `allowed`, up to the f above which `left` remains.
+
+    `left` is the bound on ``int T f df``.
+    """
     end, left = fading.end(left)
     if any(part.kind == "disc" and part.end < end for part in of):
-        # Beyond it the disc of the obscuration leaves the other pupil's annulus, and the integrand has edges.
-        raise Declined("an obscuration has no proven rule where blur ends beyond (1 - obscuration) / 2 of the cutoff")
-    # A quarter for the nodes within each part, 0.65 for those over f, a tenth for the end of a lens: below 1.
+        # Above `part.end` the disc of the obscuration crosses the edge of the other pupil.
+        raise Declined("an obscuration has no proven rule if blur ends above (1 - obscuration) / 2 of the cutoff")
+    # Of `allowed`, 0.25 is for nodes inside the parts, 0.65 for nodes over f, 0.1 for the truncated end of a lens.
     share, panels, error = allowed / len(of), [], 0.0
     own = 0.25 * share * math.pi / (8.0 * fading.light)
     turning = v + 2.0 * float(slopes.at(np.zeros(1))[0][0])
@@ -386,17 +394,17 @@ def rule(fading: Fading, of: tuple[Part, ...], slopes: Slopes, left: float, v: f
 
 
 def _edges(part: Part, end: float, turning: float, allowed: float) -> tuple[Array, float]:
-    """Return the edges of panels in f, and a bound on the integral beyond the last."""
+    """Return the edges of panels in f, and a bound on the integral above the last edge."""
     missing = 0.0
     close = end > 0.7 * part.end and part.kind == "lens"
     if close and end > part.end * (
         1.0 - (least := 2.0 ** math.floor(0.4 * math.log2(allowed / 15.0 / part.radius**4)))
     ):
-        # Near f = a a lens is below 4 sqrt(2) a^2 (1 - f / a)^(3/2): certificate, section 17.
+        # Near f = a, the area of a lens is below 4 sqrt(2) a^2 (1 - f / a)^(3/2): certificate, section 17.
         end, missing = part.end * (1.0 - least), 32.0 * math.sqrt(2.0) / math.pi * part.radius**4 * least**2.5
     edges = np.linspace(0.0, end, max(2, math.ceil(end * 2.0 * turning / _PHASE)) + 1)
     if close:
-        # Panels halve towards the branch point f = a, none longer than its distance from it.
+        # Panels halve towards the branch point f = a: no panel is longer than its distance from this point.
         finer = part.end * (1.0 - 0.5 ** np.arange(0.0, 60.0))
         edges = np.unique(np.concatenate([edges, finer[(finer > 0.0) & (finer < end)]]))
     return edges, missing
@@ -405,12 +413,12 @@ def _edges(part: Part, end: float, turning: float, allowed: float) -> tuple[Arra
 def _panels(
     fading: Fading, part: Part, slopes: Slopes, edges: Array, v: float, allowed: float
 ) -> Iterator[tuple[Array, Array, float, float]]:
-    """Yield nodes, weights and ends of panels that together err by at most `allowed`."""
+    """Yield nodes, weights and ends of panels whose errors sum to at most `allowed`."""
     end = float(edges[-1])
-    # In x = (f / F)^(1/3), in which Kolmogorov's f^(5/3) is entire.
+    # The variable is x = (f / F)^(1/3), in which Kolmogorov's f^(5/3) is entire.
     ends = np.cbrt(edges / end)
     wide = np.diff(ends)
-    # Discs around 64 points of half of each ellipse cover it; the other half is its mirror image.
+    # Discs around 64 points cover half of each ellipse; the other half is the mirror image.
     angle = math.pi / _ARCS * (np.arange(_ARCS) + 0.5)
     half, eta = 0.5 * wide[:, None, None], _ETAS[:, None]
     middle: NDArray[np.complex128] = (ends[:-1, None, None] + half).astype(np.complex128)
@@ -445,7 +453,7 @@ class Summed(NamedTuple):
 
     @classmethod
     def of(cls, made: Rule, pupil: Pupil, far: float, allowed: float) -> Summed:
-        """Return that of a stack by a rule."""
+        """Return the sum for a stack of pupils by the rule `made`."""
         f = np.concatenate([panel.f for panel in made.panels])
         terms = [panel.part.at(pupil, panel.f, panel.counts) * panel.weight for panel in made.panels]
         own = max(rounding(pupil, math.prod(panel.counts)) for panel in made.panels)
@@ -453,11 +461,11 @@ class Summed(NamedTuple):
 
     @property
     def size(self) -> float:
-        """Largest sum of the moduli of the terms."""
+        """Largest sum, over pupils, of the absolute terms."""
         return float(np.abs(self.terms).sum(axis=1).max())
 
     def rounding(self, v: float) -> float:
-        """Bound the rounding error of a sum at radii up to v, over :attr:`size`."""
+        """Return a bound on (rounding error of a sum at radii up to v) / :attr:`size`."""
         return self.rounded + _U * (self.f.size + 60.0 + 4.0 * float(self.f.max()) * v)
 
     def at(self, v: Array) -> Array:
@@ -476,13 +484,13 @@ class TransferIntegral(RadialMethod[Pupil]):
 
     tol: float = 1e-6
     blur: tuple[Blur, ...] = ()
-    # The last sum of each pupil, from which further radii of the same image are computed.
+    # The last sum of each pupil, from which other radii of its image are computed.
     kept: dict[int, tuple[Pupil, Summed]] = field(default_factory=dict, init=True, repr=False, compare=False)
 
     apodized = True
 
     def fading(self, pupil: Pupil) -> Fading:
-        """Return the blur in the light of a pupil; Declined where it depends on the direction."""
+        """Return the blur at the wavelength of a pupil; raise Declined if it depends on the direction."""
         found = Fading.of(self.blur, pupil.scale, pupil.wavelength)
         if found is None:
             raise Declined("blur depends on the direction")
@@ -494,17 +502,17 @@ class TransferIntegral(RadialMethod[Pupil]):
         return (1.0 + 2.0 * self.tol) * min(pupil.amplitude**2, 8.0 * pupil.transmission * self.fading(pupil).light)
 
     def _likely_peak(self, pupil: Pupil) -> float:
-        """Estimate the lowest peak: the light spread over the sum of the areas of diffraction and blur."""
+        """Return an estimate of the lowest peak: light / (area of the diffraction pattern + area of the blur)."""
         light = pupil.transmission
         return light / (light / pupil.likely_peak + 1.0 / (8.0 * self.fading(pupil).light))
 
     def stretch(self, pupil: Pupil) -> float:
-        """Return the bandwidth of the image over that of the optics."""
+        """Return (bandwidth of the image) / (bandwidth of the optics)."""
         end, _ = self.fading(pupil).end(self._left(pupil))
         return end
 
     def seconds(self, pupil: Pupil, grid: Grid) -> float:
-        """Estimate the time of images on a `grid`."""
+        """Return the estimated time of images on a `grid`, in seconds."""
         end, (gradient, second, _) = self.stretch(pupil), Slopes.of(pupil).at(np.zeros(1))
         panels = max(2.0, end * (grid.reach(pupil) + 2.0 * float(gradient[0])) / 20.0) + (12.0 if end > 0.7 else 0.0)
         nodes = (3.0 + 1.2 * min(end, 0.5) * (1.0 - min(end, 0.5)) * second[0]) * (8.0 + 0.6 * end * second[0])
@@ -516,7 +524,7 @@ class TransferIntegral(RadialMethod[Pupil]):
         return 0.02 * self.tol * self._likely_peak(pupil) / (8.0 * pupil.transmission)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return the image at the distinct radii of `grid`, or on its pixels where there are very many or none."""
+        """Return the image at the distinct radii of `grid`, or on its pixels if there are too many or no radii."""
         if not grid.symmetric or grid.radii.size > _MANY_RADII:
             return self.on_pixels(pupil, grid, threads)
         made = self.profile(pupil, grid.v(pupil))
@@ -524,19 +532,19 @@ class TransferIntegral(RadialMethod[Pupil]):
         return made._replace(values=np.maximum(made.values, 0.0))
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
-        """Return the image at rising v for the flattened stack, with a bound on its error over its peak."""
+        """Return the image at increasing `v` for the flattened stack, with an error bound relative to the peak."""
         fading = self.fading(pupil)
         allowed = 0.12 * self.tol * self._likely_peak(pupil)
-        # The peak may lie between the axis and the last geometric ray, beside the requested radii.
+        # The peak may lie anywhere between the axis and the last geometric ray: sample this range as well.
         near = np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 9)
         places = np.concatenate([v, near])
         far = float(places.max())
-        # Each try reduces what is allowed by half of the excess; a power of two lets similar tolerances share a rule.
+        # Each try divides `allowed` by twice the excess; rounded to powers of two, similar tolerances share a rule.
         for _ in range(_TRIES):
             summed = self._summed(pupil, fading, far, 2.0 ** math.floor(math.log2(allowed)))
             values, size = summed.at(places), summed.size
             left_out = pupil.left_out[0] + 2.0 * pupil.left_out[1]
-            # abs(O(f)) <= O(0) = pi tau: beyond the end at most 8 tau int T f df.
+            # abs(O(f)) <= O(0) = pi tau: above the end the integral is at most 8 tau int T f df.
             off = summed.error + 8.0 * pupil.transmission * summed.left
             off += size * (left_out * (2.0 + left_out) + summed.rounding(far))
             peak = values.max(axis=1) - off
@@ -549,7 +557,7 @@ class TransferIntegral(RadialMethod[Pupil]):
         return Intensities(values[:, : v.size], relative, peak)
 
     def _summed(self, pupil: Pupil, fading: Fading, far: float, allowed: float) -> Summed:
-        """Return the sum over frequencies for radii up to `far` that leaves out at most `allowed`."""
+        """Return the sum over frequencies for radii up to `far` with an error of at most `allowed`."""
         of, kept = self.kept.get(id(pupil), (None, None))
         left = fading.end(self._left(pupil))[1]
         if kept is not None and of is pupil and kept.far >= far and kept.allowed <= allowed and kept.left == left:

@@ -180,7 +180,7 @@ def build_bank(
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
             raise ValueError(
                 f"a bank of {count} windows of {side} x {side} pixels, for C_d from {low:.4g} to {high:.4g} rad, "
-                f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol "
+                f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; choose a larger tol "
                 f"than {tol:g}"
             )
         start = low - spacing

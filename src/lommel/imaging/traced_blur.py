@@ -31,14 +31,14 @@ from lommel.optics.colour.spectrum import Channels
 from lommel.optics.lens import Lens, require_round
 from lommel.traced.namespaces import ArrayFunctions, Namespace, Operand, Tables, Tensor
 
-_WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of sets of windows, one for each PSF size, tried in turn
+_WINDOW_SETS = (4, 6, 8, 12, 16, 24, 32)  # numbers of PSF sizes with a set of windows each, in the order tried
 _MAX_SCREENS = 16  # largest number of occlusion layers
 _MIN_COVERAGE = 1e-6  # coverage added to denominators to avoid division by 0
-_SLACK = 1e-5  # margin relative to a valid range, for rounding to float32 at its ends
+_SLACK = 1e-5  # margin of a valid range / its width, for rounding to float32
 _LAYER_WIDTH = 36.0  # width of a defocus layer: C_d in radians at the shortest wavelength
 _BLOCK_POINTS = 2**14  # largest number of points whose polynomials are computed together
 _MAX_VALUES = 2**25  # largest number of values of windows computed together
-_CACHED_VALUES = 2**19  # largest number of values convolved together outside JAX, so that they stay in the CPU cache
+_CACHED_VALUES = 2**19  # largest number of values convolved together outside JAX; they fit into the CPU cache
 _OF_NUMPY = (np.ndarray, np.generic)
 _OPTICS = ("focus_distance", "f_number", "defocus", "zernike")
 
@@ -63,12 +63,12 @@ class Optics(NamedTuple):
         if focus_distance is not None:
             # C_d is 0 at the focus distance if the vergence is -1 / focus_distance.
             vergence = -1.0 / focus_distance
-            # PSF size is proportional to the working f-number, hence to the sensor distance.
+            # PSF size is proportional to the working f-number, and therefore to the sensor distance.
             size_ratio = inverse / (1.0 / self.focal_length + vergence)
         if f_number is None:
             return vergence, self.rad_per_dioptre, size_ratio
         ratio = f_number / self.f_number
-        # C_d is proportional to the square of the aperture radius, hence to 1 / f_number^2.
+        # C_d is proportional to the square of the aperture radius, and therefore to 1 / f_number^2.
         return vergence, self.rad_per_dioptre / ratio**2, ratio if size_ratio is None else ratio * size_ratio
 
 
@@ -86,14 +86,17 @@ class Blur(NamedTuple):
     edges : tuple of float
         C_d (rad) at the boundaries of the defocus layers.
     ranks, degrees : tuple of int
-        For each layer, the number of windows, and of the Chebyshev polynomials whose sums are their weights.
+        For each layer, the number of windows, and the number of Chebyshev polynomials in the weights of windows.
     log_ratios : tuple of float
-        Least and largest natural logarithm of the ratio of PSF sizes to the given lens.
+        Smallest and largest value of log((PSF size) / (PSF size of the given lens)).
     screens : tuple of float
         C_d (rad) of the occlusion layers, nearest first.
     aberrated : AberratedWindows or None
+        Computation of windows for Zernike coefficients; None if there are no terms.
     error : float
+        Largest measured error of windows; see :class:`TracedBlur`.
     precision : str
+        Data type of the computation.
     """
 
     namespace: Namespace
@@ -132,7 +135,7 @@ class TracedBlur:
     half : int
         Half width of the windows, pixels.
     error : float
-        Largest error measured at 12 random C_d: of a window of sum 1, relative to its peak.
+        Largest error of windows (sum 1) relative to their peaks, measured at 12 random values of C_d.
     """
 
     def __init__(self, static: Blur, tables: Tables) -> None:
@@ -148,7 +151,7 @@ class TracedBlur:
         Parameters
         ----------
         distance : array
-            Metres from the lens, may be infinite.
+            Distance from the lens in metres; may be infinite.
         focus_distance, f_number : array, shape (), optional
             Focus distance (m) and f-number; by default those of the given lens.
 
@@ -180,15 +183,15 @@ class TracedBlur:
         Parameters
         ----------
         image : array, shape (..., channels, height, width) or (..., height, width)
-            Linear light. The axis of channels may be missing if there is one: `image` then has as many axes as
-            `distance`.
+            Linear light. For one channel the axis of channels may be omitted: `image` and `distance` then have equal
+            numbers of axes.
         distance : float or array, shape (..., height, width)
-            Metres from the lens; may be infinite. A single number, or an array of the shape (..., 1, 1), is the
-            distance of all points of an image.
+            Distance from the lens in metres; may be infinite. A number, or an array of the shape (..., 1, 1), applies
+            to all points of an image.
         focus_distance, f_number : array, shape () or (n,), optional
             Focus distance (m) and f-number, within the ranges given to :func:`traced_blur`; by default those of the
-            given lens. The sensor distance follows the focus distance, and the diffraction pattern scales with both.
-            With the shape (n,), n being the batch size (first axis of `image`), each image has its own lens.
+            given lens. The sensor is moved to the focus, and PSFs scale with the sensor distance and the f-number.
+            With the shape (n,), where n is the batch size (first axis of `image`), each image has its own lens.
         defocus : array, optional
             Additional C_d, radians; broadcasts with `distance`.
         zernike : array, shape (k,) or (n, k), or (rows, columns, k) or (n, rows, columns, k), optional
@@ -211,7 +214,7 @@ class TracedBlur:
         Raises
         ------
         TypeError, ValueError
-            If an array has another type or shape than above, contains NaN, or is out of range.
+            If an array has an invalid type or shape, contains NaN, or is out of range.
         """
         static = self._static
         xp = static.namespace.xp
@@ -229,7 +232,7 @@ class TracedBlur:
         self._require_optics(lens, tuple(image.shape))
         if occlusion and lens["zernike"] is not None and len(lens["zernike"].shape) > 2:
             raise ValueError(
-                "occlusion needs the same aberrations all over the field; give zernike in the shape (k,) or (n, k)"
+                "occlusion needs constant aberrations over the field; pass zernike in the shape (k,) or (n, k)"
             )
         if check:
             self._require_values(image, distance, lens)
@@ -245,7 +248,7 @@ class TracedBlur:
         given: dict[str, Operand] = {"image": image, "distance": distance, **lens}
         if lens["defocus"] is not None and len(lens["defocus"].shape) == len(distance.shape):
             along.add("defocus")
-        # Operands of batch length 1 apply to all images: they are not mapped.
+        # Operands with batch length 1 apply to all images, and are not mapped over the batch.
         axes = {name: 0 if name in along and given[name].shape[0] > 1 else None for name in given}
         given |= {name: given[name][0, ...] for name in along if axes[name] is None}
 
@@ -277,7 +280,7 @@ class TracedBlur:
 
         def one(row: Operand, column: Operand, coefficients: Operand) -> Tensor:
             weight = xp.expand_dims(row, axis=-1) * column
-            # The PSF of a source point is a weighted sum of the PSFs of the nodes: blur the weighted image by each.
+            # The PSF of a point is a weighted sum over nodes: each node blurs the image times its weights.
             return self._blurred(image * weight, distance, dict(lens) | {"zernike": coefficients}, occlusion=False)
 
         if static.namespace.name == "jax":
@@ -285,7 +288,7 @@ class TracedBlur:
 
             given = xp.repeat(down, across, axis=0), xp.tile(along, (count // across, 1)), nodes
             start = xp.zeros(image.shape, dtype=image.dtype)
-            # A scan keeps the intermediate images of one node only.
+            # A scan stores the intermediate images of one node only.
             total: Tensor = jax.lax.scan(lambda before, of: (before + one(*of), None), start, given)[0]
             return total
         summed: Operand = 0.0
@@ -308,7 +311,7 @@ class TracedBlur:
         static = self._static
         xp, shape = static.namespace.xp, tuple(image.shape)
         c, size_ratio = self._focus(distance, lens)
-        # Adding NaN, instead of selecting it, keeps it out of the gradients of other pixels.
+        # NaN is added, not selected by `where`: gradients of other pixels then remain finite.
         low, high = static.edges[0], static.edges[-1]
         slack = _SLACK * (high - low)
         bad = (c < low - slack) | (c > high + slack) | xp.isnan(c)
@@ -395,7 +398,7 @@ class TracedBlur:
         }
         for name, (option, learnable) in ranges.items():
             if lens[name] is not None and not learnable:
-                raise ValueError(f"{name} is fixed in this blur; give its range, {option}=, to traced_blur")
+                raise ValueError(f"{name} is fixed in this blur; pass its range as {option}= to traced_blur")
         count, batch = len(optics.zernike), image[:-3][:1]
         for name, shape in (("focus_distance", ()), ("f_number", ()), ("zernike", (count,))):
             found = shape if lens[name] is None else tuple(lens[name].shape)
@@ -411,7 +414,7 @@ class TracedBlur:
                     raise ValueError(f"zernike of the term {term} must be at most {most:g} rad, got {value:.4g}")
 
     def _require_values(self, image: Operand, distance: Operand, lens: Mapping[str, Operand]) -> None:
-        """Raise ValueError if concrete values are NaN or out of range; values being traced are not checked."""
+        """Raise ValueError if concrete values are NaN or out of range; traced values are not checked."""
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
         if _batched_operands(lens):
@@ -447,7 +450,7 @@ class TracedBlur:
                 raise ValueError(f"the blur was made for {' and '.join(listed)}; clamp parameters to these ranges")
 
     def _padding(self, c: Operand, axis: int) -> tuple[Tensor, Tensor]:
-        """Return source indices of an axis padded by half a window on both sides, and 1 inside the image, else 0."""
+        """Return source indices of an axis padded by half a window on both sides, and a mask: 1 inside the image."""
         static = self._static
         xp, count, half = static.namespace.xp, c.shape[axis], static.half
         where = {} if static.namespace.name in ("jax", "numpy") else {"device": c.device}
@@ -463,7 +466,7 @@ class TracedBlur:
         """Return the weights of the windows of each layer, shape (rank, points), for C_d (points,)."""
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
-        if ns.name != "jax" and c.shape[0] > 2 * _BLOCK_POINTS:  # polynomials of a block fit into the cache
+        if ns.name != "jax" and c.shape[0] > 2 * _BLOCK_POINTS:  # the polynomials of a block fit into the CPU cache
             blocks = [self._weights(part) for part in _pieces(ns, c, _BLOCK_POINTS)]
             return [xp.concat(list(parts), axis=1) for parts in zip(*blocks, strict=True)]
         layer: Operand = None
@@ -542,7 +545,7 @@ class TracedBlur:
     def _occlusion(
         self, image: Operand, c: Operand, fft_shape: tuple[int, ...], kernels: list[Tensor], shape: tuple[int, ...]
     ) -> Operand:
-        """Return the composited image minus the image without occlusion, from layers blurred by one PSF each."""
+        """Return (composited layers) - (sum of layers); each layer is blurred by one PSF."""
         static = self._static
         xp, screens = static.namespace.xp, static.screens
         opaque = xp.ones_like(image)
@@ -596,7 +599,7 @@ class TracedBlur:
 
 
 def _batched_operands(lens: Mapping[str, Operand]) -> list[str]:
-    """Return the names of lens parameters given for each image of a batch."""
+    """Return the names of the lens parameters that have separate values for each image of a batch."""
     batched_axes = {"focus_distance": (1,), "f_number": (1,), "zernike": (2, 4)}
     return [name for name, axes in batched_axes.items() if lens[name] is not None and len(lens[name].shape) in axes]
 
@@ -611,18 +614,18 @@ def _pieces(ns: Namespace, x: Operand, length: int) -> list[Operand]:
 
 def _polynomials(ns: Namespace, x: Operand, count: int) -> Operand:
     """Return the Chebyshev polynomials of degrees below `count` at x (n,), shape (count, n)."""
-    # T_(m+j) = 2 T_m T_j - T_(m-j): each iteration adds m polynomials to m + 1.
+    # T_(m+j) = 2 T_m T_j - T_(m-j): each iteration appends m polynomials to m + 1 polynomials.
     xp = ns.xp
-    made: Operand = xp.stack([xp.ones_like(x), x], axis=0)
-    while made.shape[0] < count:
-        m = made.shape[0] - 1
-        more = 2.0 * made[m : m + 1, ...] * made[1:, ...] - xp.flip(made[:m, ...], axis=0)
-        made = xp.concat([made, more], axis=0)
-    return made[:count, ...]
+    polynomials: Operand = xp.stack([xp.ones_like(x), x], axis=0)
+    while polynomials.shape[0] < count:
+        m = polynomials.shape[0] - 1
+        more = 2.0 * polynomials[m : m + 1, ...] * polynomials[1:, ...] - xp.flip(polynomials[:m, ...], axis=0)
+        polynomials = xp.concat([polynomials, more], axis=0)
+    return polynomials[:count, ...]
 
 
 def _fft_length(side: int) -> int:
-    """Return the least number at or above `side` without prime factors above 5, for fast Fourier transforms."""
+    """Return the smallest number >= `side` without prime factors above 5, for fast Fourier transforms."""
     while True:
         rest = side
         for prime in (2, 3, 5):
@@ -634,7 +637,7 @@ def _fft_length(side: int) -> int:
 
 
 def _cosines(ns: Namespace, side: int, tables: Tables, every: bool) -> Operand:
-    """Return the cosine transform of half a symmetric row to `every` frequency, or to the side // 2 + 1 of rfft."""
+    """Return the matrix from half a symmetric row to its spectrum at `every` frequency, or at those of rfft."""
     xp, at = ns.xp, tables["at"]
     where = {} if ns.name in ("jax", "numpy") else {"device": at.device}  # type: ignore[attr-defined]
     frequency = xp.arange(side if every else side // 2 + 1, **where)
@@ -680,29 +683,30 @@ def traced_blur(
 
     The range of C_d is divided into layers. Within a layer, each pixel-integrated PSF is a weighted sum of a few PSFs
     (windows), with polynomials of C_d as weights; the blur is then a few convolutions per layer. All windows have
-    equal sides and are divided by their sum, so that cropping adds no derivative by depth. See docs/certificate.md.
+    equal sides and are divided by their sums: truncation does not contribute to derivatives by depth. See
+    docs/certificate.md.
 
     Parameters
     ----------
     lens : Lens
-        Paraxial, with a round aperture and radially symmetric aberrations.
+        Paraxial lens with a circular or annular aperture and radially symmetric aberrations.
     distances : array_like
-        Object distances, metres; their least and largest define the valid range.
+        Object distances, metres; the smallest and the largest define the valid range.
     pixel : float
         Pixel pitch, metres.
     xp, device
-        As for :meth:`lommel.Plan.traced`.
+        See :meth:`lommel.Plan.traced`.
     wavelengths : Channels or sequence, optional
-        :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel, such as
-        ``lommel.imaging.RED_GREEN_BLUE``. By default one channel, at the wavelength of the lens.
+        :class:`lommel.Channels`, or for each channel a wavelength (metres) or a sequence of (wavelength, weight), for
+        example ``lommel.imaging.RED_GREEN_BLUE``. By default one channel, at the wavelength of the lens.
     focus_distances, f_numbers : (float, float), optional
-        Valid ranges of the arguments `focus_distance` (metres) and `f_number` of the blur, which are fixed by
-        default. `f_numbers` needs a lens without aberrations, obscuration and apodization.
+        Valid ranges of the arguments `focus_distance` (metres) and `f_number` of the blur; without a range the
+        argument is fixed. `f_numbers` needs a lens without aberrations, obscuration and apodization.
     defocus : float, default 0
         Largest magnitude of the argument `defocus`, radians.
     zernike : mapping of (n, m) to float, optional
         Terms of the argument `zernike` of the blur, each with the largest magnitude of its coefficient: radians at
-        the edge of the pupil and the wavelength of the lens. Calls with `zernike` compute the windows anew.
+        the edge of the pupil and the wavelength of the lens. Each call with `zernike` recomputes the windows.
     border : {"reflect", "extend", "zero"}, default "reflect"
         Continuation of image and depth beyond the edges: mirrored, the last pixels repeated, or dark.
     precision : {"float32", "float64"}, default "float32"
@@ -710,7 +714,7 @@ def traced_blur(
     tol : float, default 1e-4
         Tolerance of each pixel of a PSF, relative to the peak of the PSF, at any defocus in the valid range.
     energy : float, default 0.98
-        Least fraction of the light of a PSF within its window, before windows are divided by their sum.
+        Smallest fraction of the light of a PSF inside its window, before windows are divided by their sums.
     largest : int, default 256
         Largest half width of windows, pixels.
 
@@ -764,7 +768,7 @@ def traced_blur(
         return np.reshape(exact_windows, (len(c), len(colours), -1))
 
     limits = np.array([most for _, most in optics.zernike])
-    # Layers are fitted at one random corner of the range of coefficients, and at one point inside.
+    # Layers are fitted at one random corner of the range of coefficients, and at one point inside the range.
     samples = [limits * draw.choice([-1.0, 1.0], limits.size) * part for part in (1.0, 0.6)] if limits.size else []
 
     def windows(c: Array) -> Array:
@@ -777,7 +781,7 @@ def traced_blur(
     nodes = np.concatenate([layer.nodes for layer in layers])
     given_windows = np.concatenate([layer.windows[:, : len(colours), : exact.cells] for layer in layers])
     table, transform = _windows_by_size(exact, nodes, given_windows, log_ratios, allowed)
-    # The marginal ray moves 4 lambda N / pi per radian of C_d: about one pixel (`step` in v) per step / 4 radians.
+    # The marginal ray moves by 4 in v per radian of C_d: by one pixel, `step` in v, per step / 4 radians.
     screens = np.linspace(high, low, int(np.clip(math.ceil((high - low) * 4.0 / step), 2, _MAX_SCREENS)))
     tables: dict[str, Values] = {
         "windows": table,
@@ -808,12 +812,12 @@ def _namespace(xp: object, device: object, precision: str) -> Namespace:
     ns = Namespace.of(xp)
     validation.choice("precision", precision, ("float32", "float64"))
     if precision == "float64" and not ns.has_double(device):
-        raise ValueError(f'precision must be "float32" here: {ns.name} has no float64, or it is switched off')
+        raise ValueError(f'precision must be "float32" here: float64 is not available or not enabled in {ns.name}')
     return ns
 
 
 def _side_by_side(windows: Array, others: list[Array]) -> Array:
-    """Return windows (n, parts, cells) and `others` along axis 1, padded with zeros to the cells of `others`."""
+    """Concatenate windows (n, parts, cells) and `others` along axis 1, with `windows` padded by zeros."""
     if not others:
         return windows
     other = np.concatenate(others, axis=1)
@@ -845,7 +849,7 @@ class _ExactWindows:
         self.cells = self._multiplicity.size
 
     def __call__(self, c: Array, log_ratio: float) -> Array:
-        """Return windows (n, channels, cells) at C_d `c`, for PSFs larger than the given lens's by exp(log_ratio)."""
+        """Return windows (n, channels, cells) at C_d `c`, for PSFs enlarged by exp(log_ratio)."""
         by_channel = []
         for light in self._lights:
             # Enlarging the PSF is equivalent to reducing the pixel pitch.
@@ -862,7 +866,7 @@ def _optics(
     defocus: float,
     terms: Mapping[Term, float] | None,
 ) -> Optics:
-    """Return the optics of a lens, checked; TypeError or ValueError."""
+    """Return the optics of a lens; TypeError or ValueError for invalid arguments."""
     # C_d = pi a^2 / (2 lambda) times the vergence error (1/m), a being the aperture radius.
     rad_per_dioptre = math.pi / (2.0 * lens.wavelength) * (0.5 * lens.aperture_diameter) ** 2
     if focus is not None:
@@ -873,7 +877,7 @@ def _optics(
             raise ValueError("f_numbers need a lens without aberrations, obscuration and apodization")
     limits: list[tuple[Term, float]] = []
     if not isinstance(terms, Mapping | None):
-        raise TypeError(f"zernike must map terms (n, m) to their largest coefficients, got {validation.shown(terms)}")
+        raise TypeError(f"zernike must map terms (n, m) to maximum coefficients, got {validation.shown(terms)}")
     for term, most in (terms or {}).items():
         try:
             n, m = int(term[0]), int(term[1])
@@ -882,9 +886,9 @@ def _optics(
         if not (0 < n <= 20 and abs(m) <= n and (n - m) % 2 == 0):
             raise ValueError(f"a Zernike term must have 0 < n <= 20, |m| <= n and n - m even, got {(n, m)}")
         limits.append(((n, m), validation.real(f"zernike of {(n, m)}", most, above=0.0, most=100.0)))
-    # Aberrations of such a lens vary with the wavelength otherwise than the `zernike` terms.
+    # Chromatic aberrations do not scale as 1 / wavelength, unlike the `zernike` terms.
     if limits and lens.colour is not None:
-        raise ValueError("zernike needs a lens without chromatic aberration; leave out its `colour`")
+        raise ValueError("zernike needs a lens without chromatic aberration; leave out `colour` of the lens")
     most = validation.real("defocus", defocus, least=0.0)
     ranges = focus, stops, most, tuple(limits)
     return Optics(lens.focal_length, lens.sensor_distance, lens.f_number, rad_per_dioptre, *ranges)
@@ -919,7 +923,7 @@ def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, fl
             logs.append(0.0 if size_ratio is None else math.log(size_ratio))
     c += [float(value) for value in lens.defocus([given.min(), given.max()])]
     low, high = min(c) - optics.defocus, max(c) + optics.defocus
-    # A narrow range is widened, to avoid division by a width near 0.
+    # A narrow range is widened to avoid division by a number near 0.
     low, high = (low, high) if high - low > 0.2 else (low - 0.1, high + 0.1)
     return low, high, (min(logs), max(logs))
 
@@ -927,11 +931,14 @@ def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, fl
 def _windows_by_size(
     exact: _ExactWindows, nodes: Array, given_windows: Array, log_ratios: tuple[float, float], tol: float
 ) -> tuple[Array, Array]:
-    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients; or ValueError."""
+    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients in the log of size.
+
+    Raises ValueError if too many sizes are needed.
+    """
     low, high = log_ratios
     if high == low:
         return given_windows[None], np.ones((1, 1))
-    # Tested at both ends of the defocus range, where PSFs are largest, and nearest to focus.
+    # Tested at the two ends of the defocus range, where PSFs are largest, and at the node nearest to focus.
     tested = np.unique([nodes.min(), nodes.max(), nodes[np.abs(nodes).argmin()]])
     for count in _WINDOW_SETS:
         x, transform = chebyshev_nodes(count)
@@ -950,7 +957,7 @@ def _windows_by_size(
 
 
 def _given_lens_weights(log_ratios: tuple[float, float], transform: Array) -> Array:
-    """Return the weights of the sets of windows for the given lens, whose log_ratio is 0."""
+    """Return the weights of the sets of windows for the given lens, which has the log_ratio 0."""
     low, high = log_ratios
     x = 0.0 if high == low else -(low + high) / (high - low)
     return np.asarray((chebyshev(np.array([x]), len(transform)) @ transform)[0])

@@ -1,4 +1,7 @@
-"""PSF windows as differentiable functions of the lens, and as sums of few windows in layers of defocus."""
+"""PSF windows (squares of pixels) as differentiable functions of the lens, and as sums of few windows over defocus.
+
+The range of C_d is divided into layers. In a layer every window is a weighted sum of a few windows at nodes.
+"""
 
 from __future__ import annotations
 
@@ -17,12 +20,12 @@ from lommel.special.legendre import gauss_legendre
 from lommel.traced.chordal import counts_by_largest
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
-_NODES = 16, 1.1  # Chebyshev nodes of a layer: of zero width, and more for each radian
+_NODES = 16, 1.1  # number of Chebyshev nodes of a layer: a constant, plus a number per radian of width
 _MOST = 512  # largest number of layers
 
 
 class DefocusLayer(NamedTuple):
-    """A range of C_d, radians, with the windows and weights that interpolate there.
+    """A range of C_d, radians, with windows and weights for interpolation in this range.
 
     Attributes
     ----------
@@ -30,8 +33,9 @@ class DefocusLayer(NamedTuple):
     nodes : ndarray, shape (rank,)
         C_d of the windows.
     weights : ndarray, shape (rank, degrees)
-        Coefficients of each weight for Chebyshev polynomials of the defocus, from -1 at `low` to 1 at `high`.
+        Chebyshev coefficients of the weight of each window, a polynomial in C_d mapped to -1 at `low`, 1 at `high`.
     windows : ndarray, shape (rank, parts, cells)
+        Values of the windows in pixels (cells); parts are channels, PSF sizes and aberrations with equal weights.
     """
 
     low: float
@@ -48,10 +52,10 @@ def chebyshev(x: Array, count: int) -> Array:
 
 
 def chebyshev_nodes(count: int) -> tuple[Array, Array]:
-    """Return nodes in -1 to 1, and the matrix from values there to Chebyshev coefficients."""
+    """Return the Chebyshev nodes in -1 to 1, and the matrix from values at the nodes to Chebyshev coefficients."""
     angle = (np.arange(count) + 0.5) * (math.pi / count)
     transform = np.cos(np.outer(np.arange(count), angle)) * (2.0 / count)
-    # The coefficient of order 0 is the mean of the values, half of what the formula of the others gives.
+    # The coefficient of order 0 is the mean of the values: its factor is 1 / count, not 2 / count.
     transform[0] *= 0.5
     return np.cos(angle), transform
 
@@ -59,36 +63,36 @@ def chebyshev_nodes(count: int) -> tuple[Array, Array]:
 def defocus_layers(
     windows: Callable[[Array], Array], low: float, high: float, tol: float, width: float, rate: float, most: int
 ) -> list[DefocusLayer]:
-    """Return the layers of a range of C_d, of about `width` radians or less each, at the shortest wavelength.
+    """Return the layers of a range of C_d, each at most about `width` radians wide at the shortest wavelength.
 
-    `windows` returns the windows at values of C_d, about `most` at once, shape (n, parts, cells); all parts share the
-    weights. Between them no cell is off by more than about `tol` times the peak of its window. `rate` is the C_d at
-    the shortest wavelength over that given. ValueError if it takes too many layers.
+    ``windows(c)`` returns the windows at values of C_d, shape (n, parts, cells), for about `most` values in one call;
+    all parts have the same weights. The error of a cell is at most about `tol` times the peak of the window. `rate`
+    is (C_d at the shortest wavelength) / C_d. ValueError if too many layers are needed.
     """
     count = max(1, math.ceil(rate * (high - low) / width))
     edges = np.linspace(low, high, count + 1)
-    wanted = list(zip(edges[-2::-1].tolist(), edges[:0:-1].tolist(), strict=True))
-    together = max(1, most // len(_nodes(*wanted[-1], rate)))
-    made: list[DefocusLayer] = []
-    while wanted:
-        some = wanted[: -together - 1 : -1]
+    ranges = list(zip(edges[-2::-1].tolist(), edges[:0:-1].tolist(), strict=True))
+    batch = max(1, most // len(_nodes(*ranges[-1], rate)))
+    layers: list[DefocusLayer] = []
+    while ranges:
+        some = ranges[: -batch - 1 : -1]
         nodes = [_nodes(*ends, rate) for ends in some]
-        known = np.split(windows(np.concatenate(nodes)), np.cumsum([len(at) for at in nodes])[:-1])
-        found = [_layer(*ends, *each, tol) for ends, each in zip(some, zip(nodes, known, strict=True), strict=True)]
-        good = next((k for k, layer in enumerate(found) if layer is None), len(found))
-        made += [layer for layer in found[:good] if layer is not None]
-        del wanted[len(wanted) - good :]
-        if good < len(found):
-            # Halves need about half of the nodes each.
-            begin, end = wanted.pop()
+        values = np.split(windows(np.concatenate(nodes)), np.cumsum([len(at) for at in nodes])[:-1])
+        tried = [_layer(*ends, *each, tol) for ends, each in zip(some, zip(nodes, values, strict=True), strict=True)]
+        good = next((k for k, layer in enumerate(tried) if layer is None), len(tried))
+        layers += [layer for layer in tried[:good] if layer is not None]
+        del ranges[len(ranges) - good :]
+        if good < len(tried):
+            # Halve the range: each half needs about half of the nodes.
+            begin, end = ranges.pop()
             middle = 0.5 * (begin + end)
-            wanted += [(middle, end), (begin, middle)]
-            if len(made) + len(wanted) > _MOST:
+            ranges += [(middle, end), (begin, middle)]
+            if len(layers) + len(ranges) > _MOST:
                 raise ValueError(
-                    f"distances span {high - low:.4g} rad of C_d and take more than {_MOST} layers; ask for a "
-                    "smaller range, or for a larger tol"
+                    f"distances span {high - low:.4g} rad of C_d and take more than {_MOST} layers; choose a "
+                    "smaller range, or a larger tol"
                 )
-    return made
+    return layers
 
 
 def _nodes(low: float, high: float, rate: float) -> Array:
@@ -97,47 +101,47 @@ def _nodes(low: float, high: float, rate: float) -> Array:
     return 0.5 * (low + high) + 0.5 * (high - low) * x
 
 
-# A polynomial through the windows at Chebyshev nodes converges, as they are entire in C_d but for the division by
-# their light. Fewer windows span the same: those that QR with pivoting finds, an interpolative decomposition
-# (H. Cheng, Z. Gimbutas, P. G. Martinsson, V. Rokhlin, SIAM J. Sci. Comput. 26, 1389 (2005),
-# doi:10.1137/030602678), which keeps windows as windows, so that they can be computed anew for another lens.
+# A polynomial through the windows at Chebyshev nodes converges, because windows are entire functions of C_d, except
+# for the division by their sums. Fewer windows span almost the same space. They are selected by a pivoted QR
+# decomposition (interpolative decomposition: H. Cheng, Z. Gimbutas, P. G. Martinsson, V. Rokhlin, SIAM J. Sci.
+# Comput. 26, 1389 (2005), doi:10.1137/030602678). Their C_d are known: they can be recomputed for another lens.
 def _layer(low: float, high: float, nodes: Array, windows: Array, tol: float) -> DefocusLayer | None:
     """Return one layer from its windows at nodes, or None if its polynomial does not converge."""
     count = len(nodes)
     _, transform = chebyshev_nodes(count)
-    at = (windows / windows.max(axis=2).min(axis=0)[:, None]).reshape(count, -1)  # over the least of the peaks
+    at = (windows / windows.max(axis=2).min(axis=0)[:, None]).reshape(count, -1)  # relative to the lowest peak
     coefficients = transform @ at
-    # Sum of the coefficients from each degree on: a bound of what is left out.
+    # Sum of the coefficients from each degree on: a bound on the truncation error.
     tail = np.cumsum(np.abs(coefficients).max(axis=1)[::-1])[::-1]
     if tail[-2] > 0.2 * tol:
         return None
     degrees = max(2, int((tail > 0.1 * tol).sum()))
-    # The tested points lie between the nodes and at the ends.
+    # Test points: between the nodes, at the nodes and at the ends.
     polynomials = chebyshev(np.cos(np.linspace(0.0, math.pi, 2 * count + 1)), degrees)
     truth = polynomials @ coefficients[:degrees]
     flat = at
     if at.shape[1] > 4 * count:
-        # Random mixtures of the cells: pivots of a QR decomposition need no more columns than a few times the rank.
+        # Random linear combinations of the cells: to find pivots, a few times `rank` columns are enough.
         flat = at @ np.random.default_rng(0).standard_normal((at.shape[1], 4 * count))
-    order, upper = _pivoted(flat)
+    order, upper = _pivoted_qr(flat)
     diagonal = np.abs(upper[np.arange(count), order])
     for rank in range(max(1, int((diagonal > tol * diagonal[0]).sum())), count + 1):
-        # Every row of the table as a mixture of the chosen rows.
-        mixture = np.linalg.solve(upper[:rank, order[:rank]], upper[:rank]).T
-        weights = transform[:degrees] @ mixture
+        # Every window as a linear combination of the selected windows.
+        combination = np.linalg.solve(upper[:rank, order[:rank]], upper[:rank]).T
+        weights = transform[:degrees] @ combination
         if np.abs(polynomials @ weights @ at[order[:rank]] - truth).max() <= 0.5 * tol:
             break
-    chosen = order[:rank]
-    return DefocusLayer(low, high, nodes[chosen], np.ascontiguousarray(weights.T), windows[chosen])
+    selected = order[:rank]
+    return DefocusLayer(low, high, nodes[selected], np.ascontiguousarray(weights.T), windows[selected])
 
 
-def _pivoted(rows: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return the pivots of the QR decomposition of the transpose, and R with its columns in their first order."""
-    # Of so few rows, LAPACK takes longer to start its threads.
+def _pivoted_qr(rows: Array) -> tuple[NDArray[np.int64], Array]:
+    """Return the pivots of the QR decomposition of ``rows.T``, and R with its columns in the order of `rows`."""
+    # Without LAPACK: for so few rows, starting its threads takes longer than the decomposition.
     rest, order, upper = rows.copy(), np.empty(len(rows), dtype=np.int64), np.empty((len(rows), len(rows)))
     for k in range(len(rows)):
         squares = (rest * rest).sum(axis=1)
-        # Chosen rows are residuals of rounding: they must not be chosen again.
+        # Rows that were pivots contain rounding errors only: exclude them.
         squares[order[:k]] = -1.0
         order[k] = squares.argmax()
         size = math.sqrt(squares[order[k]])
@@ -149,21 +153,21 @@ def _pivoted(rows: Array) -> tuple[NDArray[np.int64], Array]:
 
 Term = tuple[int, int]
 _MOST_SAMPLES = 32  # largest number of samples along a side of a pixel
-# Along each direction of the pupil.
-_MOST_CHORDS = 512
-_SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # of the proven number of nodes: tried first
+_MOST_CHORDS = 512  # largest number of chords of the pupil, and of nodes on a chord
+_SHARES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.85)  # fractions of the proven numbers of nodes, in the order tried
 
 
 class AberratedWindows(NamedTuple):
-    """Windows by the chordal rule, without the tables; wavelengths over that of the lens are in `stretch`.
+    """Windows computed by the chordal rule (lommel.traced.chordal): settings without the tables.
 
     Attributes
     ----------
     side, samples : int
-        Pixels a side of a window, and samples a side of a pixel.
+        Number of pixels along a side of a window, and of samples along a side of a pixel.
     chords, nodes : int
+        Number of chords, and of nodes on each chord.
     lights : tuple of tuple of (float, float)
-        For each channel pairs of the stretch (wavelength of the lens over that of the light) and the weight.
+        For each channel, pairs (stretch, weight); stretch = (wavelength of the lens) / (wavelength of the light).
     """
 
     side: int
@@ -178,40 +182,40 @@ class AberratedWindows(NamedTuple):
         Parameters
         ----------
         ns, tables
-            Of the result.
+            Namespace, and tables of :func:`make` in this namespace.
         c : array, shape (n,)
             C_d, radians at the wavelength of the lens.
         coefficients : array, shape (k,)
-            Zernike coefficients, radians there at the edge.
+            Zernike coefficients, radians at the pupil edge and the wavelength of the lens.
         scale : array, shape ()
-            Size of the PSF over that of the lens as given.
+            (Size of the PSF) / (size of the PSF of the given lens).
         """
         xp = ns.xp
-        # Phases of learned terms and of the fixed wavefront; both scale as 1 / wavelength.
-        moving = ns.matmul(xp.reshape(coefficients, (1, -1)), tables["zernike"]) + tables["fixed"]
-        phase = xp.reshape(c, (-1, 1)) * tables["focus"] + moving
-        made = []
+        # Phases at the wavelength of the lens; all of them scale as 1 / wavelength.
+        aberrations = ns.matmul(xp.reshape(coefficients, (1, -1)), tables["zernike"]) + tables["fixed"]
+        phase = xp.reshape(c, (-1, 1)) * tables["focus"] + aberrations
+        channels = []
         for channel in self.lights:
             total: Operand = 0.0
             for stretch, weight in channel:
                 total = total + weight * self._light(
                     ns, tables, stretch * phase, tables["lattice"] * (stretch / scale)
                 )
-            made.append(total / xp.sum(total, axis=(-2, -1), keepdims=True))
-        return xp.stack(made, axis=1)
+            channels.append(total / xp.sum(total, axis=(-2, -1), keepdims=True))
+        return xp.stack(channels, axis=1)
 
     def _light(self, ns: Namespace, tables: Tables, phase: Tensor, lattice: Tensor) -> Tensor:
-        """Return pixel means (n, side, side) for phases (n, chords * nodes)."""
+        """Return the mean intensity of each pixel, (n, side, side), for phases (n, chords * nodes)."""
         xp = ns.xp
         count, across = phase.shape[0], self.side * self.samples
         shape = (count, self.chords, self.nodes)
         waves = [
             xp.permute_dims(xp.reshape(f(phase) * tables["weights"], shape), (1, 0, 2)) for f in (xp.cos, xp.sin)
         ]
-        # Phases factor into one along the chords and one across them: two products of matrices.
+        # The kernel is a product of a factor along the chords and a factor across them: two matrix products.
         along = xp.reshape(tables["y"], (self.chords, self.nodes, 1)) * lattice
         cos, sin = xp.cos(along), xp.sin(along)
-        # Complex products in real numbers: [[cos, sin], [-sin, cos]] acts on real and imaginary parts.
+        # Complex products as real matrices: [[cos, sin], [-sin, cos]] multiplies real and imaginary parts.
         kernel = xp.concat([xp.concat([cos, sin], axis=-1), xp.concat([-sin, cos], axis=-1)], axis=1)
         rows = ns.matmul(xp.concat(waves, axis=-1), kernel)
         real, imaginary = (xp.reshape(rows[..., part], (self.chords, count * across)) for part in _halves(across))
@@ -237,10 +241,10 @@ def make(
     window: tuple[int, float],
     tol: float,
 ) -> tuple[AberratedWindows, dict[str, Values]]:
-    """Return windows and their tables for coefficients up to those of `terms`, and C_d in a `reach`.
+    """Return windows and their tables, for coefficients up to the values of `terms`, and C_d in the range `reach`.
 
-    `window` is the half width in pixels, and the pixel in v at the smallest scale and the wavelength of the lens.
-    ValueError if that takes too many samples.
+    `window` is (half width in pixels, pixel pitch in v for the smallest scale and the wavelength of the lens).
+    ValueError if too many samples or chords are needed.
     """
     half, step = window
     lights = tuple(tuple((lens.wavelength / w, weight) for w, weight in channel) for channel in spectra)
@@ -252,13 +256,13 @@ def make(
         abs(fixed.get(t, 0.0)) + terms.get(t, 0.0) + (max(map(abs, reach)) if t == (2, 0) else 0.0) for t in names
     ]
     for samples in range(2, _MOST_SAMPLES + 1):
-        # Gauss's rule for |U|^2 over a pixel, certificate, "Differentiable PSFs": the least over ellipses with
-        # semi-axes cosh b and sinh b; |U|^2 is of exponential type 2 in v.
+        # Error of Gauss's rule for |U|^2 over a pixel (certificate, "Differentiable PSFs"): |U|^2 is of exponential
+        # type 2 in v, and the bound is the smallest over ellipses with semi-axes cosh b and sinh b.
         if averaging_error(most * step, samples) <= 0.1 * tol / (2.0 * sum(largest) + 1.0):
             break
     else:
         raise ValueError(
-            f"pixel must be smaller for Zernike coefficients to be learned: {most * step:.3g} in v is too large"
+            f"pixel must be smaller with zernike=, got {most * step:.3g} in v at the shortest wavelength"
         )
     far = most * step * (half + 0.5)
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
@@ -268,50 +272,52 @@ def make(
     )
     if max(chords, each) > _MOST_CHORDS:
         raise ValueError(
-            f"aberrations and windows this large take {max(chords, each)} chords, more than {_MOST_CHORDS}; ask for "
+            f"aberrations and windows this large take {max(chords, each)} chords, more than {_MOST_CHORDS}; choose "
             "a smaller range of distances or coefficients"
         )
 
-    def built(share: float) -> tuple[AberratedWindows, dict[str, Values]]:
+    def build(share: float) -> tuple[AberratedWindows, dict[str, Values]]:
         counts = [math.ceil(share * count) for count in (samples, chords, each)]
         nodes, shares = gauss_legendre(counts[0], -0.5, 0.5)
         angle = np.arange(1, counts[1] + 1) * (math.pi / (counts[1] + 1))
         eta, gauss = gauss_legendre(counts[2], -1.0, 1.0)
         x = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
         y = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
-        # A central obscuration is the light of a smaller disk with the opposite sign, its area low^2.
+        # A central obscuration is a smaller disk with a negative sign and the area low^2.
         signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
-        # Across: Gauss's rule for the weight sqrt(1 - x^2), half the length of a chord; its weights are sin^2 of
-        # angles.
+        # Across the chords: Gauss's rule for the weight sqrt(1 - x^2), half of the length of a chord. The weights of
+        # this rule are proportional to sin(angle)^2.
         weights = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss for sign in signs])
         rho, theta = np.hypot(x[:, None], y).ravel(), np.arctan2(y, x[:, None] + 0.0 * y).ravel()
-        still = sum((value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho)
+        aberrations = sum(
+            (value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho
+        )
         tables: dict[str, Values] = {
             "zernike": np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]),
             "focus": (2.0 * rho * rho - 1.0)[None],
-            "fixed": still[None],
-            # Rounding may put the edge beyond rho = 1, where illumination is not defined.
+            "fixed": aberrations[None],
+            # Rounding may place a node outside rho = 1, where illumination is not defined.
             "weights": weights.ravel() * light.at(np.minimum(1.0, rho * rho)),
             "x": x,
             "y": y.ravel(),
-            # The sign of exp(-i v rho).
+            # The minus sign is that of the kernel exp(-i v.rho).
             "lattice": -step * (np.arange(-half, half + 1.0)[:, None] + nodes).ravel(),
             "share": shares[:, None, None, None] * shares,
         }
         return AberratedWindows(2 * half + 1, counts[0], len(x), counts[2], lights), tables
 
-    # The bounds are those of any phase of this size; of these, fewer nodes may be enough.
-    # Signs alternate: corners of the range of coefficients.
+    # The proven numbers hold for any phase of this size. Fewer nodes may be enough: this is tested at extreme
+    # coefficients with alternating signs.
     numpy, signs = Namespace.of(None), np.where(np.arange(len(terms)) % 2, -1.0, 1.0)
     extremes = np.array(reach), signs * np.array(list(terms.values()))
 
-    def windows(made: tuple[AberratedWindows, dict[str, Operand]]) -> Array:
-        return numpy.to_numpy(made[0](numpy, made[1], *extremes, np.float64(1.0)))
+    def windows(rule: tuple[AberratedWindows, dict[str, Operand]]) -> Array:
+        return numpy.to_numpy(rule[0](numpy, rule[1], *extremes, np.float64(1.0)))
 
-    whole = built(1.0)
-    exact = windows(whole)
+    proven = build(1.0)
+    exact = windows(proven)
     for share in _SHARES:
-        fewer = built(share)
-        if (np.abs(windows(fewer) - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))).max() <= 0.1 * tol:
-            return fewer
-    return whole
+        reduced = build(share)
+        if (np.abs(windows(reduced) - exact).max(axis=(-2, -1)) / exact.max(axis=(-2, -1))).max() <= 0.1 * tol:
+            return reduced
+    return proven

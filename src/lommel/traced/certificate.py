@@ -1,19 +1,19 @@
 r"""Error bounds of the fields and images of differentiable plans, computed on the device of the field.
 
-If a field has the error e and the largest modulus M in the window, the intensity has an error of at most
-``2 M e + e^2``, and so has its peak (docs/certificate.md, section 6).
+Let e be the error of the field, and M the largest absolute field in the window. The error of the intensity, and of
+its peak, is then at most ``2 M e + e^2`` (docs/certificate.md, section 6).
 
-The error of the chordal rule is bounded by the mean of the integrand's modulus on a curve around the disk, in complex
-coordinates (docs/certificate.md, "Differentiable PSFs", "Any terms"). That modulus is ``|F| = exp(h + l)``, where h
-is minus the imaginary part of the phase and l the logarithm of the kernel's modulus. Its mean is far below its
-largest value, since different terms are largest at different points. As a function of the position in the window the
-mean is convex, and hence largest at a corner.
+The chordal rule sums over parallel chords of the disk, and over nodes on each chord. The error of each sum is bounded
+by the mean of the absolute integrand on a curve around the disk, in complex coordinates (docs/certificate.md,
+"Differentiable PSFs", "Any terms"). The absolute integrand is ``exp(h + l)``: h is -Im(phase), and l the logarithm of
+the absolute kernel. The mean is far below the maximum, because different terms have their maxima at different points.
+The mean is a convex function of the position in the window, and therefore largest at a corner of the window.
 
-At a corner, let m and s^2 be the mean and the variance of h under the weight of the curve times ``exp(l)``. In the
-coefficients of the wavefront m is a linear and s^2 a quadratic form, whose tables are integrals. With H the maximum
-of h, Bennett's inequality gives ``<e^h> <= e^m (1 + k s^2)`` with ``k = (e^x - 1 - x) / x^2`` at ``x = H - m``. On
-the curve h is a trigonometric polynomial of two angles: H is the largest of samples times a factor slightly above 1.
-Since h has opposite signs at conjugate points, half of the angles suffice.
+At a corner, let m and s^2 be the mean and the variance of h under the weight of the curve times ``exp(l)``. m is
+linear and s^2 quadratic in the coefficients of the wavefront; the tables of these forms are integrals. With the
+maximum H of h, Bennett's inequality is ``<e^h> <= e^m (1 + k s^2)`` with ``k = (e^x - 1 - x) / x^2`` at
+``x = H - m``. On the curve h is a trigonometric polynomial of two angles: H is at most the largest sample times a
+factor slightly above 1. Half of the angles suffice, since h has opposite signs at conjugate points.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from lommel.base.arrays import Array, Values
 from lommel.special.legendre import gauss_legendre
 from lommel.traced.namespaces import Namespace, Tables, Tensor
 
-_MAX_LOGARITHM = 60.0  # above this an exponential is taken as infinite
-_ROUND_UP = 1.001  # factor that covers rounding in float32
+_MAX_LOGARITHM = 60.0  # exponentials of larger numbers are replaced by infinity
+_ROUND_UP = 1.001  # factor on bounds, for rounding in float32
 
 
 def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
@@ -42,16 +42,16 @@ def exponential(ns: Namespace, logarithm: Tensor) -> Tensor:
 
 
 def of_intensity(ns: Namespace, intensity: Tensor, error: Tensor, unit: float) -> Tensor:
-    """Return a bound (n,) on the error of the intensity (n, pixels), from that of the field and the unit roundoff."""
+    """Return a bound (n,) on the error of the intensity (n, pixels); `error` (n,) bounds the error of the field."""
     largest = ns.xp.max(intensity, axis=-1)
-    # (M + e)^2 - M^2 = 2 M e + e^2, and 4 u M^2 for rounding of the squares and their sum.
+    # (M + e)^2 - M^2 = 2 M e + e^2, plus 4 u M^2 for rounding of the squares and their sum.
     return (2.0 * ns.xp.sqrt(largest) + error) * error + 4.0 * unit * largest
 
 
 def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, divided: bool) -> Tensor:
     """Return a bound on the error of values relative to their exact peak, shape (n,); inf instead of NaN.
 
-    `stored` is the relative error of storing a value, and `divided` that values are divided by their computed peak.
+    `stored` is the relative error of storing a value. `divided`: values are divided by their computed peak.
     """
     xp = ns.xp
     peak = xp.max(values, axis=-1)
@@ -64,30 +64,32 @@ def over_peak(ns: Namespace, values: Tensor, error: Tensor, stored: float, *, di
         ratio = xp.where(small, ratio, xp.zeros_like(ratio))
         ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), infinite(ns, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROUND_UP
-    # A comparison with NaN is False.
+    # Also for NaN, since comparisons with NaN are False.
     return xp.where(bound >= 0.0, bound, infinite(ns, bound))
 
 
 def infinite(ns: Namespace, like: Tensor) -> Tensor:
-    """Return an array of infinities in the shape and type of another, for bounds that are not known."""
+    """Return an array of infinities, for unknown bounds, in the shape and type of `like`."""
     return ns.xp.full_like(like, float("inf"))
 
 
-# Certificate, "Differentiable PSFs", "Any terms": steps of pi / 5 d, and the factor on the largest sample (M. Riesz).
-_STEPS_PER_DEGREE = 5  # in half a turn
+# Certificate, "Differentiable PSFs", "Any terms": samples in steps of pi / (5 d) for the degree d, and a bound on
+# maximum / largest sample (M. Riesz).
+_STEPS_PER_DEGREE = 5  # samples in half a turn / degree
 _SAMPLE_FACTOR = 1.0 / math.cos(0.5 * math.pi / _STEPS_PER_DEGREE) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
-"""Parameters b of the curves that are tried: the imaginary part of the angle on them."""
+"""Parameters b of the curves that are tried: on a curve, the angle has the imaginary part b."""
 _MAX_LOG_MEAN = 40.0  # largest logarithm of the means on usable curves
-_LOG_ROUNDING = 0.05  # added to logarithms for the rounding of exponentials
-_MIN_X, _MAX_X = 0.5, 60.0  # range of x = H - m in Bennett's inequality: below it cancels, above it overflows
+_LOG_ROUNDING = 0.05  # added to logarithms of bounds, for the rounding of exponentials
+_MIN_X, _MAX_X = 0.5, 60.0  # range of x = H - m in Bennett's inequality: k loses digits below, and overflows above
 _NUMPY = Namespace.of(None)
 
 
 class Mean(NamedTuple):
-    """Bound on the error of one of the two sums (over chords or over nodes) by means on a curve for each disk.
+    """Error bound of the sum over chords or of the sum over nodes, by means on one curve for each disk.
 
-    An obscured aperture has two disks. `corners` is the number of corners of the window, `unit` the unit roundoff.
+    An obscured aperture has two disks: the aperture and the obscuration. `corners` is the number of corners of the
+    window, `unit` the unit roundoff.
     """
 
     disks: int
@@ -114,7 +116,7 @@ class Mean(NamedTuple):
         deviation = xp.sqrt(xp.sum(roots * roots, axis=1)) + rounding
         # Bennett's inequality, x = H - mu (certificate, "Any terms").
         x, variance = maximum - mean + 2.0 * rounding, deviation * deviation
-        # (e^x - 1 - x) / x^2 rises with x: x may be raised to where the difference does not cancel.
+        # k = (e^x - 1 - x) / x^2 increases with x: raising x to _MIN_X keeps the bound, and avoids cancellation.
         clipped = xp.where(x < _MIN_X, xp.full_like(x, _MIN_X), x)
         clipped = xp.where(x > _MAX_X, xp.full_like(x, _MAX_X), clipped)
         log_factor = xp.log1p(variance * ((xp.exp(clipped) - 1.0 - clipped) / (clipped * clipped)))
@@ -129,17 +131,17 @@ def fewest(
     error: float,
     unit: float,
 ) -> tuple[int, int, Mean, Tables] | None:
-    """Return the smallest numbers of chords and nodes with an error bound of at most `error`, or None without any.
+    """Return the smallest numbers of chords and of nodes with an error of at most `error`, the bound and its tables.
 
-    The bound follows, and its tables. It holds for all wavefronts with coefficients `c` (members, terms). `geometry`
-    are terms, stretch and window as for :func:`mean_on_curve`. `disks` are radii and constants (2, curves), which are
-    added to the logarithms of the bounds of chords and nodes on each curve.
+    The bound holds for all wavefronts with coefficients `c` (members, terms). None if there is no such bound.
+    `geometry` is (terms, stretch, window), see :func:`mean_on_curve`. `disks` are pairs of a radius and an array
+    (2, curves), which is added to the logarithms of the bounds of chords (row 0) and nodes (row 1).
     """
     counts, best_tables = [0], Tables()
     for kind, name in enumerate(("chords", "nodes")):
         best = None
         for j, b in enumerate(CURVES.tolist()):
-            # On this and all farther curves the exponential of the kernel would overflow.
+            # On this curve, and on curves with larger b, the exponential of the kernel would overflow.
             if max(np.abs(positions).max() for positions in geometry[2]) * math.sinh(b) > _MAX_X:
                 break
             tables = Tables()
@@ -161,12 +163,12 @@ def fewest(
             return None
         counts.append(best[0])
         best_tables |= best[1]
-    return counts[1], counts[2], mean, best_tables  # `mean` is the same for all curves and both sums
+    return counts[1], counts[2], mean, best_tables  # `mean` is the same for all curves, for chords and for nodes
 
 
 def even(needed: float) -> int:
-    """Return the next even number of chords or nodes, at least four."""
-    # Even, because nodes at (+-x, +-y) are summed together (lommel.traced.chordal).
+    """Return `needed` rounded up to an even number, at least four."""
+    # Numbers of chords and nodes are even: nodes at (+-x, +-y) are summed together (lommel.traced.chordal).
     return max(4, 2 * math.ceil(0.5 * needed))
 
 
@@ -179,11 +181,11 @@ def mean_on_curve(
     chords: int,
     disk: tuple[int, float] = (0, 1.0),
 ) -> tuple[Mean, Tables]:
-    """Return the bound of one sum, over "chords" or over the "nodes" of each chord, on the curve b, and its tables.
+    """Return the bound of one sum, over "chords" or over "nodes" of each chord, on the curve b; and its tables.
 
-    `stretch` multiplies the phases of the Zernike terms (n, m), `window` is (rows, columns) in v, and `disk` the
-    index and the radius of the disk. `chords` is the number of chords, needed for "nodes". Constant factors of the
-    error are not included.
+    `stretch` multiplies the phases of the Zernike `terms` (n, m), `window` is (rows, columns) in v, and `disk` is the
+    index and the radius of the disk. `chords`, the number of chords, is used for "nodes" only. Constant factors of
+    the error are not included.
     """
     (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
@@ -191,8 +193,8 @@ def mean_on_curve(
     angle = np.arange(steps + 1.0) * (math.pi / steps)
     points = [radius * coordinate for coordinate in _curve(name, b, angle, np.cos(angle), angle)]
     samples = stretch * polynomials(terms, *points).imag
-    # The kernel on the curve is exp(R sinh b cos a), R the distance of the corner, whose Fourier coefficients fall
-    # like exp(-k^2 / (2 R sinh b)).
+    # For a corner at the distance R, the kernel on the curve is exp(R sinh b cos a). Its Fourier coefficients
+    # decrease like exp(-k^2 / (2 R sinh b)).
     reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
     half = (np.arange(float(count)) + 0.5) * (math.pi / count)
@@ -216,7 +218,7 @@ def mean_on_curve(
         total = float(weight.sum())
         mean = h @ (weight / total)
         deviation = h - mean[:, None]
-        # The covariance as a sum of squares, so that the device computes a variance by one matrix product.
+        # The covariance as a sum of squares: a variance is then one matrix product on the device.
         eigenvalues, vectors = np.linalg.eigh((deviation * (weight / total)) @ deviation.T)
         constants.append(math.log(total))
         means.append(mean)
@@ -233,8 +235,8 @@ def mean_on_curve(
 def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[Values, Values]:
     """Return the complex coordinates x and y of all points on a curve, flattened.
 
-    For "chords" the angle `first` of the chord is complex and `eta` the real position on the chord; for "nodes" the
-    angle `first` is real and the angle `second` of the node complex.
+    For "chords" the angle of the chord is complex, ``first + i b``, and `eta` is the real position on the chord. For
+    "nodes" the angle `first` of the chord is real, and the angle of the node is complex, ``second + i b``.
     """
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
@@ -247,7 +249,7 @@ def polynomials(terms: tuple[tuple[int, int], ...], x: Values, y: Values) -> NDA
     """Return Zernike terms, 1 at the edge, at complex points, shape ``(terms,) + x.shape``."""
     from scipy.special import eval_jacobi
 
-    # rho^m exp(+-i m theta) = (x +- i y)^m holds for complex x and y, too.
+    # rho^m exp(+-i m theta) = (x +- i y)^m, also for complex x and y.
     argument, plus, minus = 2.0 * (x * x + y * y) - 1.0, x + 1j * y, x - 1j * y
     values = []
     for n, m in terms:

@@ -1,9 +1,11 @@
-"""The fields of pupils as products of matrices: any Zernike terms by the chordal rule, or radial symmetry.
+"""Fields of pupils as matrix products: any Zernike terms by the chordal rule, or radially symmetric pupils.
 
-Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; along a chord the kernel is that of the rows of a window, across
-chords that of its columns. The bounds of the two sums are in the certificate, section 8: with W_p the amplitude
-of the terms of a degree n_p and |m|, ``log |F| <= sum W_p sinh(n_p b) + R sinh b`` on a curve b, linear in W_p, so
-that the bound is a product too. An inner disk is more chords, of negative weights.
+The chordal rule divides the pupil into parallel chords, at ``x_i = cos(phi_i)``, with nodes on each chord, at
+``y = eta_k sin(phi_i)``. The kernel exp(-i v.r) is a product of a factor along the chord, for the rows of a window,
+and a factor across the chords, for its columns. The error bounds of the two sums are in the certificate, section 8:
+``log abs(F) <= sum W_p sinh(n_p b) + R sinh b`` for the integrand F on a curve b, with the amplitude W_p of the terms
+of equal degree n_p and abs(m). This is linear in W_p: the bound is a matrix product, too. A central obscuration adds
+a second set of chords, with negative weights.
 """
 
 from __future__ import annotations
@@ -30,25 +32,26 @@ from lommel.special.legendre import gauss_legendre
 from lommel.traced.certificate import CURVES, Mean, even, exponential, fewest, infinite
 from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
-# Phases at quadrature nodes and their cosines and sines, in float64, or in float32 at full accuracy (certificate,
-# "Differentiable PSFs", "Rounding"). In float32 a phase of 100 rad would be off by 6e-6. So coefficients are split,
-# ``c = n / s + r`` with a whole number n, and terms in turns, ``B / (2 pi s) = B_1 + B_2`` with B_1 a multiple of
-# ``2^-q``: as ``n B_1`` are multiples of it too, and their sum is less than ``2^(23 - q)``, products, sums and what
-# is left without whole turns are exact. ``n B_2 + r B / 2 pi`` is a small part of a turn, and only it is rounded.
-# With u the unit roundoff, d terms, and the small part at most ``delta``, the phase is off by at most ``u (2 pi (2 d
-# + 4) delta + 6 pi (1/2 + delta))``.
+# Phases at quadrature nodes, their cosines and sines, in float64 or in float32 with full accuracy (certificate,
+# "Differentiable PSFs", "Rounding"). A phase of 100 rad in float32 would have an error of 6e-6. Each coefficient is
+# therefore split, ``c = n / s + r`` with an integer n, and so is each term B, in turns: ``B / (2 pi s) = B_1 + B_2``,
+# where B_1 is a multiple of ``2^-q``. Then the products ``n B_1`` are multiples of ``2^-q``, and their sum is below
+# ``2^(23 - q)``: products, sum, and the sum modulo 1 are exact. Only ``n B_2 + r B / 2 pi``, a small part of a turn,
+# is rounded. For d terms, the unit roundoff u and a small part of at most ``delta``, the error of the phase is at
+# most ``u (2 pi (2 d + 4) delta + 6 pi (1/2 + delta))``.
 #
-# Rounding n to whole numbers has the derivative 0, and that of r by c is 1: derivatives are those of the phase.
+# The derivative of the rounded n with respect to c is 0, and that of r is 1: derivatives of the phase are exact.
 
 UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
-_ADDED = 4  # largest number of terms whose products are added one by one, which compilers fuse into one pass
+"""Unit roundoff of each precision."""
+_ADDED = 4  # number of terms up to which products are added one by one (compilers fuse them), not by matmul
 
 
 class PhaseRule(NamedTuple):
     """Scale s of split coefficients (0 in float64), and the error bound of phases.
 
-    Phases are off by at most `each` times ``S = sum abs(c_j) max abs(B_j)``, plus `fixed`, for S up to `limit`; they
-    have the shape ``(nodes, n)`` where `pupils_last`, else ``(n, nodes)``.
+    The error of a phase is at most ``each * S + fixed`` with ``S = sum abs(c_j) max abs(B_j)``, for S up to `limit`.
+    Phases of n pupils have the shape ``(nodes, n)`` if `pupils_last`, else ``(n, nodes)``.
     """
 
     scale: float
@@ -65,14 +68,14 @@ class PhaseRule(NamedTuple):
         return ("coarse", "rest") if self.pupils_last else ("coarse", "fine", "basis")
 
     def multiplied(self, terms: int) -> bool:
-        """Return whether phases of so many terms are matrix products."""
+        """Return whether the phases of this number of terms are computed as matrix products."""
         return self.pupils_last or terms > _ADDED
 
 
 def phase_tables(
     basis: Array, degree: int, largest: float, precision: str, *, pupils_last: bool = False
 ) -> tuple[PhaseRule, dict[str, Array]]:
-    """Return the rule and the tables for terms at the nodes, `basis` (terms, nodes), of at most this degree.
+    """Return the rule and the tables for terms of up to `degree`; `basis` (terms, nodes) are their values at nodes.
 
     `largest` is the largest ``sum abs(c_j) max abs(B_j)`` in the valid range.
     """
@@ -82,7 +85,7 @@ def phase_tables(
         table = basis / math.tau
         tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
         return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
-    # Some room beyond the valid range, in which the rule still holds.
+    # The rule holds somewhat beyond the valid range.
     limit = 1.25 * largest + 1.0
     # float32 has 24 bits: sums below 2^(23 - q) of multiples of 2^-q are exact.
     q = 23 - math.ceil(math.log2(limit / math.tau))
@@ -101,7 +104,7 @@ def phase_tables(
 
 
 def phase_turns(ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor) -> tuple[Tensor, ...]:
-    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact one and a small remainder."""
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or an exact part and a small remainder."""
     xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
         return (_phase_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
@@ -125,23 +128,23 @@ def _phase_sum(ns: Namespace, rule: PhaseRule, c: Tensor, table: Tensor) -> Tens
     return total
 
 
-# On a processor JAX reduces the argument of its cosine one value after another, whatever its size. Phases are known
-# in turns here, so that the remainder of a turn is exact, ``cos 2 pi t = sin 2 pi z``, ``z = 1/4 - |t|``,
-# and the sine of so little is a polynomial: n terms of its series are off by less than the next one, ``(pi /
-# 2)^(2n+1) / (2n+1)!``. Both are off by at most 5 u, but for the rounding of ``t - 1/4``, of which the sine
-# is the cosine: no more than that of ``2 pi t`` elsewhere.
+# On CPUs the cosine of JAX is slow: it reduces arguments value by value. Phases are in turns here: removing whole
+# turns is exact, and ``cos 2 pi t = sin 2 pi z`` with ``z = 1/4 - |t|``. For abs(z) <= 1/4, the error of n terms of
+# the series of the sine is below the next term, ``(pi / 2)^(2n+1) / (2n+1)!``. The sine of the phase is the cosine at
+# ``t - 1/4``. Cosine and sine have errors of at most 5 u, plus the rounding of ``t - 1/4``, which is no larger than
+# the rounding of ``2 pi t`` in other frameworks.
 
-_SINE_TERMS = {"float32": 7, "float64": 11}
-_TURN = Fraction("6.28318530717958647692528676655900576839433879875")
+_SINE_TERMS = {"float32": 7, "float64": 11}  # number of terms of the series
+_TURN = Fraction("6.28318530717958647692528676655900576839433879875")  # 2 pi
 
 
 def waves(ns: Namespace, turns: tuple[Tensor, ...]) -> tuple[Tensor, Tensor]:
-    """Return cosine and sine of phases in :func:`phase_turns`."""
+    """Return cosine and sine of phases from :func:`phase_turns`."""
     if ns.name == "jax":
         return ns.apart(_waves_of_jax(), *turns)
     total = turns[0]
     if len(turns) > 1:
-        # Whole turns are removed before the small part is added: both are then below one turn.
+        # Whole turns are removed first: the small part is then added to a number below one turn.
         total = (total - ns.xp.round(total)) + turns[1]
     angle = total * math.tau
     return ns.xp.cos(angle), ns.xp.sin(angle)
@@ -149,7 +152,7 @@ def waves(ns: Namespace, turns: tuple[Tensor, ...]) -> tuple[Tensor, Tensor]:
 
 @cache
 def sine_coefficients(kind: str) -> tuple[float, ...]:
-    """Return the coefficients of ``sin(2 pi z) / z`` in powers of ``z^2`` for a type."""
+    """Return the coefficients of ``sin(2 pi z) / z`` in powers of ``z^2`` for the data type `kind`."""
     return tuple(
         float((-1) ** k * _TURN ** (2 * k + 1) / math.factorial(2 * k + 1)) for k in range(_SINE_TERMS[kind])
     )
@@ -189,18 +192,18 @@ def _waves_of_jax() -> Callable[..., tuple[Tensor, Tensor]]:
 
 
 class FieldError(NamedTuple):
-    """Errors of a field besides quadrature.
+    """Error bound of a field, without the error of quadrature.
 
     Attributes
     ----------
     unit : float
         Unit roundoff of the sums.
     sums : float
-        Largest sum over nodes of the factors of the waves.
+        Largest sum over nodes of the absolute factors that multiply cosines and sines.
     added : float
-        Rounding of sums, waves and tables; phase and amplitude that the terms leave out.
+        Rounding of sums, cosines, sines and tables; plus the error from phase and amplitude outside the terms.
     products : float
-        Factor of `sums` for matrix products that round their operands.
+        Number of roundings of operands in matrix products, for reduced precision such as TF32.
     """
 
     unit: float
@@ -211,34 +214,34 @@ class FieldError(NamedTuple):
     def total(
         self, ns: Namespace, rule: PhaseRule, tables: Tables, c: Tensor, quadrature_error: Tensor | float
     ) -> Tensor:
-        """Return a bound on the error of the field; inf where a phase is beyond the valid range of the rule."""
+        """Return a bound on the error of the field; inf if a phase may exceed the limit of the phase rule."""
         xp = ns.xp
         coarse = ns.coarseness(self.unit)
-        # Rounding of the sum itself.
+        # The factor covers rounding of this sum.
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
-        # TF32 rounds both operands of a product: 2^-11 each.
+        # TF32 rounds each of the two operands of a product by 2^-11.
         each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
         error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
         return xp.where(size <= rule.limit, error + self.added, infinite(ns, error))
 
 
-_ETA = np.geomspace(2e-3, 4.0, 80)  # tried ellipses: semi-axes cosh and sinh of these
-_CHOSEN = 4  # ellipses kept on the device, around the best one for the stack
-_MOST_NODES = 4096
+_ETA = np.geomspace(2e-3, 4.0, 80)  # parameters eta of the Bernstein ellipses tried: semi-axes cosh(eta), sinh(eta)
+_CHOSEN = 4  # number of ellipses used on the device, at and around the best one for the stack
+_MOST_NODES = 4096  # largest number of nodes
 
 
-# The field of radially symmetric pupils as a matrix product. ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over
-# ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at K nodes from a few coefficients, its cosine
-# and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)`` in double precision. The number of nodes and
-# the error of each pupil follow from the integrand on Bernstein ellipses lommel.methods.hankel.
+# The field of a radially symmetric pupil as a matrix product: ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over
+# ``[eps^2, 1]`` in t = rho^2 by the Gauss-Legendre rule. Phases at K nodes follow from a few coefficients; their
+# cosines and sines are multiplied by the table ``w_k A_k J0(v_r sqrt t_k)``. The number of nodes, and the error of
+# each pupil, follow from the integrand on Bernstein ellipses (lommel.methods.hankel).
 
 
 class Radial(NamedTuple):
     """Field of a radially symmetric pupil at one wavelength, without its tables.
 
-    Its error of quadrature follows from samples of the phase at `points` on each of some ellipses (`curves`):
-    `widening` multiplies the largest one; where `curved` is not 0, neighbours are joined, and it is added times the
-    largest phase.
+    The quadrature error follows from samples of the imaginary phase at `points` on each of several ellipses
+    (`curves`). The largest sample is multiplied by `widening`; or, if `curved` > 0, the larger of two neighbouring
+    samples is increased by `curved` times the largest sample.
     """
 
     phase: PhaseRule
@@ -266,39 +269,40 @@ class Radial(NamedTuple):
             largest = xp.max(pairs, axis=-1) + self.curved * xp.max(phase, axis=-1)
         else:
             largest = xp.max(phase + tables["kernel"], axis=-1) * self.widening
-        # Rounding of the products above, and of the sums of logarithms.
+        # Rounding of the product for `phase`, and of the sums of logarithms.
         lost = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
         return exponential(ns, xp.min(largest + lost + tables["constant"], axis=-1))
 
 
 def columns(pupil: Pupil) -> tuple[tuple[Name, ...], Array]:
-    """Return the names of the coefficients, powers or terms (n, m), and their values for the flattened stack."""
+    """Return the names of the coefficients (powers of rho, or terms (n, m)) and their values for the flat stack."""
     wavefront = pupil.wavefront
     if wavefront._powers is None or not pupil.radial:
         return wavefront.terms, wavefront.edge.reshape(-1, len(wavefront.terms))
-    # Defocus is c (2 t - 1): c is half of the coefficient of t. Constant phases change no image.
+    # Defocus is c (2 t - 1): c is half of the coefficient of t. A constant phase does not change images.
     powers = pupil.coefficients() * np.where(np.arange(wavefront.symmetric) == 0, 0.5, 1.0)
     return ("defocus", "spherical", *(f"rho^{2 * k + 2}" for k in range(2, wavefront.symmetric))), powers
 
 
 def _basis(powers: bool, count: int, t: Values) -> Values:
-    """Return powers of t or Legendre terms at real or complex t, each up to a constant, ``(count,) + t.shape``."""
+    """Return powers of t or Legendre polynomials, plus constants, at real or complex t, ``(count,) + t.shape``."""
     if powers:
         return np.stack([2.0 * t - 1.0, *(t ** (k + 1) - 0.5 for k in range(1, count))])
-    found, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
+    terms, x, before, here = [], 2.0 * t - 1.0, np.zeros_like(t), np.ones_like(t)
     for j in range(1, count + 1):
-        # The three-term recurrence of Legendre's polynomials.
+        # Three-term recurrence of the Legendre polynomials.
         before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
-        found.append(here)
-    return np.stack(found)
+        terms.append(here)
+    return np.stack(terms)
 
 
 def make_radial(
     pupil: Pupil, stretch: float, v: Array, error: float, precision: str
 ) -> tuple[Radial, dict[str, Array]]:
-    """Return the field at radii v of all pupils in the box of a stack, and its tables, for an error of quadrature.
+    """Return the field at the radii v, with a quadrature error of at most `error`, and its tables.
 
-    `stretch` is the wavelength of the pupil over that of the field. ToleranceError if it takes too many nodes.
+    The error holds for all pupils in the box of a stack: each coefficient is between its extremes in the stack.
+    `stretch` is (wavelength of the pupil) / (wavelength of the field). ToleranceError if it needs too many nodes.
     """
     from scipy.special import j0
 
@@ -310,16 +314,16 @@ def make_radial(
     steps = max(32, 16 * degree) if low == 0.0 else max(64, 24 * degree)
     imaginary = stretch * _basis(powers, degree, hankel.ellipses(_ETA, low, steps)).imag
     kernel = far * hankel.rise(_ETA, low, steps)
-    # Phases are linear in the coefficients: their largest size in the box of the stack.
+    # Largest absolute value in the box of the stack; phases are linear in the coefficients.
     size = np.abs(np.tensordot(middle, imaginary, 1)) + np.tensordot(spread, np.abs(imaginary), 1)
     constant = light.growth(np.cosh(_ETA), low) + math.log(32.0 / 15.0 * (1.0 - low)) - np.log(-np.expm1(-2.0 * _ETA))
     needed = (hankel.between(size, kernel, degree, low) + constant - math.log(error)) / (2.0 * _ETA)
     best, nodes = int(needed.argmin()), max(1, math.ceil(float(needed.min())))
     if nodes > _MOST_NODES:
         raise ToleranceError(f"phases and windows this large take {nodes} nodes, more than {_MOST_NODES}")
-    # Pupils of the valid range may have their best ellipse on either side of that of the stack.
+    # The best ellipse of a single pupil may be smaller or larger than the best ellipse of the stack.
     chosen = np.unique([best, *np.clip(best + np.arange(_CHOSEN) * 5 - 10, 0, len(_ETA) - 1)])
-    # Ehlich and Zeller, as in lommel.methods.hankel.
+    # Factor of Ehlich and Zeller for a maximum between samples, as in lommel.methods.hankel.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
     curved = 0.0 if low == 0.0 else (degree * math.pi / steps) ** 2 / 8.0 * widening
     t, weights = gauss_legendre(nodes, low, 1.0)
@@ -328,8 +332,8 @@ def make_radial(
     largest = float(np.abs(c).max(axis=0, initial=0.0) @ np.abs(basis).max(axis=1))
     phase, tables = phase_tables(basis, degree, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
-    # Sums, waves and products; weights and amplitude; J0, whose argument is off by 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
-    # Certificate, "Differentiable PSFs", "Rounding": (K + 16) u.
+    # Sums, cosines, sines and products, (K + 16) u: certificate, "Differentiable PSFs", "Rounding". Then weights,
+    # amplitude and J0, whose argument has a relative error of 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
     added = sums * (nodes + 16.0) * unit
     added += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
     phase_left, light_left = pupil.left_out
@@ -345,22 +349,24 @@ def make_radial(
     return Radial(phase, left, len(chosen), steps + 1, widening, curved), tables
 
 
-# At the four images (+-x, +-y) of a node the waves have parts that are even and odd in either coordinate. With these
-# the kernel is a product of a cosine or sine of v_x x and one of v_y y, real, and the same at the images of a pixel
-# but for signs. Pupils are the last axis throughout, so that all products are of small tables with long rows.
+# The values exp(i Phi) at the mirror images (+-x, +-y) of a node are divided into parts even and odd in x and in y.
+# For these parts the kernel is real: a cosine or sine of v_x x times a cosine or sine of v_y y. At the mirror images
+# of a pixel it differs only in sign. Pupils are the last axis of all arrays: small tables multiply long rows.
 
-IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: signs of x and y
+IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))
+"""Signs of x and y at the four mirror images of a node."""
 
 
 class Axis(NamedTuple):
-    """Positions of a window along one axis, by those on one side of its middle.
+    """Positions of a window along one axis; for a symmetric window only positions >= 0 are stored.
 
     Attributes
     ----------
     first : int
-        The first of those with an image: 1 where the middle is a place itself.
+        Index of the first stored position with a mirror image: 1 if position 0 belongs to the window, else 0.
     negative, positive : int
-        Numbers of places on either side; none is negative where the window is not symmetric, and all are kept.
+        Numbers of positions below 0 and of other positions. If the window is not symmetric, all positions are stored,
+        and `negative` is 0.
     """
 
     first: int
@@ -368,7 +374,7 @@ class Axis(NamedTuple):
     positive: int
 
     def whole(self, ns: Namespace, below: Tensor, above: Tensor, axis: int) -> Tensor:
-        """Return values at all positions along an axis, from those at images and at kept positions."""
+        """Return values at all positions along `axis`, from values at mirrored (`below`) and stored positions."""
         here = [slice(None)] * 3
         here[axis] = slice(0, self.positive)
         above = above[tuple(here)]
@@ -379,8 +385,8 @@ class Axis(NamedTuple):
 
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
-    """Return the axis of increasing positions, and the positions that are kept."""
-    # Windows that are symmetric about the axis need one half of their places.
+    """Return the Axis for the increasing positions `v`, and the positions that are stored."""
+    # For a window that is symmetric about the optical axis, half of the positions are stored.
     half = np.unique(np.abs(v))
     first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
     positive = len(v) - negative
@@ -390,7 +396,7 @@ def axis_of(v: Array) -> tuple[Axis, Array]:
 
 
 def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Array) -> dict[str, Array]:
-    """Return the real kernels of chords x and of nodes y on them, with their weights ``(chords, nodes)``."""
+    """Return the real kernels for chords at x and nodes at y, multiplied by `weights` ``(chords, nodes)``."""
     down, over = rows[:, None] * y[:, None, :], columns[:, None] * x
     return {
         "along even": np.cos(down) * weights[:, None, :],
@@ -403,12 +409,13 @@ def folded_tables(x: Array, y: Array, weights: Array, columns: Array, rows: Arra
 def folded_intensity(
     ns: Namespace, kernels: Tables, waves: list[tuple[Tensor, Tensor]], axes: tuple[Axis, Axis]
 ) -> Tensor:
-    """Return the squared modulus of the sum, shape ``(n, columns * rows)``, columns one after another.
+    """Return the squared absolute field, shape ``(n, columns * rows)``, column by column.
 
-    `waves` are cosine and sine at each of :data:`IMAGES`, ``(nodes, n)``, `axes` those of columns and rows.
+    `waves` are cosine and sine of the phase at each of :data:`IMAGES`, ``(nodes, n)``; `axes` are those of columns
+    and rows.
     """
     sides = [(along, across) for across in ("across even", "across odd") for along in ("along even", "along odd")]
-    # One after the other: intermediate results then stay in the cache.
+    # Parts are summed one after the other: intermediate results stay in the CPU cache.
     parts = [
         ns.apart(_part(ns, *side), *(kernels[name] for name in side), *images)
         for images in zip(*waves, strict=True)
@@ -421,7 +428,10 @@ def folded_intensity(
 
 @cache
 def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
-    """Return the function that sums the part, even or odd in y and x, of values at four images."""
+    """Return a function: the sum over nodes of one part, even or odd in y (`along`) and in x (`across`).
+
+    Its arguments are the kernels of rows and columns, and the values at the four mirror images of the nodes.
+    """
 
     def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
         one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
@@ -437,13 +447,13 @@ def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
 
 @cache
 def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
-    """Return the function from real and imaginary parts of a sum to intensities at images of the kept positions."""
+    """Return a function: intensities at the mirror images of stored positions, from the parts of the field."""
 
     def made(*parts: Tensor) -> tuple[Tensor, ...]:
         real, imaginary = parts[:4], parts[4:]
         alike = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
         other = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
-        # In the order of IMAGES: signs are alike in the first and the last.
+        # In the order of IMAGES: x and y have equal signs in the first and the last image.
         there = [(alike, True), *([(other, True)] * down), *([(other, False)] * across)]
         there += [(alike, False)] * (across and down)
         fields = [(a + b, c - d) if add else (a - b, c + d) for (a, b, c, d), add in there]
@@ -455,7 +465,7 @@ def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Tensor, ...]]:
 
 @cache
 def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Tensor]:
-    """Return the function that joins quadrants to images ``(columns, rows, n)``."""
+    """Return a function: images ``(columns, rows, n)`` from their quadrants."""
 
     def made(*quadrants: Tensor) -> Tensor:
         across, down = axes
@@ -466,15 +476,15 @@ def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Tensor]:
     return made
 
 
-# Each step of PyTorch is a pass over the memory, and its products of small matrices alone take as long as the core.
-# So for values and a first gradient the core sums over the same chords and nodes, in float32 only: its rounding is
-# less than what the bound counts for the framework (docs/certificate.md).
+# Each operation of PyTorch is a pass over memory; its products of small matrices alone take as long as the compiled
+# core takes in total. Values and first gradients in float32 are therefore computed by the core, with the same chords
+# and nodes. Its rounding errors are below the bound for the framework (docs/certificate.md).
 
-_DEGREE = 30  # largest degree: rounding to parts of a turn grows with the number of terms
+_DEGREE = 30  # largest degree of terms that the core computes: its rounding errors grow with the number of terms
 
 
 class Sums(NamedTuple):
-    """Chordal sums of the compiled core, with `stretch` multiplying coefficients and pitch."""
+    """Chordal sums by the compiled core; `stretch` multiplies coefficients and pixel pitch."""
 
     terms: tuple[Term, ...]
     stretch: float
@@ -493,11 +503,11 @@ class Sums(NamedTuple):
         return DiskStack(terms, edge, self.obscuration, exponent), window, (self.chords, self.nodes)
 
     def intensity(self, c: Array, threads: int) -> NDArray[np.float32]:
-        """Return I of pupils `c`, shape ``(n, columns * rows)``, columns one after another."""
+        """Return the intensity for coefficients `c`, shape ``(n, columns * rows)``, column by column."""
         return chordal_sums(*self._arguments(c), threads).reshape(len(c), -1)
 
     def gradient(self, c: Array, weights: Array, threads: int) -> Array:
-        """Return the derivatives by `c` of a weighted sum of :meth:`intensity`."""
+        """Return the derivatives of ``sum(weights * intensity(c))`` with respect to `c`."""
         by_row = weights.reshape(len(c), *self.shape[::-1]).transpose(0, 2, 1)
         by_row = np.ascontiguousarray(by_row, dtype=np.float64)
         return self.stretch * chordal_sums_gradient(*self._arguments(c), by_row, threads)
@@ -506,7 +516,7 @@ class Sums(NamedTuple):
 def compiled_sums(
     pupil: Pupil, grid: Grid, stretch: float, terms: tuple[Term, ...], counts: tuple[int, int]
 ) -> Sums | None:
-    """Return the sums for samples of square pixels by so many chords and nodes; None if the core has none."""
+    """Return the compiled sums, with `counts` = (chords, nodes); None if the core does not support them."""
     if grid.integrate or not isinstance(grid.pixel, float) or not all(0 < n <= _DEGREE for n, _ in terms):
         return None
     light = tuple(pupil.illumination.exponent.tolist())
@@ -520,7 +530,7 @@ def _of_torch() -> Any:
     ns = Namespace.of("torch")
 
     class Compiled(torch.autograd.Function):  # type: ignore[misc]
-        """The sums with their gradient; higher derivatives are those of PyTorch."""
+        """Sums and first gradient by the compiled core; higher derivatives by PyTorch."""
 
         @staticmethod
         def forward(ctx: Any, c: Operand, sums: Sums, followed: Callable[[Tensor], Tensor]) -> Tensor:
@@ -531,21 +541,21 @@ def _of_torch() -> Any:
         @staticmethod
         def backward(ctx: Any, weights: Operand) -> tuple[Tensor, None, None]:
             (c,) = ctx.saved_tensors
-            # Under create_graph the gradient is differentiated again, which the compiled core cannot do.
-            given = None if torch.is_grad_enabled() else ns.values_now(weights)
-            if given is not None:
-                found = ctx.sums.gradient(c.detach().numpy(), given, torch.get_num_threads())
-                return torch.from_numpy(found).to(c.dtype), None, None
+            # With create_graph the gradient is differentiated again, which the compiled core does not support.
+            values = None if torch.is_grad_enabled() else ns.values_now(weights)
+            if values is not None:
+                gradient = ctx.sums.gradient(c.detach().numpy(), values, torch.get_num_threads())
+                return torch.from_numpy(gradient).to(c.dtype), None, None
             with torch.enable_grad():
-                made = ctx.followed(c)
-            return *torch.autograd.grad(made, c, weights, create_graph=torch.is_grad_enabled()), None, None
+                intensity = ctx.followed(c)
+            return *torch.autograd.grad(intensity, c, weights, create_graph=torch.is_grad_enabled()), None, None
 
     return Compiled
 
 
-_B = np.geomspace(4e-3, 4.0, 64)  # tried curves
-_MOST = 512
-_SAMPLED, _MEMBERS = 12, 64  # largest degree, and number of pupils, that means are sampled for
+_B = np.geomspace(4e-3, 4.0, 64)  # parameters b of the curves that are tried
+_MOST = 512  # largest number of chords, and of nodes on a chord
+_SAMPLED, _MEMBERS = 12, 64  # largest degree and number of pupils for bounds by means on curves
 
 
 class Chordal(NamedTuple):
@@ -565,7 +575,7 @@ class Chordal(NamedTuple):
             both = [waves(ns, phase_turns(ns, self.phase, one, c)) for one in of_image]
             return folded_intensity(ns, tables, both, self.axes)
 
-        error = self._field_error(ns, tables, c)  # first: its memory is free again before the images
+        error = self._field_error(ns, tables, c)  # computed first: its memory is released before images are computed
         values = ns.values_now(c) if self.sums and c.shape[0] else None
         if self.sums is None or values is None:
             return followed(c), error
@@ -587,9 +597,9 @@ class Chordal(NamedTuple):
 
 
 def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
-    """Return the constants of the logarithms of both sums on the curves, without ``-2 N b``."""
+    """Return the constants in the logarithms of the bounds, for chords and for nodes, without ``-2 N b``."""
     grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
-    # With four chords or more, 1 - exp(-2 (N + 1) b) is more than 1 - exp(-10 b).
+    # With N >= 4 chords, 1 - exp(-2 (N + 1) b) is at least 1 - exp(-10 b).
     chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
     return chords, math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * b)) + grown
 
@@ -597,10 +607,10 @@ def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
 def make_chordal(
     pupil: Pupil, grid: Grid, stretch: float, window: tuple[Array, Array], error: float, precision: str
 ) -> tuple[Chordal, Tables]:
-    """Return the field at rows and columns in v of pupils no larger than a member of a stack, and its tables.
+    """Return the field at the `window` (rows, columns) in v, with a quadrature error of `error`, and its tables.
 
-    `stretch` is the wavelength of the pupil over that of the field and of `window`. ToleranceError if it takes too
-    many chords.
+    The error holds for the pupils of the stack. `stretch` is (wavelength of the pupil) / (wavelength of the field);
+    `window` is in v at the wavelength of the field. ToleranceError if it needs too many chords.
     """
     y, x = window
     names, c = columns(pupil)
@@ -610,11 +620,11 @@ def make_chordal(
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
     degrees, by_means = [n for n, _ in terms], None
     if max(degrees) <= _SAMPLED:
-        # Pupils with the largest phases, weighted by degree: a term of degree n grows with exp(n b) on a curve.
+        # Pupils with the largest sums of abs(c) n: a term of degree n is of order exp(n b) on a curve.
         members = c[np.argsort(-np.abs(c) @ degrees, kind="stable")[:_MEMBERS]]
-        # The inner disk has the weight of its area.
+        # The weight of the inner disk is its area, radius^2.
         of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
-        # Half of the error for each of the two sums.
+        # Half of the error is for the sum over chords, half for the sum over nodes.
         by_means = fewest((terms, stretch, window), members, of_disks, 0.5 * error, UNIT[precision])
     chords, nodes, mean, bounds = by_means or counts_by_largest(terms, c, stretch, disks, reach, error)
     if max(chords, nodes) > _MOST:
@@ -626,8 +636,7 @@ def make_chordal(
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
     phase, arrays = phase_tables(basis, max(degrees) ** 2, largest, precision, pupils_last=True)
     unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
-    # (K + N + 32) u, K / 2 and N / 2 being the sizes of the tables.
-    # Four images of each node.
+    # Rounding (K + N + 32) u for K nodes and N chords: the tables hold K / 2 and N / 2 of them.
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
@@ -648,20 +657,20 @@ def counts_by_largest(
     reach: tuple[float, float],
     error: float,
 ) -> tuple[int, int, Mean | None, Tables]:
-    """Return chords, nodes and their bounds by the largest value of the integrand."""
-    # Terms that share a degree and abs(m) have one amplitude.
+    """Return the numbers of chords and nodes, and the bounds that follow from the maximum of the integrand."""
+    # One amplitude for all terms with the same degree n and abs(m).
     kinds = sorted({(n, abs(m)) for n, m in terms})
     matrix = np.array([[float(kind == (n, abs(m))) for kind in kinds] for n, m in terms])
-    # sinh of more than 300 would overflow in products.
+    # The sinh of an argument above 300 would overflow in products.
     growth = stretch * np.sinh(np.minimum(np.outer([n for n, _ in kinds], _B), 300.0))
     size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
-    # The integrand of the inner disk is no larger, but for its amplitude, and has the weight of its area.
+    # The integrand of the inner disk is not larger, except for the amplitude; its weight is radius^2.
     of_disks = [_constants(one, _B) for _, one in disks]
     added = sum(math.log1p(radius**2) for radius, _ in disks[1:])
     parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
     needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
     chords, nodes = (even(float(each.min())) for each in needed)
-    # Some curves on either side of the best: pupils of the valid range have theirs there.
+    # Curves on both sides of the best curve of the stack: the best curve of a single pupil may differ.
     chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
     bounds: Tables = {
         "pairs": matrix,
@@ -673,14 +682,17 @@ def counts_by_largest(
 
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
-    """Return nodes of positive x and y, and weights with the amplitude: ``(chords,)``, ``(chords, nodes)`` twice."""
-    # Chebyshev's rule of the second kind across the chords; nodes of one sign, as the others are images of these.
+    """Return x (chords,) and y (chords, nodes) of the nodes with x, y > 0, and weights times amplitude.
+
+    The shape of the weights is (chords, nodes).
+    """
+    # Chebyshev's rule of the second kind across the chords. Nodes with other signs are mirror images.
     angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     px = np.concatenate([radius * np.cos(angle) for radius, _ in disks])
     py = np.concatenate([radius * np.sin(angle)[:, None] * eta for radius, _ in disks])
-    # U = U_1 - eps^2 U_2: certificate, section 5.
+    # U = U_1 - eps^2 U_2 for an obscuration eps: certificate, section 5.
     signs = [1.0 if radius == 1.0 else -(radius**2) for radius, _ in disks]
     w = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1) for sign in signs])
-    # Rounding may place nodes beyond the edge.
+    # Rounding may place nodes slightly outside the edge.
     return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

@@ -16,9 +16,9 @@ from lommel.base.arrays import Values
 from lommel.base.optional import library
 
 _EXTRAS = ("jax", "torch", "cupy")
-_NEEDED = ("matmul", "take", "where", "isfinite", "concat", "flip")
+_NEEDED = ("matmul", "take", "where", "isfinite", "concat", "flip")  # functions that identify an array API
 _Result = TypeVar("_Result")
-# An array of the same namespace, or a number: NumPy overloads its operators by types that a Protocol cannot name.
+# An array of one namespace, or a number. Any, since a Protocol cannot describe the overloaded operators of NumPy.
 Operand: TypeAlias = Any
 
 
@@ -27,11 +27,11 @@ class Tensor(Protocol):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Its sides."""
+        """Length of each axis."""
 
     @property
     def dtype(self) -> object:
-        """The type of its elements."""
+        """Type of the elements."""
 
     def __add__(self, other: Operand, /) -> Tensor: ...
     def __radd__(self, other: Operand, /) -> Tensor: ...
@@ -54,25 +54,25 @@ Tables = dict[str, Tensor]
 
 
 class ArrayFunctions(Protocol):
-    """The functions of a namespace of the array API standard."""
+    """Functions of a namespace of the array API standard."""
 
     @property
     def fft(self) -> ArrayFunctions:
-        """The Fourier transforms."""
+        """Functions for Fourier transforms."""
 
     def __getattr__(self, name: str, /) -> Callable[..., Tensor]: ...
 
 
 @dataclass(frozen=True)
 class Namespace:
-    """A namespace `xp` of the array API standard, by its name: "numpy", "jax", "torch", "cupy" or another module."""
+    """A namespace `xp` of the array API standard; `name` is "numpy", "jax", "torch", "cupy" or another module."""
 
     name: str
     xp: ArrayFunctions = field(compare=False, repr=False)
 
     @classmethod
     def of(cls, given: object) -> Namespace:
-        """Return the namespace of a module or of its name, NumPy for None; TypeError if it lacks the functions."""
+        """Return the namespace of a module or module name, NumPy for None; TypeError if functions are missing."""
         module = "numpy" if given is None else given
         name = module if isinstance(module, str) else str(getattr(module, "__name__", ""))
         name = name.removeprefix("array_api_compat.")
@@ -82,61 +82,64 @@ class Namespace:
             home = "jax.numpy" if top == "jax" else f"array_api_compat.{top}"
             return cls(top, library(home, f"a traced plan in {top} needs", top))
         try:
-            found = import_module(name) if isinstance(module, str) else module
+            namespace = import_module(name) if isinstance(module, str) else module
         except (ImportError, ValueError):
-            found = None
-        if found is None or not all(hasattr(found, each) for each in _NEEDED):
+            namespace = None
+        if namespace is None or not all(hasattr(namespace, function) for function in _NEEDED):
             raise TypeError(
                 "xp must be a module of the array API such as numpy, jax.numpy, torch or cupy, or its name, got "
                 f"{validation.shown(given)}"
             )
-        return cls(name, cast("ArrayFunctions", found))
+        return cls(name, cast("ArrayFunctions", namespace))
 
     def __reduce__(self) -> tuple[Callable[[str], Namespace], tuple[str]]:
         return Namespace.of, (self.name,)
 
     def put(self, values: Values, device: object, dtype: object = None) -> Tensor:
-        """Return a NumPy array in the namespace, on a device; a constant even while JAX traces."""
+        """Return a NumPy array as an array of the namespace on a device; a constant even while JAX traces."""
         if self.name == "torch":
-            values = np.array(values)  # PyTorch warns of arrays that are read-only
+            values = np.array(values)  # a copy: PyTorch warns about read-only arrays
         if self.name != "jax":
             return self.xp.asarray(values, dtype=dtype, device=device)
         import jax
 
-        # Tables that are made while JAX traces are constants, not part of the program.
+        # Tables that are created while JAX traces become constants, not operations of the program.
         with jax.ensure_compile_time_eval():
             return self.xp.asarray(values, dtype=dtype, device=device)
 
     def has_double(self, device: object) -> bool:
-        """Return whether a device has float64: JAX only if configured, some devices never."""
+        """Return whether float64 is available on a device; JAX has float64 only if it is configured so."""
         try:
             return bool(self.put(np.zeros(1), device).dtype == self.xp.float64)
-        except (TypeError, ValueError, RuntimeError):  # torch on a device without them
+        except (TypeError, ValueError, RuntimeError):  # PyTorch on a device without float64
             return False
 
     def matmul(self, a: Tensor, b: Tensor) -> Tensor:
-        """Return a matrix product in full precision of its type."""
+        """Return a matrix product in the full precision of the data type."""
         if self.name == "jax":
             # By default JAX multiplies matrices in bfloat16 or TF32 on accelerators.
             return self.xp.matmul(a, b, precision="highest")
         return self.xp.matmul(a, b)
 
     def coarseness(self, unit: float) -> float:
-        """Return the unit roundoff of operands where a user allows less than float32; `unit` is the type's."""
+        """Return the roundoff of operands in matrix products if settings allow less than float32, else 0.
+
+        `unit` is the unit roundoff of the data type.
+        """
         if unit < 1e-10:
             return 0.0
         if self.name == "torch":
             import torch
 
-            # TF32 keeps 11 bits, bfloat16 8.
+            # TF32 has 11 significant bits, bfloat16 has 8.
             return {"highest": 0.0, "high": 2.0**-11}.get(torch.get_float32_matmul_precision(), 2.0**-8)
         if self.name == "cupy":
             return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
         return 0.0
 
     def apart(self, function: Callable[..., _Result], *given: Tensor) -> _Result:
-        """Call a function; in JAX without fusing it with its surroundings."""
-        # XLA for processors would compute values that are used in several places in each, and turn axes one by one.
+        """Call a function; in JAX as a separate program part that is not fused with other operations."""
+        # On CPUs, fusion by XLA would compute a value anew for each use, and permute axes element by element.
         if self.name != "jax":
             return function(*given)
         import jax
@@ -149,7 +152,7 @@ class Namespace:
         return jax.lax.platform_dependent(*given, cpu=alone, default=function)  # type: ignore[no-any-return]
 
     def flip(self, x: Operand, axis: int) -> Tensor:
-        """Return an array with one axis reversed, in JAX by an operation that :meth:`apart` fuses."""
+        """Return an array with one axis reversed, in JAX by an operation that can be fused inside :meth:`apart`."""
         if self.name == "jax":
             import jax
 
@@ -157,7 +160,7 @@ class Namespace:
         return self.xp.flip(x, axis=axis)
 
     def turned(self, x: Tensor) -> Tensor:
-        """Return an array of three axes with these in reverse order."""
+        """Return an array of three axes with the order of the axes reversed."""
         return self.apart(partial(self.xp.permute_dims, axes=(2, 1, 0)), x)
 
     def stop(self, x: Operand) -> Tensor:
@@ -169,7 +172,7 @@ class Namespace:
         return x.detach() if self.name == "torch" else x  # type: ignore[no-any-return]
 
     def concrete(self, x: Tensor) -> bool:
-        """Return whether `x` has values now, and not only when a traced program runs."""
+        """Return whether `x` has concrete values, as opposed to an array in a traced program."""
         if self.name == "jax":
             import jax
 
@@ -181,12 +184,12 @@ class Namespace:
                 return False
             try:
                 self.to_numpy(x)
-            except RuntimeError:  # within torch.func
+            except RuntimeError:  # inside a torch.func transform
                 return False
         return True
 
     def values_now(self, x: Operand) -> Values | None:
-        """Return the values of `x` on a processor as a NumPy array, or None under transforms and tracing."""
+        """Return the values of `x` as a NumPy array if it is on a CPU; None under transforms and tracing."""
         if self.name == "numpy":
             return np.asarray(x)
         if self.name != "torch" or x.device.type != "cpu":
@@ -200,11 +203,11 @@ class Namespace:
             return None
         try:
             return np.asarray(x.detach().numpy())
-        except (RuntimeError, TypeError):  # within torch.func; of a type that NumPy lacks
+        except (RuntimeError, TypeError):  # inside a torch.func transform; a data type that NumPy does not have
             return None
 
     def in_place(self, x: Operand) -> bool:
-        """Return whether a temporary `x` may be overwritten, which saves PyTorch a pass over memory."""
+        """Return whether a temporary array `x` may be overwritten in place, which saves time in PyTorch."""
         return self.name == "torch" and not x.requires_grad and self.values_now(x) is not None
 
     def to_numpy(self, x: Operand) -> Values:

@@ -28,13 +28,13 @@ from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 
 _OF_NUMPY = (np.ndarray, np.generic)
 _ERROR_REDUCTION = 0.1  # quadrature error of a trial relative to the trial before
-_MIN_ERROR = 2.0**-52  # least quadrature error tried: below it rounding dominates
-# Trials only choose numbers of nodes: the bound of each evaluated pupil is checked again.
-_TESTED_MEMBERS, _TESTED_BETWEEN = 128, 48  # pupils in a trial: members of the stack, and pupils between them
+_MIN_ERROR = 2.0**-52  # smallest quadrature error tried; rounding errors are larger
+# Trials choose the numbers of nodes. They need not test all pupils: each evaluation checks its own bound.
+_TESTED_MEMBERS, _TESTED_BETWEEN = 128, 48  # numbers of tested pupils: members of the stack, and pupils between them
 _BLOCK_VALUES = 2**21  # largest number of values in memory during trials
-_RULE_ERROR = 1e-11  # error of PixelRule relative to the largest intensity: ten times the largest measured error
+_RULE_ERROR = 1e-11  # assumed error of PixelRule / largest intensity: ten times the largest measured error
 _MAX_SAMPLES = 24  # largest number of samples along a side of a pixel
-_X64 = '; call jax.config.update("jax_enable_x64", True) first, or give the plan a tolerance that float32 can prove'
+_X64 = '; call jax.config.update("jax_enable_x64", True) first, or choose a tolerance that float32 can prove'
 
 
 class Pixels(NamedTuple):
@@ -44,13 +44,14 @@ class Pixels(NamedTuple):
     ----------
     height, width : int
     mirrored : bool
-        Whether values are given for one quadrant of the image, which is then mirrored.
+        Whether values are computed for one quadrant of the image and mirrored.
     growth : float
         Largest factor by which averaging multiplies errors of samples; 0 for point samples.
     added : float
         Error of averaging: relative to the largest intensity if `samples` is 0, otherwise absolute.
     samples : int
-        Samples along a side of each pixel if they form a lattice (pupil not radial, or off-axis averages); else 0.
+        Number of samples along a side of each pixel if samples form a lattice (pupils that are not radial, and
+        off-axis pixel averages); else 0.
     """
 
     height: int
@@ -70,18 +71,18 @@ class Pixels(NamedTuple):
                 values = xp.take(values, tables["index"], axis=-1)
             shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
             values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
-            # A sum of samples^2 products: two roundings per product.
+            # Rounding of a sum of samples^2 products: two roundings for each product.
             error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
             return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
         if self.growth:
             peak = xp.max(ns.stop(values), axis=-1)
             rounding = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
-            # Weighted sums multiply errors by at most the sum of the moduli of their weights: `growth`.
+            # A weighted sum multiplies errors by at most the sum of its absolute weights, `growth`.
             return ns.matmul(values, tables["matrix"]), self.growth * (error + rounding * peak) + self.added * peak
         return values, error
 
     def unfold(self, ns: Namespace, tables: Tables, values: Tensor) -> Tensor:
-        """Return images (n, height, width) from values at distinct radii, of octant cells, or of pixels by column."""
+        """Return images (n, height, width) from values at distinct radii, in octant cells, or in pixels by column."""
         xp = ns.xp
         if self.samples:
             by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
@@ -91,7 +92,7 @@ class Pixels(NamedTuple):
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
-        # The middle row and column occur once; for even sides the outermost ones occur only above and on the left.
+        # The central row and column are not repeated; for even sides, the outermost row and column are only mirrored.
         right = quarter[..., : across + 1 - (self.width + 1) % 2]
         half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
         lower = half[..., : down + 1 - (self.height + 1) % 2, :]
@@ -114,17 +115,19 @@ class Static(NamedTuple):
     terms : tuple
         Names of the columns of coefficients.
     kept : tuple of int
-        Indices of the columns that the field depends on.
+        Indices of the columns on which the field depends.
     ranges : tuple of (float, float)
-        Least and largest coefficient of each column in the stack of pupils.
+        Smallest and largest coefficient of each column in the stack of pupils.
     lights : tuple of (float, Radial or Chordal)
         Weight and field of each wavelength.
     pixels : Pixels
     scale : float or None
-        Factor of intensities; None for division by the largest value of each image.
+        Factor that multiplies intensities; None for division by the largest value of each image.
     tol : float
     precision, dtype : str
+        Data types of the computation and of the images.
     distances : Distances or None
+        Conversion of object distances to C_d; None unless the pupils are those of a paraxial lens.
     """
 
     namespace: Namespace
@@ -185,9 +188,10 @@ class TracedPSF:
         Parameters
         ----------
         c : array, shape (..., k)
-            Coefficients in radians, a column for each of ``terms``; on the device of the tables.
+            Coefficients in radians, one column for each entry of ``terms``; on the device of the tables.
         check : bool, default True
-            Whether to raise ToleranceError, which waits for the device. Images above the tolerance are NaN otherwise.
+            Whether to raise ToleranceError, which requires waiting for the device. With False, images above the
+            tolerance are NaN.
 
         Returns
         -------
@@ -203,24 +207,24 @@ class TracedPSF:
         return self.certified(c, check=check)[0]
 
     def certified(self, c: Operand, *, check: bool = True) -> tuple[Operand, Operand]:
-        """Return images, and for each a proven bound on its largest error relative to its largest value.
+        """Return images, and for each image a proven bound on its largest error relative to its largest value.
 
         Parameters
         ----------
         c, check
-            As for a call of the plan.
+            See :meth:`__call__`.
 
         Returns
         -------
         images : array, shape (..., height, width)
             NaN where the bound exceeds `tol`.
         bound : array, shape (...)
-            inf if no bound is known. Its gradient is zero.
+            Error bound of each image, inf if no bound is known. The gradient of the bound is zero.
 
         Raises
         ------
         TypeError, ValueError, ToleranceError
-            As for a call of the plan.
+            See :meth:`__call__`.
         """
         images, bound = self._evaluate(c)
         if check:
@@ -237,12 +241,12 @@ class TracedPSF:
         Parameters
         ----------
         distance : array
-            Metres from the lens, may be infinite.
+            Distance from the lens in metres; may be infinite.
 
         Returns
         -------
         array
-            C_d in the shape of `distance`: for the column "defocus", or to be added to the Zernike term (2, 0).
+            C_d in the shape of `distance`: value of the column "defocus", or a summand of the Zernike term (2, 0).
 
         Raises
         ------
@@ -304,13 +308,13 @@ class TracedPSF:
             kind = None if ns.has_double(device) else like.dtype
             values = ns.put(np.asarray(values, dtype=np.float64), device, kind)
         if ns.name not in ("jax", "numpy") and not isinstance(values, type(like)):
-            raise TypeError(f"coefficients must be of {ns.name}, as the plan was traced with, got {type(values)}")
+            raise TypeError(f"coefficients must be arrays of {ns.name}, like the traced plan, got {type(values)}")
         if ns.name not in ("jax", "numpy") and values.device != like.device:
             raise ValueError(f"coefficients must be on the device of the tables, {like.device}, got {values.device}")
         return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
 
     def _evaluate(self, c: Operand) -> tuple[Tensor, Tensor]:
-        """Return images and bounds; compiled in JAX, where single operations would take seconds."""
+        """Return images and bounds; compiled in JAX, where separate operations would take seconds."""
         if self._static.namespace.name == "jax":
             return _jitted_evaluation()(self, self._array(c))
         return self._evaluate_uncompiled(c)
@@ -321,13 +325,13 @@ class TracedPSF:
         kind = str(self.tables[0]["size"].dtype).rpartition(".")[2]
         if kind != static.precision or (kind == "float64" and not ns.has_double(None)):
             raise TypeError(
-                f"a traced plan must be used in its precision, {static.precision}; trace the plan anew instead of "
-                "converting its tables or the framework"
+                f"a traced plan must be used in its precision, {static.precision}; trace a new plan instead of "
+                "converting the tables, or changing the precision of the framework"
             )
         c = self._array(c)
         if len(c.shape) == 0 or c.shape[-1] != len(static.terms):
             raise ValueError(
-                f"coefficients must have a column for each of {static.terms}, got the shape {tuple(c.shape)}"
+                f"coefficients must have one column for each of {static.terms}, got the shape {tuple(c.shape)}"
             )
         stack = tuple(c.shape[:-1])
         flat = xp.reshape(c, (math.prod(stack), len(static.terms)))
@@ -335,7 +339,7 @@ class TracedPSF:
             flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
         values, bound = self.evaluated(flat)
         zero = xp.zeros_like(bound)
-        # Adding NaN, instead of selecting it, keeps it out of the gradients of other images.
+        # NaN is added, not selected by `where`: gradients of other images then remain finite.
         poison = xp.reshape(xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan"))), (-1, 1))
         if ns.in_place(values):
             values += poison
@@ -353,14 +357,14 @@ class TracedPSF:
         for (weight, light), tables in zip(static.lights, self.tables, strict=True):
             intensity, of_field = light.intensity(ns, tables, c)
             # Wavelengths are incoherent: intensities and their error bounds add.
-            slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
-            parts.append((intensity if weight == 1.0 else weight * intensity, slack))
+            summand = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
+            parts.append((intensity if weight == 1.0 else weight * intensity, summand))
         values, error = parts[0]
-        for intensity, slack in parts[1:]:
-            values, error = values + intensity, error + slack
+        for intensity, summand in parts[1:]:
+            values, error = values + intensity, error + summand
         values, error = static.pixels.means(ns, self.tables[0], values, error, unit)
         still = ns.stop(values)
-        # Rounding in squares, sums and scaling, and in the conversion of float64 to float32.
+        # Relative rounding error of squares, sums and scaling, and of the conversion of float64 to float32.
         stored = 8.0 * unit + (2.0**-24 if static.dtype == "float32" and unit < 1e-10 else 0.0)
         bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
         if static.scale is None:
@@ -371,7 +375,7 @@ class TracedPSF:
         return values * static.scale, bound
 
     def _require_tolerance(self, c: Operand, bound: Tensor) -> None:
-        """Raise ToleranceError if a bound exceeds the tolerance; bounds being traced are not checked."""
+        """Raise ToleranceError if a concrete bound exceeds the tolerance; traced bounds are not checked."""
         static = self._static
         if not static.namespace.concrete(bound):
             return
@@ -433,7 +437,7 @@ def traced(
     values: tuple[float, str, str],
     where: tuple[object, object, str],
 ) -> TracedPSF:
-    """Return a traced plan; `values` are tol, normalize and dtype, `where` is framework, device and precision."""
+    """Return a traced plan; `values` is (tol, normalize, dtype), `where` is (framework, device, precision)."""
     tol, normalize, dtype = values
     ns, device = Namespace.of(where[0]), where[1]
     precision = _precision(ns, device, where[2], dtype)
@@ -451,14 +455,14 @@ def traced(
         "energy": grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission),
         "strehl": 1.0 / (pupil.amplitude**2 * sum(part.weight for part in lights)),
     }.get(normalize)
-    # Defocus lowers the peak about inversely to the phase; for other pupils the first trial assumes no such loss.
+    # The peak of a defocused radial pupil is about proportional to 1 / phase. Other pupils start without this factor.
     largest_phase = float(np.abs(c).sum(axis=1).max())
     error = tol * pupil.amplitude * (0.04 / (2.0 * largest_phase + 1.0) if pupil.radial else 0.15)
     distances = _defocus_by_distance(pupil)
     while True:
         parts, image, tables = _fields(pupil, grid, lights, error, precision)
         static = Static(ns, terms, kept, ranges, parts, image, scale, tol, precision, dtype, distances)
-        # Nodes are added until all bounds are at most 0.6 tol, for the stack and for pupils between its members.
+        # Add nodes until all bounds, for members of the stack and for pupils between them, are at most 0.6 tol.
         worst, most = _largest_bounds(static, tables, c)
         if most <= 0.6 * tol or error <= _MIN_ERROR:
             break
@@ -484,7 +488,7 @@ def _precision(ns: Namespace, device: object, precision: str, dtype: str) -> str
     if precision == "float32" and dtype == "float64":
         raise ValueError(
             'dtype must be float32 where precision is "float32", got float64'
-            + (_X64 if ns.name == "jax" else "; let the plan have a tolerance of 1e-6 or more")
+            + (_X64 if ns.name == "jax" else "; or choose a tolerance of 1e-6 or more")
         )
     return precision
 
@@ -519,7 +523,7 @@ def _fields(
     step, stretch = grid.step(pupil), max(part.stretch for part in lights)
     fields: list[tuple[float, Radial | Chordal]] = []
     tables: list[Tables] = []
-    # Radial pupils are sampled at distinct radii, fewer than the points of a lattice.
+    # Radial pupils are sampled at distinct radii, which are fewer than the points of a lattice.
     if pupil.radial:
         image, v, shared = at_radii(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
@@ -538,7 +542,7 @@ def _fields(
 
 
 def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tuple[float, float]:
-    """Return the largest bound of tested members of the stack, and of those and intermediate pupils together."""
+    """Return the largest bound over tested members of the stack, and over these members and pupils between them."""
     numpy = Namespace.of(None)
     plan = TracedPSF(static._replace(namespace=numpy), tables)
     boxed = isinstance(static.lights[0][1], Radial)
@@ -549,7 +553,7 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
         parts = (many[k : k + rows, static.kept] for k in range(0, len(many), rows))
         return float(np.max([np.max(numpy.to_numpy(plan.evaluated(part)[1])) for part in parts]))
 
-    # Tests the pupils with the largest phases, where bounds are largest, and a regular selection of the others.
+    # Test the pupils with the largest phases, which have the largest bounds, and a regular selection of the others.
     order = np.argsort(-np.abs(c).sum(axis=1), kind="stable")
     tested = np.concatenate([order[:_TESTED_MEMBERS], order[_TESTED_MEMBERS :: max(1, len(c) // _TESTED_MEMBERS)]])
     worst = largest(c[tested])
@@ -557,8 +561,11 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
-    """Return random coefficients between two members of a stack or, if `boxed`, in its box and at corners."""
-    # A fixed seed makes plans reproducible.
+    """Return random coefficients: between two members of a stack, or with `boxed` inside and at corners of its box.
+
+    The box is the range of each coefficient in the stack.
+    """
+    # A fixed seed: plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:
         one, other = c[draw.integers(len(c), size=(2, _TESTED_BETWEEN // 2))]
@@ -574,7 +581,8 @@ def _pupils_between(c: Array, *, boxed: bool) -> Array:
 def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
     """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
 
-    `step` is the pixel pitch in v, `stretch` its factor at the shortest wavelength, `allowed` the error of averages.
+    `step` is the pixel pitch in v, and ``stretch * step`` the pitch at the shortest wavelength. `allowed` is the
+    absolute error allowed for pixel averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:
@@ -584,7 +592,7 @@ def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
     if grid.integrate:
         half = max(1, height // 2, width // 2)
         rule = pixel_rule(half, step * stretch)
-        # Oblong windows need only some cells of the octant.
+        # A window that is not square needs only some of the octant's cells.
         used, index = np.unique(
             cells_of_quarter(half)[: height // 2 + 1, : width // 2 + 1].ravel(), return_inverse=True
         )
@@ -596,7 +604,7 @@ def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[P
     if grid.centered:
         # A centred window is symmetric: one quadrant holds all distinct radii.
         down, across = down[height // 2 :: -1], across[width // 2 :: -1]
-    # For a centred window the squares are exact in floating point, so that equal radii compare equal.
+    # For a centred window the squares are exact in floating point: equal radii compare equal.
     squares, index = np.unique(down[:, None] ** 2 + across**2, return_inverse=True)
     return Pixels(height, width, grid.centered, 0.0, 0.0), step * np.sqrt(squares), {"index": _flat_indices(index)}
 
@@ -608,7 +616,7 @@ def _flat_indices(index: Values) -> NDArray[np.int32]:
 def on_lattice(
     grid: Grid, step: float, stretch: float, allowed: float
 ) -> tuple[Pixels, tuple[Array, Array], dict[str, Values]]:
-    """Return pixels, rows and columns of samples (v) and tables for any pupil; arguments as at_radii()."""
+    """Return the pixels, the rows and columns of samples in v, and tables, for any pupil; arguments: see at_radii."""
     grid.require_one_axis()
     rows, cols = step / grid.side * grid.y, step / grid.side * grid.x
     if not grid.integrate:
@@ -619,7 +627,7 @@ def on_lattice(
     else:
         raise ValueError(
             f"pixel is too large to be averaged by {_MAX_SAMPLES} x {_MAX_SAMPLES} samples, got "
-            f"{stretch * step / math.pi:.4g} lambda*N at the shortest wavelength; take smaller pixels"
+            f"{stretch * step / math.pi:.4g} lambda*N at the shortest wavelength; use smaller pixels"
         )
     nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
     share = (weights[:, None, None, None] * weights[:, None]) / step**2

@@ -270,7 +270,7 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
     [
         ({"field_map": LENS}, TypeError, "field_map must be a FieldMap, got"),
         ({"shape": (24, 0)}, ValueError, "shape"),
-        ({"shape": (24, 80)}, ValueError, r"lies outside of the map, which reaches 6e-05 m .*take a smaller shape"),
+        ({"shape": (24, 80)}, ValueError, r"lies outside of the map, which reaches 6e-05 m .*use a smaller shape"),
         ({"center": (0.0, 60.0)}, ValueError, "24 x 40 pixels with y from 0 to .*another center="),
         ({"center": 3.0}, ValueError, r"center must be \(row, column\), got 3.0"),
         ({"sensor": (1e-3, 1e-3)}, ValueError, "lies outside of the map"),
@@ -281,7 +281,7 @@ def test_any_aperture_will_do_in_units_of_the_spot_too():
         ({"energy": 0.99999}, ValueError, "energy"),
         ({"border": "wrap"}, ValueError, "border must be one of"),
         ({"method": "fft"}, TypeError, "method"),
-        ({"largest": 3}, ValueError, r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*; .*=22 or more"),
+        ({"largest": 3}, ValueError, r"of more than 7 pixels a side to hold 0.98 .* hold 0.74\d*\); .*=22 or more"),
         ({"channels": (5e-7, "blue")}, TypeError, "wavelength"),
         ({"depth": np.full(SHAPE, 2.0)}, ValueError, "lens is missing: depth= and lens= must"),
         ({"lens": LENS}, ValueError, "depth is missing: depth= and lens= must"),

@@ -162,7 +162,7 @@ def test_bad_questions_are_refused():
     with pytest.raises(ValueError, match="image must be grey"):
         field_photograph(np.zeros((20, 30, 3)), bare, 0.5, encoding="linear")
     assert field_photograph(image, bare, 0.5, encoding="linear", energy=0.9).values.shape == image.shape
-    with pytest.raises(ValueError, match="one for each of the 3 channels"):
+    with pytest.raises(ValueError, match="one entry for each of the 3 channels"):
         field_photograph(np.zeros((20, 30, 3)), BENT, PIXEL, encoding="linear", wavelengths=(550e-9,))
     with pytest.raises(TypeError, match="has no option"):
         field_photograph(image, BENT, PIXEL, encoding="linear", depth=None)

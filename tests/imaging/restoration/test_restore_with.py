@@ -76,7 +76,7 @@ def test_what_progress_raises_ends_the_work() -> None:
         ({"blur": np.eye(3)}, TypeError, "blur must be a LinearBlur"),
         ({"noise": 3.0}, TypeError, "noise must be a Noise"),
         ({"method": "tv"}, TypeError, r"method must be RichardsonLucy\(\.\.\.\), TotalVariation\(\.\.\.\)"),
-        ({"method": TotalVariation}, TypeError, "brackets"),
+        ({"method": TotalVariation}, TypeError, "parentheses"),
         ({"progress": 3}, TypeError, "progress must be callable"),
         ({"light": np.ones((8, 9))}, ValueError, r"light must have the shape \(8, 8\)"),
         ({"light": np.ones((8, 8, 2))}, ValueError, r"\(8, 8, 1\), got \(8, 8, 2\)"),

@@ -62,9 +62,7 @@ def test_the_order_of_arguments_is_that_of_photographs_and_another_is_refused():
     image, depth = scene()
     blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
     for turned in ((PIXEL, depth, LENS), (LENS, depth, PIXEL)):
-        with pytest.raises(
-            TypeError, match=r"^lens must be a Lens, got ndarray; the order of arguments is depth, lens, pixel$"
-        ):
+        with pytest.raises(TypeError, match=r"^lens must be a Lens, got ndarray; .* is depth, lens, pixel$"):
             DepthBlur(*turned)
     with pytest.raises(TypeError, match=r"^blur must be a DepthBlur"):
         BlurSlopes(blur, image)

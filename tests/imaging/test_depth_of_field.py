@@ -183,13 +183,9 @@ def test_what_narrows_the_aperture_is_refused_and_never_dropped(way, shape):
 def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
     image = np.ones((61, 61))
     for order in ((LENS, image, image, 8e-6), (image, LENS, image, 8e-6), (image, image, 8e-6, LENS)):
-        with pytest.raises(
-            TypeError, match=r"lens must be a Lens, got \w+; the order of arguments is image, depth, lens, pixel$"
-        ):
+        with pytest.raises(TypeError, match=r"must be a Lens, got \w+; the order .* is image, depth, lens, pixel$"):
             way(*order, encoding="linear")
-    with pytest.raises(
-        TypeError, match=r"lens must be a Lens, got ndarray; the order of arguments is depth, lens, pixel$"
-    ):
+    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order .* is depth, lens, pixel$"):
         DepthBlur(8e-6, image, LENS)
 
 

@@ -62,10 +62,7 @@ class Readout(NamedTuple):
 
 @lru_cache(maxsize=8)
 def readout(places: tuple[float, ...], active: float, gate: Gate) -> Readout:
-    """Return the weights for averages over intervals of width `active` around ascending `places`, both in v.
-
-    With ``active = 0`` the weights are those of point values.
-    """
+    """Return the weights for averages over `active` (v) around ascending `places` (v); for point values if 0."""
     from scipy import sparse
 
     at = np.array(places)
@@ -230,7 +227,7 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float, *, e
         # The table holds weights per sample, h^2 times the density in v^-2.
         tabulated, table_error = _kernel(halo, size)
         core = float(tabulated.max()) / gate.h**2
-        # The short blur moves at most the fraction gate.error of the light farther than its reach.
+        # The short blur moves at most the fraction gate.error of the light farther than the reach of the blur.
         far = halo.bound(margin) + (0.0 if short.nothing else gate.error * core)
         missing = far if ended else gain * halo.gated_bound(margin) + blind * core
         off = gain * table_error * core

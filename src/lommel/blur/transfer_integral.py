@@ -200,11 +200,9 @@ class Slopes(NamedTuple):
 
 
 def gauss_nodes(log_size: Array, allowed: Array, etas: Array = ETAS) -> Array:
-    """Return the number of Gauss nodes for an error of `allowed` of a mean; `log_size` is log(M) on each ellipse.
-
-    M is the maximum of the absolute integrand.
-    """
-    # Exact up to the degree 2 n - 1, with positive weights: the error is at most 4 M rho^(1 - 2 n) / (rho - 1).
+    """Return the number of Gauss nodes for an error `allowed` of a mean; `log_size` is log(M) on each ellipse."""
+    # M bounds the absolute integrand. The rule is exact up to the degree 2 n - 1, with positive weights: its error is
+    # at most 4 M rho^(1 - 2 n) / (rho - 1).
     log = np.where(np.isfinite(log_size), log_size, np.inf)
     needed = 0.5 + 0.5 * (math.log(4.0) + log - np.log(np.expm1(etas)) - np.log(allowed)[..., None]) / etas
     return np.asarray(np.maximum(np.ceil(needed.min(axis=-1)), 2.0))
@@ -241,7 +239,7 @@ class Part(NamedTuple):
         a, sinh = self.radius, np.sinh(ETAS)
         if self.kind == "disc":
             return self._disc_counts(slopes, high, 0.25 * allowed / (2.0 * math.pi * a * a))
-        # f c is largest at f = a / 2, where c = a - f is the largest half length of a chord of the lens.
+        # The largest half length of a chord of the lens is c = a - f; the product f c is largest at f = a / 2.
         middle = min(max(0.5 * a, low), high)
         product = middle * (a - middle)
         with np.errstate(over="ignore", invalid="ignore"):
@@ -373,10 +371,7 @@ class Rule(NamedTuple):
 
 @lru_cache(maxsize=16)
 def rule(fading: Fading, of: tuple[Part, ...], slopes: Slopes, left: float, v: float, allowed: float) -> Rule:
-    """Return the rule for radii up to `v` with the error `allowed`, up to the f above which `left` remains.
-
-    `left` is the bound on ``int T f df``.
-    """
+    """Return the rule for radii up to `v` with the error `allowed`; `left` bounds ``int T f df`` above its end."""
     end, left = fading.end(left)
     if any(part.kind == "disc" and part.end < end for part in of):
         # Above `part.end` the disc of the obscuration crosses the edge of the other pupil.

@@ -133,7 +133,7 @@ class Bank:
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
-        # Near an end of the bank the four outermost windows serve, and the interpolation is one-sided.
+        # Near an end of the bank the four outermost windows are used, and the interpolation is one-sided.
         t = position - first
         return first, np.array([math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)])
 
@@ -221,7 +221,7 @@ def stored_windows(quarter: Array, dtype: np.dtype[np.floating]) -> Values:
 
 
 def _interpolation_error(exact: Array, middle: Array) -> float:
-    """Return the largest interpolation error over the peak, half-way in all gaps between windows but the end ones."""
+    """Return the largest (interpolation error / peak), half-way in every gap except the first and the last one."""
     # Weights (-1, 9, 9, -1) / 16, applied in place: the arrays are as large as the bank.
     off = exact[1:-2] + exact[2:-1]
     off *= 9.0
@@ -236,12 +236,12 @@ def _interpolation_error(exact: Array, middle: Array) -> float:
 _GAP = 3.0  # approximate distance, in pixels, from the geometric shadow of the aperture to the edge of a window
 _MAX_RANK = 16  # largest number of products a_r g_r
 _TOLERANCE_RATIO = 1.2  # error allowed for the products / tol; each product adds 5 % to the time of a photograph
-_ITERATIONS = 4  # of alternating least squares: a fifth changes the error by less than a further product does
+_ITERATIONS = 4  # iterations of alternating least squares; a fifth one reduces the error less than another product
 _SAMPLES = 4  # defocus values used in the fit, for each pixel of difference between the half widths of windows
 
 
 def inner_energy(step: float) -> float:
-    """Return the fraction of light that windows hold beside a remainder; `step` is the pixel pitch in units of v."""
+    """Return the fraction of light in the windows of a bank with a remainder; `step` is the pixel pitch in v."""
     # 1 / (pi v) approximates the light farther than v = _GAP * step outside the shadow.
     return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
 
@@ -394,7 +394,7 @@ def _fit_products(shown: Array, left: Array, scales: Array, alike: Array, tol: f
     beyond = shown[:, far]
     common = beyond * np.sqrt(scales[far])
     gram = common @ common.T
-    # Initial values of the alternation: principal components of the far pixels, in ascending order.
+    # The alternation starts from the principal components of the far pixels; `eigh` sorts them in ascending order.
     sizes, basis = np.linalg.eigh(gram)
     basis = basis[:, ::-1]
     most, factors = min(_MAX_RANK, len(shown)), basis[:, :0]
@@ -448,10 +448,7 @@ def _conserve_light(normal: Array, right: Array, sums: Array, light: Array) -> A
 
 
 def _fit_tail(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
-    """Return the coefficients of the smooth part of each g_r, and s.
-
-    The coefficients minimise the error on the cells of `ring`, with the total light `held` beyond the reach.
-    """
+    """Return the smooth coefficients with the light `held` beyond the reach and least error on `ring`; and s."""
     scale = max(8.0, reach / 8.0)  # so large that sums over pixels equal integrals (certificate, section 13)
     first, second = octant(reach)
     smooth = _smooth((first**2 + second**2).astype(np.float64), scale)

@@ -59,7 +59,7 @@ PathOf = str | PathLike[str]
 
 @dataclass(frozen=True, kw_only=True)
 class LensRanges:
-    """Random lenses: each parameter is a number, or a pair (smallest value, largest value).
+    """Ranges of random lenses: each parameter is a number, or a pair (smallest value, largest value).
 
     Parameters
     ----------

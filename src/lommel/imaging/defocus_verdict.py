@@ -25,7 +25,7 @@ from lommel.imaging.focal_engine import FocalEngine
 from lommel.imaging.focal_tables import residual_filters
 
 _LEAST_MISFIT, _GOOD_MISFIT, _MISFIT = 0.7, 1.4, 2.0  # smallest and largest good misfit, largest doubtful misfit
-_LIKELY, _SURE = 1.5, 2.5  # abs(scale - 1) / standard error, above which a scale is doubtful, and wrong
+_LIKELY, _SURE = 1.5, 2.5  # limits of abs(scale - 1) / standard error: doubtful above _LIKELY, wrong above _SURE
 _DEVIATION = 0.1  # largest standard error of a reported scale, unless the scale is wrong
 _LEAST_DEVIATION = 0.02  # systematic standard error of a scale, measured in rendered scenes with much texture
 # Systematic error of the difference between two mean misfits: a constant, and a multiple of abs(misfit - 1).
@@ -33,7 +33,7 @@ _SYSTEMATIC, _SYSTEMATIC_MISFIT = 0.0005, 0.1
 _SYSTEMATIC_SLOPE = 1.0  # systematic error of d misfit / d log(scale), as a multiple of abs(misfit - 1)
 _EDGE_RATIO = 1.15  # misfit of a cell / lower quartile of all cells, above which the cell is ignored
 _STEP, _MOST, _COARSE = 0.04, 16, 2  # search over log(scale): step, steps on either side of 0, steps per coarse step
-_NEAR, _NEAR_MISFIT = 0.02, 0.5  # excess over the least misfit of a scale to be refined: constant, and as above
+_NEAR, _NEAR_MISFIT = 0.02, 0.5  # excess over the least misfit up to which minima are refined: terms as above
 _WALL = 2.5  # misfit / least misfit above which larger scales are not tried
 _SIDE, _TILES = 256, 4  # side of a tile in pixels, number of tiles
 _MARGIN = 16  # pixels: least distance of a used block from unknown pixels, in addition to the blur radius

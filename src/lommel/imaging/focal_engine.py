@@ -391,10 +391,7 @@ class FocalEngine:
         return np.asarray(correlate1d(correlate1d(blocks, along, 0), along, 1))
 
     def sharpen(self, *, refocus: bool = False, shared: bool = False) -> None:
-        """Compute the tables of sharp images, and with `refocus` of refocused images.
-
-        With `shared` they have the small filter and the degree of the depth stream.
-        """
+        """Compute tables of sharp and, if `refocus`, refocused images; if `shared`, with the filter of the stream."""
         task, tables = self.task, self.channels[0]
         taps, degree = (tables.taps, tables.degree) if shared else (Taps.of(5), 12)
         near, far = (1.0 / each for each in task.between)

@@ -510,8 +510,7 @@ class LiveDepth:
     def sharp(self, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """Return the sharp image of the frames of the last call, whose arrays must not have changed.
 
-        Each pixel is filtered by the Wiener filter of its estimated depth. Unknown depth is filled from neighbouring
-        blocks.
+        Pixels are filtered by the Wiener filter of their depth; unknown depth is filled from neighbouring blocks.
 
         Parameters
         ----------
@@ -538,12 +537,7 @@ class LiveDepth:
         distance : float
             Distance in focus, metres. The first call for a distance takes longer, since it computes a table.
         out : ndarray of float32, optional
-            Array for the result; see :meth:`sharp`.
-
-        Returns
-        -------
-        ndarray of float32
-            Electrons of each pixel at the exposure of the first frame.
+            Array for the result, which has the shape and unit of the result of :meth:`sharp`.
 
         Raises
         ------

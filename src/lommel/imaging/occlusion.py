@@ -32,10 +32,7 @@ class Group(NamedTuple):
 def spread_groups(
     blur: DepthBlur, channel: int, planes: Sequence[Values], seen: Values, groups: list[Group]
 ) -> Values:
-    """Return the blurred image, in one channel, of visible and hidden points.
-
-    `planes` are the light of the visible points and of the hidden points.
-    """
+    """Return the blurred image in one channel; `planes` are the light of visible points and of hidden points."""
     total = np.zeros(blur.shape, dtype=blur.dtype)
     for group in groups:
         sources = [(planes[kind], points) for kind, points in group.sources]
@@ -110,8 +107,8 @@ class Occlusion(LinearBlur):
     With ``energy=1`` light inside the windows is occluded; light outside them, about one percent, is not. Partly
     occluded points then take twice as long.
 
-    Memory: 5 bytes per point; 8 per point and channel (16 in float64) during the first call, kept from the second on;
-    with :meth:`adjoint` or ``energy=1`` up to 32 more.
+    Memory: 5 bytes per point, and 8 bytes per point and channel (16 in float64) during a call, which are kept after
+    the second call; :meth:`adjoint` and ``energy=1`` need up to 32 bytes more.
 
     Parameters
     ----------
@@ -146,7 +143,7 @@ class Occlusion(LinearBlur):
         self.channels, self.dtype = blur.channels, blur.dtype
 
     @property
-    def shape(self) -> tuple[int, int]:  # type: ignore[override]  # `blur` may be placed on another one
+    def shape(self) -> tuple[int, int]:  # type: ignore[override]  # changes with ``blur.place``
         """Height and width of the images."""
         return self.blur.shape
 

@@ -129,10 +129,7 @@ class OnePass:
         return Solution(sharp, 1, ONE_PASS, lambda other: with_textures.solve(other, silent).light)
 
     def _tables(self, model: FocalModel) -> SharpTables:
-        """Return polynomials of the lowest degree with a loss below `_ENOUGH`, else of the highest degree.
-
-        Raises ValueError if the loss of the highest degree exceeds ``self.loss``.
-        """
+        """Return filters of the lowest degree with a small loss; ValueError if all losses exceed ``self.loss``."""
         for degree in _DEGREES:
             tables = SharpTables(model, Taps.of(5), degree)
             exact, approximate = tables.errors(tables.pixel)
@@ -232,10 +229,7 @@ def _vergences(blur: DepthBlur) -> tuple[Array, NDArray[np.float32]]:
 
 
 def _neighbour_shares(places: NDArray[np.float32], count: int) -> Array:
-    """Return the matrix of the fractions, for pixels of table i (rows), of their neighbours that have table j.
-
-    Neighbours are pixels at `_DISTANCES` along the axes.
-    """
+    """Return the fractions [i, j] of the neighbours, at `_DISTANCES`, of pixels with table i that have table j."""
     at = np.rint(places).astype(np.int64)
     pairs = np.zeros((count, count))
     for away in _DISTANCES:
@@ -353,10 +347,7 @@ def _power_law(f: Array, slope: float) -> Array:
 
 
 def _estimate_texture(plane: Array, transmission: _Transmission, variance: float) -> Texture:
-    """Return the most likely texture and noise of a plane; power 0 if fewer than three rings hold frequencies.
-
-    `variance` is the stated variance of the noise.
-    """
+    """Return the most likely texture and noise of a plane with the stated `variance`; power 0 for < 3 rings."""
     f, power = _spectrum(plane)
     edges = np.append(np.geomspace(_LOWEST / min(*plane.shape, _BLOCK), 0.5, _RINGS), 0.75)
     ring_of_f, ring_of_band = np.digitize(f, edges), np.digitize(transmission.f[0], edges)

@@ -7,8 +7,8 @@ Two checks compare a result x with the photograph y. Let A be the blur operator.
   amounts; a PSF that is too wide causes far larger artefacts.
 
 After few steps, or if A y agrees with y within the noise, the result is ``y + a (x - y)``; 1 - a is the share of the
-photograph. With d = x - y and the noise n, squared error of the result - squared error of y has the expectation
-``a^2 d.d + 2 a E[d.n] - 2 a d.(1 - A) scene``, and a minimises it. By Stein's lemma E[d.n] follows from the
+photograph. Let d be x - y and n the noise. (Squared error of the result) - (squared error of y) has the expectation
+``a^2 d.d + 2 a E[d.n] - 2 a d.(1 - A) scene``, which a minimises. By Stein's lemma E[d.n] follows from the
 derivatives of x with respect to y (Stein 1981, doi:10.1214/aos/1176345632), here along one random direction (Ramani
 et al. 2008, doi:10.1109/TIP.2008.2001404). In the last term, which is small for a weak blur, x replaces the scene.
 """
@@ -65,7 +65,7 @@ from lommel.recorded.noise import Noise
 
 _MISFIT = 0.08  # largest accepted (discrepancy - 1) of a result / (discrepancy - 1) of the photograph
 _CHANGE = 4.5  # largest accepted abs(x - y) / abs(A y - y), means over pixels; up to 3.3 if the blur is as stated
-_LEAST_CHANGE = 0.8  # change of a pixel by denoising alone, without deblurring / noise
+_LEAST_CHANGE = 0.8  # (change of a pixel by denoising alone, without deblurring) / noise
 _FEW_STEPS = 5  # a result after at most this number of steps may be smoother than the photograph
 _DIFFERENCE_STEP = 0.1  # change of the photograph / noise, for the difference quotient of a result
 
@@ -93,7 +93,7 @@ def noise_aware(
 def check_result(observed: PhotographCounts, result: Solution, method: Method) -> tuple[float, str]:
     """Return the share of the photograph to blend into a result (1 if rejected), and the reason why it stopped."""
     after, before = (observed.mean(observed.discrepancies_of(each)) for each in (result.light, observed.image))
-    # Richardson-Lucy that reached its number of steps need not fit yet.
+    # Richardson-Lucy that stopped at its maximum number of steps may not fit yet.
     converged = result.stopped != STEPS or not isinstance(method, RichardsonLucy)
     misfit = converged and after - 1.0 - observed.slack > max(_MISFIT * (before - 1.0), 0.0)
     if misfit or _is_overdone(observed, result.light):

@@ -205,10 +205,7 @@ class Parabola:
 
     @classmethod
     def through(cls, defocus: Array, values: Array) -> Parabola:
-        """Return the parabola through 1 / `values` at three equally spaced `defocus` values, raised to at least 1.
-
-        The parabola is the constant 1 if the `values` are almost equal. They must be at most 1.
-        """
+        """Return the parabola through 1 / `values` (<= 1) at three equally spaced `defocus`, raised to at least 1."""
         step, (before, here, after) = 0.5 * float(defocus[2] - defocus[0]), (1.0 / values).tolist()
         bend = 0.5 * (before + after) - here
         # Almost equal peaks need no parabola, and the division by bend would amplify rounding.
@@ -254,10 +251,7 @@ class DefocusNodes:
         bound: float,
         threads: int = 0,
     ) -> DefocusNodes:
-        """Return the interpolation of `windows`, with the number of nodes that the error bound above requires.
-
-        `rate(c)` is the rate in this bound for all C with abs(C) <= c.
-        """
+        """Return the interpolation of `windows`; `bound`, and ``rate(c)`` for abs(C) <= c, are in the bound above."""
         middle, reach = 0.5 * (low + high), 0.5 * (high - low)
         axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # beyond the foci
         # rho = sum of the semi-axes of the ellipse with foci -1 and 1 whose major semi-axis is 1 + axis.

@@ -931,10 +931,7 @@ def _ranges(lens: Lens, optics: Optics, distances: ArrayLike) -> tuple[float, fl
 def _windows_by_size(
     exact: _ExactWindows, nodes: Array, given_windows: Array, log_ratios: tuple[float, float], tol: float
 ) -> tuple[Array, Array]:
-    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients in the log of size.
-
-    Raises ValueError if too many sizes are needed.
-    """
+    """Return windows at several PSF sizes, and the matrix from windows to Chebyshev coefficients; or ValueError."""
     low, high = log_ratios
     if high == low:
         return given_windows[None], np.ones((1, 1))

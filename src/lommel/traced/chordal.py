@@ -428,10 +428,7 @@ def folded_intensity(
 
 @cache
 def _part(ns: Namespace, along: str, across: str) -> Callable[..., Tensor]:
-    """Return a function: the sum over nodes of one part, even or odd in y (`along`) and in x (`across`).
-
-    Its arguments are the kernels of rows and columns, and the values at the four mirror images of the nodes.
-    """
+    """Return a function that sums the part, even or odd in y (`along`) and x (`across`), of values at four images."""
 
     def made(rows: Tensor, columns: Tensor, a: Tensor, b: Tensor, c: Tensor, d: Tensor) -> Tensor:
         one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
@@ -682,10 +679,7 @@ def counts_by_largest(
 
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
-    """Return x (chords,) and y (chords, nodes) of the nodes with x, y > 0, and weights times amplitude.
-
-    The shape of the weights is (chords, nodes).
-    """
+    """Return x (chords,), y (chords, nodes) of nodes with x, y > 0, and weights * amplitude (chords, nodes)."""
     # Chebyshev's rule of the second kind across the chords. Nodes with other signs are mirror images.
     angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))

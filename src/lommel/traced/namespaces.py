@@ -122,10 +122,7 @@ class Namespace:
         return self.xp.matmul(a, b)
 
     def coarseness(self, unit: float) -> float:
-        """Return the roundoff of operands in matrix products if settings allow less than float32, else 0.
-
-        `unit` is the unit roundoff of the data type.
-        """
+        """Return the roundoff of operands in matrix products if it exceeds `unit`, that of the data type; else 0."""
         if unit < 1e-10:
             return 0.0
         if self.name == "torch":

@@ -561,10 +561,7 @@ def _largest_bounds(static: Static, tables: tuple[Tables, ...], c: Array) -> tup
 
 
 def _pupils_between(c: Array, *, boxed: bool) -> Array:
-    """Return random coefficients: between two members of a stack, or with `boxed` inside and at corners of its box.
-
-    The box is the range of each coefficient in the stack.
-    """
+    """Return random coefficients between two members of a stack or, if `boxed`, in their ranges and at corners."""
     # A fixed seed: plans are reproducible.
     draw = np.random.default_rng(0)
     if not boxed:

@@ -46,15 +46,15 @@ class DepthBlur(LinearBlur):
 
     K is the pixel-integrated PSF at the defocus C_d of the source point p. It is truncated to a window that holds the
     fraction `energy` of its light, and divided by this fraction: the blur conserves light. With ``energy=1``, K is
-    the sum of a window and an unbounded smooth remainder. A bank is a table of windows over defocus; K is
-    interpolated between them by cubics. For occlusion see :class:`lommel.imaging.Occlusion`.
+    the sum of a window and an unbounded smooth remainder. Windows are interpolated by cubics in a bank, a table of
+    windows over defocus. For occlusion see :class:`lommel.imaging.Occlusion`.
 
     Parameters
     ----------
     depth : array_like, shape (height, width)
         Distance of each point from the lens along the axis, metres, positive or infinite.
     lens : Lens
-        Its aberrations must be radially symmetric.
+        Lens with radially symmetric aberrations.
     pixel : float
         Pixel pitch, metres.
     channels : sequence, default (lens.wavelength,)
@@ -270,7 +270,7 @@ class DepthBlur(LinearBlur):
 
     def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
         """Yield bands of rows, and the rows that receive their light; one band of all rows unless `watch` is set."""
-        # Each band has at least eight half widths: rows near its ends are computed again for the adjacent band.
+        # Bands have at least eight half widths of rows: rows that two bands reach are computed twice.
         height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
         for first in range(0, len(rows), height):
             last = min(first + height, len(rows))
@@ -491,7 +491,7 @@ class BlurSlopes:
         self._per_metre = -((blur.defocus - infinite) ** 2) / (float(lens.defocus(1.0)) - infinite)
 
     def forward(self, change: Values) -> Values:
-        """Return the first-order change of the photograph for a `change` of depth (metres); ValueError by shape."""
+        """Return the first-order change of the photograph for a `change` of depth (m); ValueError by shape."""
         metres = validation.real_array("change", change)
         if metres.shape != self.shape:
             raise ValueError(f"change must have the shape of the depth, {self.shape}, got {metres.shape}")

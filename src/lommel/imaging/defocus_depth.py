@@ -189,7 +189,7 @@ def depth_from_defocus(
         See :func:`lommel.imaging.depth_of_field`. Channels have separate textures and one depth.
     f_number_error : float, default 0.0
         Common relative standard error of all f-numbers, below 0.5; for example 0.05 for a lens that was not measured.
-        Add the relative error of the pixel pitch, and twice that of the focal length. 0 for lenses exactly as stated.
+        A relative error of the pixel pitch has the same effect, of the focal length twice the effect.
     focus_error : float, default 0.0
         Standard error of each focus distance, independent of the other distances, dioptres (1 / m).
     transfer : callable, optional

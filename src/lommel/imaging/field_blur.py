@@ -429,7 +429,7 @@ class MixedBlur:
         return self.scale * without_copies(result, self.rows, self.columns, (plane.shape[0], plane.shape[1]))
 
     def _results(self, function: Callable[[Block], Values]) -> Iterator[tuple[Block, Values]]:
-        """Yield blocks and the results of a function of blocks, a row of blocks at a time."""
+        """Yield pairs (block, function(block)); the blocks of one row of blocks are computed in parallel."""
         for rows, down in self._parts[0]:
             blocks = [Block(rows, columns, down, across) for columns, across in self._parts[1]]
             yield from zip(blocks, side_by_side(function, blocks, self.threads), strict=True)
@@ -440,7 +440,7 @@ class MixedBlur:
         return rows, columns
 
     def _focus_weights(self, block: Block) -> list[tuple[int, Values]]:
-        """Return the nodes over defocus with nonzero weights in a block, and their weight at each of its points."""
+        """Return the nodes over defocus with nonzero weights in a block, each with its weights at the points."""
         places = self.defocus[self.rows[block.rows][:, None], self.columns[block.columns]]
         return [(node, weight.astype(self.windows.dtype)) for node, weight in self.focus.nonzero_weights(places)]
 
@@ -806,7 +806,7 @@ def _interpolated_windows(axes: Sequence[Nodes], coefficients: Values, places: A
         yield window.astype(np.float64, copy=False)
 
 
-CORE = 0.9  # fraction of the light in the windows for which the number of nodes is first estimated, at most
+CORE = 0.9  # the number of nodes is first estimated for windows that hold at most this fraction of the light
 
 _MAX_BATCH_VALUES = 2**24  # number of window values computed in one call
 
@@ -844,9 +844,9 @@ class PointLight:
         return out
 
     def half_widths(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
-        """Return the half widths (pixels) of windows that contain `energy` and at most `CORE` of the light.
+        """Return the half widths (pixels) of windows that hold `energy`, and that hold min(`energy`, `CORE`).
 
-        The fractions hold at all positions of a coarse lattice over the spans.
+        The windows hold these fractions of the light at all positions of a coarse lattice over the spans.
         """
         places = overview(spans)
         half = math.ceil(float(self.pupil(*places.T).geometric_radius().max()) / self.pixel) + 1

@@ -1,4 +1,4 @@
-"""Filter tables and streams shared by live depth and depth from photographs."""
+"""Filter tables, and streams (filters in the compiled core), for live depth and depth from photographs."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ class FrameForm:
     Parameters
     ----------
     shape : (int, int) or (int, int, int)
-        Height, width, and channels if any.
+        Height and width, and optionally the number of channels.
     noise : Noise
         Noise, the same for all pixels.
     saturation : float or None
@@ -211,7 +211,7 @@ BLOCK = 4
 """Side, in pixels, of the blocks over which the energies of filtered images are summed."""
 
 CONTRAST = 0.2
-"""Texture contrast for which filters are designed: rms over mean of structures of 2 to 128 pixels."""
+"""Texture contrast for which filters are designed: rms / mean, for structures of 2 to 128 pixels."""
 
 _MIN_CANDIDATES = 61  # smallest default number of candidate depths
 _STEP, _LARGEST_STEP = 0.75, 2.0  # defocus between neighbouring candidates, radians at the pupil edge
@@ -331,7 +331,7 @@ class FocalEngine:
 
     @property
     def reach(self) -> int:
-        """Distance from a pixel within which its depth depends on the frames, pixels."""
+        """Radius, in pixels, of the neighbourhood in the frames that determines the depth of a pixel."""
         tables = self.channels[0]
         filters = tables.degree * (len(tables.taps.values) - 1) * tables.binning
         return filters + math.ceil(self.blur) + (len(self._weights) + 1) * self.task.block

@@ -424,10 +424,8 @@ class LiveDepth:
         TypeError, ValueError
             For colour frames, stated exposures, magnification, several levels of light, or defective pixels.
         """
-        unsupported = (
-            self._stated_exposures is not None or self._smooth or self._form.masked or bool(self._registered)
-        )
-        if len(self._levels) != 1 or self._form.channels != 1 or unsupported:
+        more = self._stated_exposures is not None or self._smooth or self._form.masked or bool(self._registered)
+        if len(self._levels) != 1 or self._form.channels != 1 or more:
             raise ValueError(
                 "tables are saved of grey frames for one level of light (light=), without exposures=, magnification= "
                 "and known=; the file format has no fields for other options"

@@ -90,7 +90,7 @@ class SensorLight:
             likely = (half + 0.5) * (1.0 - held) / (1.0 - energy)
             if half == largest or (likely > largest and (held := self._held(pupil, largest)) < energy):
                 raise too_large(largest, energy, pupil, self.spectrum, self.pixel, held)
-            # Growth by 30 % compromises between the number of iterations and the number of superfluous pixels.
+            # Growth by 30 %: few iterations, and few pixels that are not needed.
             half = min(math.ceil(1.3 * half) + 1, largest)
 
     def _held(self, pupil: Pupil, half: int) -> float:
@@ -253,7 +253,7 @@ class DefocusNodes:
     ) -> DefocusNodes:
         """Return the interpolation of `windows`; `bound`, and ``rate(c)`` for abs(C) <= c, are in the bound above."""
         middle, reach = 0.5 * (low + high), 0.5 * (high - low)
-        axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # beyond the foci
+        axis = np.geomspace(1e-3, max(1.0, 20.0 / reach), 200)  # major semi-axis - 1
         # rho = sum of the semi-axes of the ellipse with foci -1 and 1 whose major semi-axis is 1 + axis.
         rho = 1.0 + axis + np.sqrt(axis * (axis + 2.0))
         beyond = reach * (1.0 + float(axis[-1]))

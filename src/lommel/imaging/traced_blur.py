@@ -204,7 +204,7 @@ class TracedBlur:
             :class:`lommel.imaging.Occlusion`, except for hidden points; the blur is corrected by the difference
             between composited and added layers. Differentiable almost everywhere. Takes about five times as long.
         check : bool, default True
-            Whether to check values, which waits for the device. Values are never checked during tracing.
+            Whether to check values; the check waits for the device. Values are never checked during tracing.
 
         Returns
         -------

@@ -289,13 +289,11 @@ def make(
         # this rule are proportional to sin(angle)^2.
         weights = np.concatenate([sign * np.sin(angle)[:, None] ** 2 * gauss for sign in signs])
         rho, theta = np.hypot(x[:, None], y).ravel(), np.arctan2(y, x[:, None] + 0.0 * y).ravel()
-        aberrations = sum(
-            (value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho
-        )
+        phase = sum((value * zernike.polynomial(n, m, rho, theta) for (n, m), value in fixed.items()), 0.0 * rho)
         tables: dict[str, Values] = {
             "zernike": np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]),
             "focus": (2.0 * rho * rho - 1.0)[None],
-            "fixed": aberrations[None],
+            "fixed": phase[None],
             # Rounding may place a node outside rho = 1, where illumination is not defined.
             "weights": weights.ravel() * light.at(np.minimum(1.0, rho * rho)),
             "x": x,

@@ -40,7 +40,7 @@ from lommel.traced.namespaces import Namespace, Operand, Tables, Tensor
 # is rounded. For d terms, the unit roundoff u and a small part of at most ``delta``, the error of the phase is at
 # most ``u (2 pi (2 d + 4) delta + 6 pi (1/2 + delta))``.
 #
-# The derivative of the rounded n with respect to c is 0, and that of r is 1: derivatives of the phase are exact.
+# The derivative of n with respect to c is 0, and the derivative of r is 1: derivatives of the phase are exact.
 
 UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
 """Unit roundoff of each precision."""
@@ -201,7 +201,7 @@ class FieldError(NamedTuple):
     sums : float
         Largest sum over nodes of the absolute factors that multiply cosines and sines.
     added : float
-        Rounding of sums, cosines, sines and tables; plus the error from phase and amplitude outside the terms.
+        Rounding of sums, cosines, sines and tables, plus the phase and amplitude that the terms do not represent.
     products : float
         Number of roundings of operands in matrix products, for reduced precision such as TF32.
     """

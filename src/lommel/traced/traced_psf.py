@@ -92,7 +92,7 @@ class Pixels(NamedTuple):
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
         quarter = xp.reshape(values, (values.shape[0], down + 1, across + 1))
-        # The central row and column are not repeated; for even sides, the outermost row and column are only mirrored.
+        # The central row and column are not repeated; for even sides the outermost ones occur only at top and left.
         right = quarter[..., : across + 1 - (self.width + 1) % 2]
         half = xp.concat([xp.flip(quarter[..., 1:], axis=-1), right], axis=-1) if across else right
         lower = half[..., : down + 1 - (self.height + 1) % 2, :]
@@ -578,8 +578,7 @@ def _pupils_between(c: Array, *, boxed: bool) -> Array:
 def at_radii(grid: Grid, step: float, stretch: float, allowed: float) -> tuple[Pixels, Array, dict[str, Values]]:
     """Return the pixels of a radial pupil, the radii in v of its samples, and tables.
 
-    `step` is the pixel pitch in v, and ``stretch * step`` the pitch at the shortest wavelength. `allowed` is the
-    absolute error allowed for pixel averages.
+    `step` is the pixel pitch in v, ``stretch * step`` at the shortest wavelength; `allowed` is the error of averages.
     """
     height, width = grid.shape
     if grid.integrate and not grid.centered:

@@ -332,10 +332,8 @@ def fit(
     reach: int,
     tol: float,
 ) -> tuple[Remainder, Array]:
-    """Return the remainder of a bank, and its values on the pixels of the windows, (count, cells).
-
-    PSFs are arrays over one octant of pixels; `alike` is the number of pixels that each octant cell represents.
-    """
+    """Return the remainder of a bank, and its values on the pixels of the windows, (count, cells)."""
+    # PSFs are arrays over one octant of pixels; `alike` is the number of pixels that each octant cell represents.
     near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
     at = start + spacing * np.arange(len(exact), dtype=np.float64)
     # Samples include the smallest and the largest window: some pixels lie outside the smallest window only.
@@ -472,8 +470,7 @@ def _smooth(squared: Array, scale: float) -> Array:
 def smooth_transforms(frequency: Array, scale: float) -> Array:
     """Return the 2-D Fourier transforms of the three smooth terms at a `frequency` up to 1/2 cycle per pixel.
 
-    Transforms of their samples at pixels differ by less than ``exp(-pi s)`` of the largest, except at frequencies
-    near 1/2.
+    Transforms of their samples differ by less than ``exp(-pi s)`` of the largest, except at frequencies near 1/2.
     """
     phase = (2.0 * math.pi * scale) * frequency
     near = (2.0 * math.pi / scale) * np.exp(-phase)

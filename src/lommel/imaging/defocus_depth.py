@@ -95,10 +95,7 @@ class DefocusDepth:
     def sharp(self) -> Values:
         """The all-in-focus image by Wiener filtering, encoded like the photographs; ValueError without depths."""
         if self.known == 0.0:
-            raise ValueError(
-                "no depth is known, so there is no sharp image: use photographs with texture, and a range that holds "
-                "the scene (between)"
-            )
+            raise ValueError("no depth is known, so no sharp image: use photographs with texture, or widen between=")
         return self._sharpen(np.asarray(fill_missing(self.depth, "nearest"), dtype=np.float64))
 
     def to_dict(self) -> Json:

@@ -232,7 +232,7 @@ def judge_frames(
     verdict = partial(DefocusVerdict.of, median, changes=changes, stated=stated)
     # Inverse variances of depth.
     weight = np.where(known, 1.0 / np.maximum(errors, 1e-6) ** 2, 0.0)
-    minima = _estimate_scales(engine, images, valid, weight)
+    minima = _scale_minima(engine, images, valid, weight)
     if not minima:
         return verdict()
     best, *others = minima
@@ -251,7 +251,7 @@ class _Minimum(NamedTuple):
     below: float  # misfit at this step minus the minimum
 
 
-def _estimate_scales(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> list[_Minimum]:
+def _scale_minima(engine: FocalEngine, images: Values, valid: NDArray[np.bool_], weight: Array) -> list[_Minimum]:
     """Return the scales that fit equally well in the brightest channel, beginning with the best one."""
     brightest = int(np.argmax(images[:, 0].mean(axis=(1, 2))))
     tiles = list(_tiles(images[brightest], valid, weight, engine))

@@ -496,8 +496,7 @@ class MixedBlur:
 def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple[int, int]:
     """Return the numbers of rows and columns of the transforms that minimise the computing time.
 
-    `down` and `across` are pairs (number of points, number of nodes) along the two axes; `window` is the side of a
-    window.
+    `down` and `across` are (number of points, number of nodes) along the axes; `window` is the side of a window.
     """
     # f: length of the transform, b: points of a block, n: number of blocks along an axis.
     rows, columns = (_candidates(points, window) for points, _ in (down, across))
@@ -605,8 +604,7 @@ def far_light(light: PointLight, spans: Sequence[Span], tol: float, largest: int
 def _tail_error(windows: Array, half: int) -> float:
     """Return the largest sum of absolute differences between tails and their scaled mean, times a safety factor.
 
-    `windows` (points, side, side) contain the light of points. The tail of a window consists of its pixels outside
-    the half width `half`.
+    `windows` (points, side, side) contain the light of points; their tails are the pixels outside the half width.
     """
     reach = windows.shape[-1] // 2
     inner = slice(reach - half, reach + half + 1)

@@ -1,7 +1,4 @@
-"""PSF windows (squares of pixels) as differentiable functions of the lens, and as sums of few windows over defocus.
-
-The range of C_d is divided into layers. In a layer every window is a weighted sum of a few windows at nodes.
-"""
+"""PSF windows (squares of pixels): differentiable in the lens, and, in layers of C_d, sums of a few windows."""
 
 from __future__ import annotations
 

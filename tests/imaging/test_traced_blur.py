@@ -168,7 +168,7 @@ def test_a_lens_over_its_field_mixes_the_psfs_of_its_nodes(framework):
         blur = lm.imaging.traced_blur(LENS, [1.5, 4.0], PIXEL, xp, device=framework.place(xp), zernike=terms)
         image, depth, given = (framework.array(xp, part.astype(np.float32)) for part in (IMAGE, DEPTH, nodes))
         found = framework.to_numpy(blur(image, depth, zernike=given))
-        with pytest.raises(ValueError, match="occlusion needs the same aberrations"):
+        with pytest.raises(ValueError, match="occlusion needs constant aberrations"):
             blur(image, depth, zernike=given, occlusion=True)
         both = [np.stack([part, part]).astype(np.float32) for part in (IMAGE[None], DEPTH, nodes)]
         two, depths, lenses = (framework.array(xp, part) for part in both)

@@ -62,10 +62,10 @@ void each_corner(double eta, const At& at) {
     }
 }
 
-// Number of nodes (`count`) of a Gauss rule on [-1, 1] for an error `error` of the integral (Trefethen, Approximation Theory and
-// Approximation Practice, Theorem 19.3; valid for one node too): the smallest over ellipses with semi-axes cosh eta, sinh eta.
-// blocked: a singularity excludes large ellipses. largest(eta, limit): bound on log |integrand| on an ellipse; 1e300 or more if
-// none is known, or, at its choice, if log |integrand| exceeds `limit`.
+// Number of nodes (`count`) of a Gauss rule on [-1, 1] for which the error of the integral is at most `error` (Trefethen,
+// Approximation Theory and Approximation Practice, Theorem 19.3; valid for one node too). Each ellipse with semi-axes cosh eta and
+// sinh eta gives a number; count is the smallest. blocked: a singularity excludes large ellipses. largest(eta, limit): bound on
+// log |integrand| on an ellipse; it returns 1e300 or more if it knows none, and may do so if log |integrand| exceeds `limit`.
 struct GaussNodes {
     double count;
     bool blocked = false;
@@ -161,8 +161,8 @@ class PanelMap {
         return 0.5 * length_ * (root_ == 0 ? 1.0 : (ComplexDisc{1.0, 0.0} + s).largest());
     }
 
-    // Evaluate sqrt((y - low) (high - y)) of a side as a product of square roots of linear functions of s. Returns false if one of
-    // the linear functions vanishes on or inside the ellipse.
+    // Evaluate the arc sqrt((y - low) (high - y)) of a side at y(s) as a product of square roots of linear functions of s. Returns
+    // false if one of these functions vanishes on or inside the ellipse of points s with semi-axes cosh eta and sinh eta.
     bool arc(const Side& side, double eta, ComplexDisc s, ComplexDisc& value) const {
         const double near = sign_ > 0.0 ? anchor_ - side.low : side.high - anchor_;
         const double far = sign_ > 0.0 ? side.high - anchor_ : anchor_ - side.low;
@@ -205,8 +205,8 @@ class PanelMap {
         const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
         return length_ * (u * u);
     }
-    // Multiply `value` by scale sqrt(1 - s / at), if the zero `at` lies outside the ellipse: the inside is convex, so 1 - s / at
-    // stays in a half plane without 0 and does not meet the negative axis, where the root is not analytic.
+    // Multiply `value` by scale sqrt(1 - s / at). Return false unless the zero `at` is outside the ellipse of arc(): if it is, then
+    // 1 - s / at maps the inside to a convex set with 1, but not 0, which avoids the negative axis, where the root is not analytic.
     static bool linear(std::complex<double> at, double eta, ComplexDisc s, double scale, ComplexDisc& value) {
         if (!(std::abs(at - 1.0) + std::abs(at + 1.0) > 2.0 * std::cosh(eta) * (1.0 + 1e-9))) {
             return false;
@@ -225,8 +225,8 @@ struct Panel {
     int root;  // end of the panel at which an arc begins: low (-1), high (1), none (0)
     std::vector<std::array<Side, 2>> spans;
 
-    // Bound on the logarithm of the integrand over s on the ellipse with semi-axes cosh eta and sinh eta, for polynomials of the
-    // degree `degree` that are at most 1 on the unit disc. Above `limit`, it may be replaced by 1e301.
+    // Bound on log |f| on the ellipse with semi-axes cosh eta, sinh eta. f(s): dy/ds * integral, over the spans of row y(s), of a
+    // polynomial of degree `degree` that is at most 1 on the unit disc. If the bound exceeds `limit`, 1e301 may be returned.
     double largest(double eta, double degree, double limit) const {
         const PanelMap map(low, high, root);
         if (straight()) {
@@ -251,7 +251,7 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // The points with b below a limit form a convex set: between two sides, b is at most its larger value on them.
+            // Points with b (growth_argument()) < limit form a convex set: b between two sides is at most its larger value on them.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
@@ -261,7 +261,7 @@ struct Panel {
         return root == 0 && std::all_of(spans.begin(), spans.end(),
                                         [](const std::array<Side, 2>& span) { return span[0].k == 0.0 && span[1].k == 0.0; });
     }
-    // Straight sides are linear in s, so growth and width of a span are largest at corners of the polygon around the ellipse.
+    // Straight sides are linear in s, so cosh 2b (growth_argument()) and the width of a span are largest at corners of the polygon.
     double largest_straight(double eta, double degree, const PanelMap& map) const {
         double growth = 1.0, width = 1e-300;
         for (const auto& span : spans) {
@@ -295,7 +295,8 @@ class SpanNodes {
         std::size_t& known = known_[i * cells + j];
         if (known == 0) {
             const double from = place(i), to = place(j), middle = 0.5 * (from + to), reach = 0.5 * (to - from);
-            // |x - 1| + |x + 1| = 2 cosh b, with b the growth off the chord [-1, 1], is convex and hence largest at a corner.
+            // A polynomial that is at most 1 on [-1, 1] is at most e^(degree b) at x, with 2 cosh b = |x - 1| + |x + 1|. This sum
+            // is convex and hence largest at a corner.
             const GaussNodes most(error_, [&](double eta, double) {
                 double sum = 2.0;
                 each_corner(eta, [&](std::complex<double> s) {

@@ -59,7 +59,7 @@ struct NodeQuestion {
 
 // Numbers of each pupil, from which the error bounds of its averages follow.
 struct NodeNumbers {
-    // [pupil]. error: of the field at nodes; brightest: largest intensity at nodes; largest, together: maximum, sum of averages.
+    // [pupil]. error, brightest: error of the field and largest intensity at nodes; largest, together: maximum and sum of averages.
     std::vector<double> error, brightest, largest, together;
     // [term][pupil]. slope_error, steepest: error and largest modulus of the derivatives of the intensity at nodes.
     std::vector<double> slope_error, steepest;

@@ -45,7 +45,7 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Vector lanes, each a pupil function times a Zernike term. here: number of pupils; first, count: range in table.classes.order.
+// Products of `here` pupils and `count` Zernike terms (table.classes.order, from index `first` on), one in each of `lanes` lanes.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -64,7 +64,8 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function `nodes` at a pair of chords by the Zernike term of each lane: result `to`. Parities add modulo 2.
+// Multiply the pupil function at a pair of chords (`nodes`) by the Zernike term of each lane; write the product to `to`. Its parity
+// in x or y is the sum of the factors' parities modulo 2. room: Zernike terms, [parity][node][lane], 0 before the first chord.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;
@@ -87,7 +88,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
         }
         return;
     }
-    // In each of four parities, lanes whose term has another parity get the factor 0, which was stored before the first chord.
+    // For each of the four parities, `room` has one factor per lane: 0 (set by the caller) if the lane's term has another parity.
     bool used[4] = {};
     for (std::size_t lane = 0; lane < given.used(); ++lane) {
         const std::size_t term = given.term(lane), parity = given.parity(term);

@@ -12,10 +12,10 @@
 
 namespace lommel {
 
-// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: coefficients of the energy E in the
-// products of residual images. statistics[row][candidate], with E' and E'' the derivatives of E with respect to the candidate and
-// kappa = E'' / 2: E of white noise; (variance of E' / 2 due to texture) / kappa; variance of E' / 2 due to noise; kappa / (mean of
-// E over the candidates - its minimum); variance of kappa due to noise.
+// Depth candidates, at equal steps of vergence (1 / distance). forms[candidate][product]: factors of products of residual images in
+// the energy E. statistics[row][candidate]; row 0: E of white noise; 1: (variance of E' / 2 due to texture) / kappa; 2: variance of
+// E' / 2 due to noise; 3: kappa / (mean of E over candidates - minimum of E); 4: variance of kappa due to noise. E', E'':
+// derivatives of E with respect to the index of the candidate; kappa = E'' / 2.
 struct FocalCandidates {
     static constexpr std::size_t rows = 5;
 

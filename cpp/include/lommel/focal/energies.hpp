@@ -147,7 +147,7 @@ class FocalProducts {
         }
     }
 
-    // Lane in which by_columns() leaves a block: its own index for vectors of four lanes, a permutation of it for eight.
+    // Index of the lane in which by_columns() puts block number `block`: also `block`, unless shuffles permute eight blocks.
     template <std::size_t Side, std::size_t Lanes>
     static constexpr std::size_t lane_of(std::size_t block) {
 #if defined(LOMMEL_VECTORS) && !defined(__clang__)

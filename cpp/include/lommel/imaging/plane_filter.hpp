@@ -30,9 +30,9 @@ struct PlaneTransfer {
     std::size_t rows, frequencies;
 };
 
-// Axial convolution of a specimen: recording = sum over kernels of kernel * (weight of the plane x specimen), with convolution
-// *; or the transposed operator. Works in place on [plane][row][column], on eight columns at a time. Each row is first copied
-// from all planes, because each plane is on a memory page of its own.
+// Axial convolution (*) of a specimen s: recording = sum over kernels h_k of h_k * (w_k s), where w_k s is the specimen with each
+// plane multiplied by its weight; or the transposed operator. Works in place on [plane][row][column], on eight columns at a time.
+// Each row is first copied from all planes, because each plane is on a memory page of its own.
 class PlaneFilter {
    public:
     // `length`: FFT length supported by RowFft, at least the number of all planes; weights[kernel][plane of the specimen].

@@ -183,7 +183,7 @@ LOMMEL_NOINLINE void mirrored_row(const T* profile, const Rank* from, std::size_
 }
 
 // Write the image rows whose distances from the axis have indices [first, last), on both sides of the axis. Each pixel is
-// profile[index of its radius]. Mirrored rows are copied; limited by the loads of profile values and by memory writes.
+// profile[index of its radius]. Mirrored rows are copied. The speed is limited by loads of profile values and by memory writes.
 template <class T, class Rank>
 LOMMEL_INLINE void scatter_rows(const T* profile, const Rank* index, const FoldedSide& rows, const FoldedSide& columns,
                                 std::size_t first, std::size_t last, T* out) {

@@ -69,7 +69,7 @@ class EnergyTail {
 
    private:
     // terms: number of terms of the partial integration that are expanded in waves; powers: number of coefficients of a wave, one
-    // for each power of 1 / v; orders: number of derivatives of the pupil function that remainder() uses bounds on.
+    // for each power of 1 / v; orders: remainder() uses bounds on derivatives of the pupil function of orders below this number.
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
     struct Wave {

@@ -125,9 +125,9 @@ class RimAverages : RimStack {
     // Write the image of a pupil, in its box from answer_.near, outside from `averages`; return the largest average outside.
     double write(std::size_t pupil, const Around& pixels, const float* averages, std::size_t lanes) const;
     double bound(std::size_t pupil, const RimScratch& scratch, std::size_t lane, std::size_t lanes, double top) const;
-    // For derivatives dbar^k P / rim_scale(k) of the pupil function P with coefficients `own`. each[k]: bound on the aliasing error
-    // of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound on the sum of the moduli of the terms of
-    // the derivative.
+    // Bounds for the derivatives dbar^k P / rim_scale(k), dbar = d/dx + i d/dy, of the pupil function P with Zernike coefficients
+    // `own`. each[k]: bound on the aliasing error of any Fourier coefficient (certificate, section 10, "Orders"); rounded[k]: bound
+    // on the sum of the moduli of the terms of the derivative.
     void strangers(const RimWaves& rim, const RimLine& line, const double* own, std::array<double, rim_orders>& each,
                    std::array<double, rim_orders>& rounded) const;
 
@@ -181,8 +181,8 @@ LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line
         moduli[i] = std::sqrt(e[2 * i] * e[2 * i] + e[2 * i + 1] * e[2 * i + 1]);
         summed[i] = apart[2 * i] + apart[2 * i + 1];
     }
-    // phase[m]: amplitude of the phase of azimuthal order m. At complex angles theta +- i t a term exp(i m theta) grows by at most
-    // exp(|m| t), and |pupil function| is at most exp(|imaginary part of its phase|).
+    // phase[m]: amplitude of the term of azimuthal order m in the phase of the pupil function P. At complex angles theta +- i t,
+    // |exp(i m theta)| is at most exp(|m| t), and |P| is at most exp(sum over m of phase[m] sinh(m t)).
     std::vector<double> phase(slopes.degree + 1, 0.0);
     for (std::size_t c = 0; c < line.orders.size(); ++c) {
         double sum = 0.0;
@@ -336,7 +336,7 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
             const double energy = static_cast<double>(of.energy[k * lanes + lane]);
             const double left = 1.0001 * static_cast<double>(of.left[k * lanes + lane]) +
                                 2.0 * each[k] * std::sqrt(orders * energy) + orders * each[k] * each[k];
-            // Rounding, in units of roundoff: of sums over angles, of phases and derivatives, and of k steps of rim_powers().
+            // Rounding error, in units of 2^-24 rounded[k]: of sums over angles, phases, derivatives, and k steps of rim_powers().
             const double units = sums + 16.0 + lines_[d]->slopes.units() * static_cast<double>(k);
             off += rim.radius * rim.radius * rim_scale(k) * 2.0 / std::pow(v, static_cast<double>(k + 1)) *
                    (std::sqrt(left) + orders * each[k] + 0x1p-24 * units * rounded[k]);

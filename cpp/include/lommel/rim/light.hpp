@@ -53,7 +53,7 @@ struct RimLine {
     static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 };
 
-// Sums over the Fourier coefficients, on one rim, of derivatives of order k of the pupil function; a lane is a pupil.
+// Quantities summed over the Fourier coefficients of derivatives of the pupil function on one rim. k: order; a lane is a pupil.
 struct RimSums {
     Floats left;    // [k][lane]: sum of squared moduli of the omitted Fourier coefficients
     Floats energy;  // [k][lane]: sum of squared moduli of all Fourier coefficients
@@ -77,8 +77,8 @@ LOMMEL_INLINE void fold(V a, V b, V c, V d, const Put& put) {
     put(3, (a - c) + (b - d));
 }
 
-// Fourier coefficients of order mu of dbar^k P / rim_scale(k) (RimSlopes) on a rim, from the Zernike coefficients in `scratch`,
-// with pupil function P, |P| = amplitude: values[rim.first + mu - k][k][re, im][lane], 0 for |mu| > rim.orders; of: sums over them.
+// Fourier coefficients of order mu of dbar^k P / rim_scale(k) on a rim, dbar = d/dx + i d/dy, P = pupil function, |P| = amplitude,
+// from the Zernike coefficients in `scratch`: values[rim.first + mu - k][k][re, im][lane], 0 for |mu| > rim.orders; sums in `of`.
 template <std::size_t Degree, class I>
 LOMMEL_INLINE void rim_coefficients(I isa, const RimWaves& rim, const RimLine& line, double amplitude, RimScratch& scratch,
                                     Floats& values, RimSums& of) {
@@ -376,8 +376,8 @@ struct RimLone {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 };
 
-// Fourier series in the polar angle of X, Y (RimWaves) at the radii from .. from + size - 1, from `values` (rim_coefficients()):
-// waves[radius][kind of fold()][order][re X, im X, re Y, im Y][lane]. `Lone`: one pupil, one radius of block `from` per lane.
+// Fourier series of X, Y (RimWaves) in the polar angle at `size` radii, the first of index `from`, or, if `Lone`, one per lane in
+// the block `from` of radii: waves[radius][kind of fold()][order][re X, im X, re Y, im Y][lane]. values: see rim_coefficients().
 template <bool Lone, class I>
 LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const RimLone* lone, std::size_t from,
                              std::size_t size, const float* values, Floats& waves) {
@@ -436,7 +436,7 @@ LOMMEL_INLINE void rim_waves(I, const RimTable& table, std::size_t disk, const R
 }
 
 // Channels of v^3 I at one polar angle, with radius v and intensity I, from the waves x[rim][re X, im X, re Y, im Y] (RimWaves).
-// Channel 0 is smooth, the sum of |wave|^2; the others, in pairs, are coefficients of cos(f v), sin(f v) for ring frequencies f.
+// Channel 0: sum of |wave|^2; then pairs of coefficients of cos(f v) and sin(f v), one for each frequency f of interference rings.
 template <std::size_t Rims, class V>
 LOMMEL_INLINE void rim_channels(const V (&x)[Rims][4], V* out) {
     const auto two = splat<V>(2.0f), four = splat<V>(4.0f), zero = splat<V>(0.0f);
@@ -599,7 +599,7 @@ LOMMEL_INLINE void rim_light(I isa, const RimTable& table, const RimLone* lone, 
                     }
                 }
             });
-            // Pad the ring periodically at both ends.
+            // Pad `ring`, the values at all angles, periodically at both ends.
             std::copy_n(ring + around * line, table.margin * line, ring);
             std::copy_n(ring + table.margin * line, table.margin * line, ring + (table.margin + around) * line);
             store(scratch.largest.data(), largest);

@@ -39,7 +39,7 @@ LOMMEL_INLINE V logarithm(V x) {
 LOMMEL_INLINE double logarithm(double x) {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
-    // Split x = 2^e m, m between sqrt(1/2) and sqrt(2). e + 1023 becomes a double as the lowest bits of `large`, 2^52.
+    // Split x = 2^e m, m between sqrt(1/2) and sqrt(2). `exponent`: bits of the double 2^52 + (e + 1023); `large`: bits of 2^52.
     constexpr std::uint64_t half_root = 0x3fe6a09e667f3bcd, mantissa = 0x000fffffffffffff, large = 0x4330000000000000;
     const std::uint64_t shifted = bits + (0x3ff0000000000000 - half_root);
     const std::uint64_t exponent = (shifted >> 52) | large, rest = (shifted & mantissa) + half_root;

@@ -1,4 +1,4 @@
-// Error bounds of the intensity of one plane of a stack (docs/certificate.md, section 15), and sums over azimuthal orders.
+// Intensity of one plane of a stack: its error bounds (docs/certificate.md, section 15), and its sum over azimuthal orders.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Judged {
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes)
         : Judged(planes, plane, sizes, 0, planes.harmonics.size()) {}
 
-    // Bounds for the azimuthal orders planes.harmonics[first .. last - 1] only.
+    // Error bounds of that part of I which consists of the azimuthal orders planes.harmonics[first .. last - 1].
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
         // `rounding` covers the rounding of products and Hermitian forms, and an error of 1e-13 of the collected power.
@@ -34,13 +34,13 @@ struct Judged {
         const std::size_t turning = std::max<std::size_t>(first, 1);
         const double steady = first == 0 ? planes.bilinear(plane, anywhere, 0, 1) : 0.0;
         most = swing = planes.bilinear(plane, anywhere, turning, last);
-        // A nonnegative function differs from half of its maximum by at most that half.
+        // Order 0 of I, its mean over the azimuth, is not negative: it differs from half of its maximum by at most that half.
         most += steady;
         swing += 0.5 * steady;
     }
 
-    // Bounds for a derivative of the intensity, 2 Re sum over j, l of form[j][l] G_j conj(F_l). `of`: sizes of the field F;
-    // `sizes`, `error`: sizes and error bound of its derivative G.
+    // Error bounds of a derivative of the intensity, 2 Re sum over j, l of form[j][l] G_j conj(F_l). `of`: sizes (PartSizes) of the
+    // parts F_l of the field; `sizes`, `error`: sizes and error bound of the derivatives G_j of these parts.
     Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
            std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);

@@ -109,7 +109,7 @@ class LayeredImages {
                 size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
                 top = largest_value(made.values.data(), made.count);
-                // For samples, the intensity at each radius of the table is a lower bound on the peak; averages may be smaller.
+                // Lower bound on the peak. For samples (not averages), the intensity at each radius of the table is one, too.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 const double scale = note(first + p, top, peak, off);
                 store_window(*table, made, scale, T{0}, answer_.images + (first + p) * pixels());

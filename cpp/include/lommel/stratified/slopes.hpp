@@ -37,8 +37,8 @@ struct LayeredSlopes {
     double* errors = nullptr;
 };
 
-// Radial profiles of one plane, values[kind][azimuthal order][radius]; kind 0: intensity, others: its derivatives. sizes[kind]:
-// sizes of the field and of its derivatives; judged: error bounds of the intensity.
+// Radial profiles of one plane, `stride` values apart: values[kind][azimuthal order][radius]; kind 0: intensity, others: its
+// derivatives. sizes[kind]: sizes (PartSizes) of the field and of its derivatives; judged: error bounds of the intensity.
 struct PlaneProfiles {
     const double* values;
     std::size_t stride;
@@ -120,7 +120,7 @@ class WindowSlopes {
         return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
     }
 
-    // Requested derivative of I at the radii v. By ln(wavenumber) at constant position in metres: that at constant v, plus v dI/dv.
+    // Requested derivative of I at radii v. l = ln(wavenumber): dI/dl at fixed position in metres = dI/dl at fixed v + v dI/dv.
     template <class Table>
     Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
               std::size_t order) const {
@@ -152,8 +152,8 @@ class WindowSlopes {
         return {mixed.data(), all};
     }
 
-    // Derivatives by the axis position: of pixel averages, differences between averages along opposite pixel sides; of samples,
-    // the distance times I' / v, which is even in the radius v, of exponential type 2 and at most max |I''|.
+    // Derivatives by the position of the axis. For pixel averages: differences between averages along opposite pixel sides. For
+    // samples: distance from the axis times I' / v; I' / v is even in the radius v, of exponential type 2, and at most max |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;
@@ -190,7 +190,7 @@ class WindowSlopes {
         }
     }
 
-    // Store the error bound, including the rounding of stored values.
+    // Write the error bound of a derivative's image: `error`, plus the rounding of `values` when they are scaled and stored.
     void note(std::size_t image, std::size_t plane, double error, const double* values, std::size_t count) const {
         double most = 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA {

@@ -16,7 +16,7 @@
 
 namespace lommel {
 
-// Compute the image of a radially symmetric intensity from its values at the radii, at most `size`; returns its error bound.
+// Compute the image of a radially symmetric intensity from values at the radii, at most `size` in modulus; returns its error bound.
 template <class Table>
 double window_of(const Table& table, const PixelWindow& window, const double* at_radii, const Judged& of, double size,
                  WindowValues& made) {

@@ -29,12 +29,12 @@ class FarLight {
 
     // Error bound of the averages over pixels of width `step` (in v) that lie entirely beyond the radius of the last fit().
     double left_out(double step) const;
-    // Fit the smooth part of I for all radii of at least v.
+    // Fit polynomials in 1 / radius to the smooth part of radius^3 I (without interference rings), for all radii of at least v.
     void fit(double v);
-    // Smallest v from which averages over pixels of width `step` have an error of at most `requested`, with the smooth part fitted
-    // from v on. The result exceeds `most` if no radius up to `most` suffices.
+    // About the smallest v for which averages over pixels of width `step` beyond the radius v have an error of at most `requested`
+    // after fit(v). The result exceeds `most` if no radius up to `most` suffices.
     double nearest(double step, double requested, double most) {
-        // Lower limit of v: the interference rings of an unaberrated pupil, which fall as v^-3, are below `requested`.
+        // Lower limit of v: here, the bound on pixel averages of an unaberrated pupil's rings, which falls as v^-3, is `requested`.
         double rings = 0.0;
         for (std::size_t i = 0; i < waves_.size(); ++i) {
             for (std::size_t j = 0; j < i; ++j) {
@@ -45,7 +45,7 @@ class FarLight {
         for (double growth = 1.05; v <= most; v *= growth) {
             prepare(v);
             growth = 1.05;
-            // An error e of U changes I by e (2 |U| + e), 2 |U| being about 4 / v^(3/2): at most 0.4 * requested is for this.
+            // An error e of U changes I by at most e (2 |U| + e), with 2 |U| about 4 / v^(3/2): allow 0.4 * requested for it.
             if (off_ * (4.0 / (v * std::sqrt(v)) + off_) <= 0.4 * requested) {
                 fit(v);
                 const double left = left_out(step);
@@ -170,8 +170,8 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             here *= (order * order - odd * odd) / (8.0 * static_cast<double>(k + 1));
         }
     }
-    // Sums D_k(psi) = sum over n of a_k(n + 1) b_n(psi), with b_n the terms of degree n at the edge of the pupil. Even and odd
-    // orders are separate, as they differ in sign after half a turn: sums[k][parity][re, im][angle].
+    // Sums D_k(psi) = sum over n of a_k(n + 1) b_n(psi), with a_k in `hankel`, b_n the terms of degree n at the edge of the pupil.
+    // Even and odd orders are separate, as they differ in sign after half a turn: sums[k][parity][re, im][angle].
     std::vector<double> sums(kept * 4 * half, 0.0), cosine(half, 1.0), sine(half, 0.0);
     std::array<double, terms> largest{};  // [k]: bound on |D_k|, for the terms k >= kept
     for (std::size_t m = 0; m < std::min(disk.orders, degrees); ++m) {
@@ -208,11 +208,11 @@ LOMMEL_ONCE void FarLight::add(const ZernikeSeries& series, double radius, doubl
             }
         });
     }
-    // Waves exp(+-i radius v) v^(-3/2) * sum over k of factor (+-i)^k D_k / (radius v)^k, with the sums D_k(psi) over degrees from
-    // above, psi the azimuth. The wave exp(+i radius v) has D_k(psi + pi).
+    // Waves exp(+-i radius v) v^(-3/2) * sum over k of factor (+-i)^k D_k / (radius v)^k, apart from constant phases. psi: azimuth.
+    // D_k is D_k(psi + pi) in the wave exp(+i radius v), D_k(psi) in the wave exp(-i radius v).
     disk.radius = radius;
     disk.factor = std::sqrt(2.0 / pi) * weight / (radius * std::sqrt(radius));
-    // Bound on maximum over all angles / maximum over samples: around its peak, a Fourier sum is at least its highest cosine.
+    // Bound on maximum over angles / maximum at samples: a Fourier sum is >= M cos(orders_ s) at a distance s from its maximum M.
     const double between = 1.0 / std::cos(pi * static_cast<double>(orders_) / static_cast<double>(angles_));
     const double roundings = unit_roundoff * static_cast<double>(2 * degrees + 8 * orders_ + 64);
     for (const double sign : {1.0, -1.0}) {
@@ -550,7 +550,8 @@ LOMMEL_ONCE void FarAverages::render(std::size_t pupil) {
         inner{terms_, stack_.inner.data() + (stack_.inner.empty() ? 0 : pupil * terms_.terms.size()), within_};
     const double none[] = {far + 1.0, 0.0, 0.0, row, column};
     std::copy_n(none, numbers, found);
-    // Series in 1 / v are inaccurate up to about three times the radius of the geometrical blur, the root sum square over terms.
+    // Series in 1 / v are inaccurate up to about three times the radius of the geometrical blur: here, the root of the sum of
+    // squares of the terms' largest slopes, amplitude * n^2.
     double rays = 0.0;
     outer.amplitudes([&](double amplitude, std::size_t n, std::size_t) {
         const double slope = amplitude * static_cast<double>(n * n);

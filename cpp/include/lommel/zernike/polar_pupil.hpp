@@ -92,7 +92,7 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // `aliases` bounds the aliases for pupil functions of modulus <= 1. A truncation error e of U adds aliases * e.
+            // aliases: error bound of U due to aliases, if |pupil function| <= 1. An error e of the expansion grows by aliases * e.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
@@ -100,8 +100,8 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Rounding error of the field U before the FFT, by Cauchy's inequality for cosines and sines separately: of sums over every other
-// degree (chain), of the table, and from omitted degrees (left_out). each: error of (n + 1) * table value of degree n.
+// Error of the field U from before the FFT: from the sums over every other degree (chain), from the table, and from omitted degrees
+// (left_out). Cauchy's inequality bounds cosines and sines separately. each: error of (n + 1) * table value of degree n.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
@@ -130,8 +130,8 @@ struct PolarTables {
     }
 };
 
-// Error bound of U at pixels that use the circle of radius v, interpolated from `orders` orders. rows: error contributions of the
-// circle; left: bound on the omitted orders.
+// Error bound of U at pixels that are interpolated with the circle of radius v, which is a sum of `orders` azimuthal orders.
+// left: error bound of U due to the omitted orders; rows: other contributions of the circle to the error.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
@@ -145,7 +145,7 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
         return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
-    // Rounding of U: 1 of stored circles, 2 of products, 4 of I, which count half, and of the chain of sums for each kernel.
+    // Rounding of U, in roundoffs: 1 of stored circles, 2 of products, 4 of |U|^2 (2 in U), that of sums over each kernel's taps.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
     // With style.rough, add the error of U due to positions in single precision.
     const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);

@@ -45,7 +45,7 @@ def test_a_sum_is_off_by_all_that_its_parts_are(kind):
     }
     pieces["unknown"] = Piece(np.zeros((1, 1, 1)), np.full(1, 3e-7))
     each = Parts({(3, 1): np.array([2.0, -3.0]), 1: 0.7}, -1.5, -0.4, 2.5, 0.9)
-    found = derivatives._combined(each, made, pieces, kind)
+    found = derivatives._combine(each, made, pieces, kind)
     for i in range(2):
         factors = {(3, 1): (2.0, -3.0)[i], 1: 0.7, "scaling": -0.4, "obscuration": 2.5}
         parts = [-1.5 * made.values[i].astype(float)]
@@ -60,9 +60,9 @@ def test_a_sum_is_off_by_all_that_its_parts_are(kind):
         off += STORED[kind] * np.abs(exact).max()
         assert found.error[i] * bright == pytest.approx(off, rel=1e-12, abs=0.0)
     # With no more than what rounding and storing add.
-    alone = derivatives._combined(Parts({1: 0.7}), made, {1: Piece(pieces[1].values, np.zeros(2))}, kind)
+    alone = derivatives._combine(Parts({1: 0.7}), made, {1: Piece(pieces[1].values, np.zeros(2))}, kind)
     size = 0.7 * np.abs(pieces[1].values).max(axis=(1, 2))
-    bright = derivatives._brightest(made)
+    bright = derivatives._least_peak(made)
     assert alone.error * bright == pytest.approx((12.0 * U + STORED[kind]) * size, rel=1e-9, abs=0.0)
 
 
@@ -71,13 +71,13 @@ def test_a_multiple_is_off_by_as_much_more_and_by_what_storing_adds(kind):
     made = images(np.random.default_rng(2), kind)
     keys = ((3, 1), (1, 1), (2, 2))
     sums = [Parts({(3, 1): 1.0}), Parts({(1, 1): 2.0}), Parts({(2, 2): np.array([-0.3, 1.7])}), Parts({(3, 1): 1.0})]
-    as_is, twice, times, again = derivatives._taken(made, sums, keys)
+    as_is, twice, times, again = derivatives._single_slopes(made, sums, keys)
     assert as_is.values.base is made.slopes.values
     assert np.array_equal(as_is.error, made.slopes.error[0])
     assert not np.shares_memory(again.values, as_is.values)
     assert np.array_equal(twice.values, 2.0 * made.slopes.values[1])
     assert twice.error == pytest.approx(2.0 * made.slopes.error[1], rel=1e-14, abs=0.0)
-    bright = derivatives._brightest(made)
+    bright = derivatives._least_peak(made)
     stored = STORED[kind] * np.abs(times.values).reshape(2, -1).max(axis=1).astype(float) / bright
     assert times.error == pytest.approx(np.array([0.3, 1.7]) * made.slopes.error[2] + stored, rel=1e-9, abs=0.0)
 
@@ -85,9 +85,9 @@ def test_a_multiple_is_off_by_as_much_more_and_by_what_storing_adds(kind):
 def test_what_is_brightest_is_less_by_its_error():
     made = images(np.random.default_rng(3), np.float64)
     expected = np.array([made.values[0].max() / 1.1, 2.1 / 1.2])
-    assert derivatives._brightest(made) == pytest.approx(expected, rel=1e-14, abs=0.0)
+    assert derivatives._least_peak(made) == pytest.approx(expected, rel=1e-14, abs=0.0)
     alone = made._replace(peak=None)
-    assert derivatives._brightest(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
+    assert derivatives._least_peak(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14, abs=0.0)
 
 
 class Engine(lm.ChordalGauss):
@@ -178,7 +178,7 @@ def test_what_is_left_out_is_in_each_part():
     grid, engine = lm.Grid(5, 1e-6), Engine(1e-6)
     made = Images(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
     sums = [Parts({(3, 1): 1.0}, obscuration=1.0, unknown=1.0)]
-    found = derivatives._pieces(engine, engine, pupil, grid, made, derivatives.Wanted(0.3), sums)
+    found = derivatives._sum_terms(engine, engine, pupil, grid, made, derivatives.Wanted(0.3), sums)
     left = E * pupil.amplitude**2
     assert found["unknown"].error == pytest.approx([0.3 * 2.0 * left], rel=1e-12, abs=0.0)
     assert found[3, 1].error == pytest.approx(0.3 * (1e-5 * np.array([1.5, 2.0]) + 4.0 * left), rel=1e-12, abs=0.0)
@@ -187,11 +187,11 @@ def test_what_is_left_out_is_in_each_part():
     assert found["obscuration"].error == pytest.approx(0.3 * bound, rel=1e-12, abs=0.0)
     white = lm.Polychromatic([4e-7, 5e-7], [1, 3], lm.ChordalGauss())
     parts = white.components(pupil)
-    found = derivatives._pieces(white, engine, pupil, grid, made, derivatives.Wanted(0.3), [Parts({(3, 1): 1.0})])
+    found = derivatives._sum_terms(white, engine, pupil, grid, made, derivatives.Wanted(0.3), [Parts({(3, 1): 1.0})])
     left = [(part.pupil.wavefront.left_out + 6e-10) * pupil.amplitude**2 for part in parts]
     expected = sum(
         0.3 * part.weight * part.stretch * (1e-5 * np.array([1.5, 2.0]) + 4.0 * off)
         for part, off in zip(parts, left, strict=True)
     )
     assert found[3, 1].error == pytest.approx(expected, rel=1e-12, abs=0.0)
-    assert isinstance(derivatives._combined(Parts({(3, 1): 1.0}), made, found, np.float64), Slope)
+    assert isinstance(derivatives._combine(Parts({(3, 1): 1.0}), made, found, np.float64), Slope)

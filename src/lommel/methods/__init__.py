@@ -7,5 +7,5 @@ from lommel.base import imports
 if TYPE_CHECKING:
     from lommel.methods.registry import *  # noqa: F403
 else:
-    # Which imports all methods, where most programs take one or two.
+    # The registry imports all methods; most programs use one or two.
     __getattr__, __dir__ = imports.parts(__name__, exports="registry")

@@ -1,11 +1,11 @@
-r"""Pixel integration for any pupil: a fine grid of samples and a filter.
+r"""Pixel integration for any pupil: samples on a fine grid, and a filter.
 
-Lengths are in v (pi per lambda*N), the frequency w in radians per unit of v, and a is the pixel pitch. Averaging the
-intensity I over a pixel multiplies its transfer function (OTF) by ``sinc(a wx / 2) sinc(a wy / 2)``, with ``sinc x =
-sin(x) / x``. The OTF vanishes beyond ``|w| = 2``. Taps c_k on samples of spacing h therefore average over a pixel if
-their response ``C(w) = sum_k c_k cos(k h w)`` is the sinc for ``|w| <= 2``; they act along rows, then along columns.
-An error eps of the response changes an average by at most ``(2 eps + eps^2) int |OTF| dw``; the integral is at most
-the peak intensity without aberrations. Far pixels, far off the axis of a circular or annular pupil, need no samples.
+Lengths are in units of ``v = pi x / (lambda*N)``, frequencies w in radians per unit of v, and a is the pixel pitch.
+Averaging the intensity I over a pixel multiplies its transfer function (OTF) by ``sinc(a wx / 2) sinc(a wy / 2)``,
+with ``sinc x = sin(x) / x``. The OTF vanishes for ``abs(w) > 2``. Weights ("taps") c_k of samples with the spacing h
+thus average over a pixel if their response ``C(w) = sum_k c_k cos(k h w)`` equals the sinc for ``abs(w) <= 2``. An
+error eps of both responses changes an average by at most ``(2 eps + eps^2) int abs(OTF) dw``; the integral is at most
+the unaberrated peak. Far pixels of circular and annular pupils are averaged in closed form, without samples.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ from lommel.optics.grid import Grid
 if TYPE_CHECKING:
     from lommel.optics.pupil import Pupil
 
-# The number of samples per pixel may be half an odd number: s samples of spacing ``h = 2 a / s`` for two adjacent
-# pixels. With s odd the centre of one pixel lies on a sample, and the centre of the other half-way between two.
+# Two adjacent pixels may share an odd number s of samples, with the spacing ``h = 2 a / s``. The centre of one pixel
+# then lies on a sample, and the centre of the other pixel lies half-way between two samples.
 
-_PAIR_SPACING = 1.27  # largest spacing (v) of samples that two pixels share: 0.8 pi / 2, the limit of any filter
-_TAP_COST = 0.02  # time for one weight of one pixel, relative to the time for computing a sample
-_PAIR_COST_LIMIT = 0.85  # two pixels share samples if this reduces the number of samples by at least this factor
+_PAIR_SPACING = 1.27  # largest spacing (v) of samples that two pixels share; the Nyquist limit of I is pi / 2
+_TAP_COST = 0.02  # time to apply one weight for one pixel, divided by the time to compute one sample
+_PAIR_COST_LIMIT = 0.85  # two pixels share samples if the number of samples falls below this fraction
 
 
 P = TypeVar("P", bound=BasePupil)
@@ -49,35 +49,36 @@ Function = Callable[[Array], Array]
 def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = False) -> tuple[Array, float, float]:
     """Return weights of samples at distances `x` (v) on both sides, their error, and their gain, as in :class:`Taps`.
 
-    The error is the largest for ``|w| <= 2`` or, if `in_disc`, a bound on the mean weighted by a circular OTF.
+    The error is that of the response: its maximum for ``abs(w) <= 2`` or, if `in_disc`, a bound on its mean, weighted
+    by the OTF of a circular aperture.
     """
-    # Least squares at points w of the band.
+    # Least-squares fit of the response at points w of the band.
     w = band_points(float(x[-1]))
     # Weights at x and -x have equal moduli: each distance except 0 counts twice.
-    times = np.where(x > 0.0, 2.0, 1.0)
-    basis, target = times * wave(np.outer(w, x)), response(w)
+    multiplicity = np.where(x > 0.0, 2.0, 1.0)
+    basis, target = multiplicity * wave(np.outer(w, x)), response(w)
     if in_disc:
         # Least squares in the norm that bounds the mean error: certificate, section 10.
-        at, weights = transfer_rule(w.size)
+        nodes, weights = transfer_rule(w.size)
         root = np.sqrt(weights)
-        design, aim = (root * times[:, None] * wave(np.outer(x, at))).T, root * response(at)
+        design, rhs = (root * multiplicity[:, None] * wave(np.outer(x, nodes))).T, root * response(nodes)
     else:
-        design, aim = basis, target
-    c: Array = least_squares(np.ascontiguousarray(design), aim[:, None])[:, 0]
+        design, rhs = basis, target
+    c: Array = least_squares(np.ascontiguousarray(design), rhs[:, None])[:, 0]
     c *= (x > 0.0) | (wave is np.cos)  # sine filters are odd: the weight at 0 is 0
-    gain = float((times * np.abs(c)).sum())
-    # Rounding of the response: one error of 2^-52 for each product and each sum over the taps.
+    gain = float((multiplicity * np.abs(c)).sum())
+    # Rounding of the response: an error of 2^-52 for each product and each sum over the taps.
     rounding = 2.0**-52 * (x.size + 3) * gain
-    # Within 1e-17 the error is a polynomial of degree d: at most sqrt(2) times its maximum at 2 d Chebyshev nodes.
+    # The error within 1e-17 is a polynomial of degree d: at most sqrt(2) times its maximum at 2 d Chebyshev nodes.
     most = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
     if in_disc:
-        # A product of two responses has a mean error of m (2 + `most`), m being the mean error of one response.
-        return c, (1.0 + 0.5 * most) * (float(np.linalg.norm(design @ c - aim)) + 2.0 * rounding + 1e-17), gain
+        # The responses along y and x, each of mean error m, have a product of mean error m (2 + `most`).
+        return c, (1.0 + 0.5 * most) * (float(np.linalg.norm(design @ c - rhs)) + 2.0 * rounding + 1e-17), gain
     return c, most, gain
 
 
 def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], *, in_disc: bool = False) -> int:
-    """Return the samples per two pixels along an axis: `2 across`, or fewer if that saves time for `sides` pixels."""
+    """Return the number of samples per two pixels: `2 across`, or fewer if this saves time for `sides` pixels."""
     # Wider spacing needs longer filters, and so more samples beyond the edges of the window.
 
     def cost(s: int) -> float:
@@ -86,20 +87,20 @@ def pair_stride(step: float, error: float, across: int, sides: tuple[int, ...], 
         return tall * wide + (_TAP_COST * taps * sides[0] * (wide + sides[1]) if in_disc else 0.0)
 
     # At least 2 samples per two pixels: with 1, interpolation half-way between samples would magnify errors.
-    # Filters with a bounded mean error allow a spacing h up to pi / 2; others need a gap below the first alias.
-    least = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _PAIR_SPACING)
-    counts = range(max(2, math.ceil(least)), 2 * across + 1)
-    fewest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _PAIR_SPACING), key=cost)
-    return fewest if cost(fewest) < (1.0 if in_disc else _PAIR_COST_LIMIT) * cost(2 * across) else 2 * across
+    # Filters with a bounded mean error allow h = pi / 2; all others need a gap between the band and its first alias.
+    lower_limit = 2.0 * step / (0.5 * math.pi * (1.0 + 1e-12) if in_disc else _PAIR_SPACING)
+    counts = range(max(2, math.ceil(lower_limit)), 2 * across + 1)
+    cheapest = min((s for s in counts if s % 2 == 0 or 2.0 * step <= s * _PAIR_SPACING), key=cost)
+    return cheapest if cost(cheapest) < (1.0 if in_disc else _PAIR_COST_LIMIT) * cost(2 * across) else 2 * across
 
 
 def _half_length(step: float, error: float, s: int, *, in_disc: bool = False) -> int:
     """Estimate the number of samples on each side of the middle of a filter, at s samples per two pixels."""
-    # Gap between the band of I and its first alias, relative to the sampling frequency 2 pi / h: the filter length
-    # is inversely proportional to it (certificate, "Samples that pixels share").
+    # Gap between the band of I and its first alias, divided by the sampling frequency 2 pi / h. The filter length is
+    # proportional to 1 / gap (certificate, "Samples that pixels share").
     gap = 1.0 - 4.0 * step / (s * math.pi)
     if in_disc:
-        # Without a gap the error falls only as a power of the length.
+        # Without a gap the error falls only as a power of the filter length.
         far = math.log(0.1 / error) / (3.7 * gap + 0.2) - 3.0 + s % 2
         return max(s // 4 + 2, int(0.25 * s + min(far, (0.045 / error) ** 0.32)))
     return max(s // 4 + 2, int(0.25 * s + math.log(0.1 / error) / (3.4 * gap)) - 2)
@@ -108,43 +109,43 @@ def _half_length(step: float, error: float, s: int, *, in_disc: bool = False) ->
 def fit_pair_weights(
     response: Function, step: float, error: float, s: int, *, in_disc: bool = False
 ) -> tuple[Array, float, float]:
-    """Return weights (2, taps) for two pixels with `s` samples (odd), error and gain; see _shortest_filter()."""
+    """Return weights (2, taps) for two pixels that share `s` samples (odd), their error and their gain."""
     h, half = 2.0 * step / s, _half_length(step, error, s, in_disc=in_disc)
     while True:
-        even, off, gain = fit_taps(response, np.cos, h * np.arange(half + 1), in_disc=in_disc)
-        odd, *worse = fit_taps(response, np.cos, h * (np.arange(half) + 0.5), in_disc=in_disc)
-        off, gain = max(off, worse[0]), max(gain, worse[1])
-        if (off <= error and gain <= 1.5) or half > s + 60:
+        even, largest_error, gain = fit_taps(response, np.cos, h * np.arange(half + 1), in_disc=in_disc)
+        odd, odd_error, odd_gain = fit_taps(response, np.cos, h * (np.arange(half) + 0.5), in_disc=in_disc)
+        largest_error, gain = max(largest_error, odd_error), max(gain, odd_gain)
+        if (largest_error <= error and gain <= 1.5) or half > s + 60:
             weights = np.zeros((2, 2 * half + s // 2 + 1))
             weights[0, : 2 * half + 1] = np.concatenate([even[:0:-1], even])
             weights[1, s // 2 + 1 :] = np.concatenate([odd[::-1], odd])
-            return weights, off, gain
+            return weights, largest_error, gain
         half += 1 + half // 16 * in_disc
 
 
 _BLOCK_SAMPLES = 2**23  # largest number of samples held in memory together
-_FIRST_SPACING, _RETRY_SPACING = 1.05, 0.8  # largest spacing (v) of samples: 2/3 and 1/2 of the limit pi / 2
+_FIRST_SPACING, _RETRY_SPACING = 1.05, 0.8  # largest spacing (v) of samples: 2/3 and 1/2 of the Nyquist limit pi / 2
 _MAX_STRIDE = 512  # largest number of samples across a pixel
 _SINGLE_TOL = 2e-7  # smallest tolerance at which samples are stored in single precision
-_MAX_PITCH = 20.0  # largest pitch in v for filters with a bounded mean error: longer filters take too much time
-_MEAN_FACTOR = 64.0  # ratio of the allowed mean error of a response to its allowed largest error, at Strehl ratio 1
-_SLOPE_FACTOR = 10.0  # ratio of the allowed errors of derivative filters and averaging filters
-_DARK_PART = 0.1  # fraction of the tolerance that sums of dark samples in single precision may use
-_NO_LIMIT = 1e30  # brightness limit relative to the peak that no sample exceeds
+_MAX_PITCH = 20.0  # largest pixel pitch (v) for filters with a bounded mean error: larger pixels are too slow
+_MEAN_FACTOR = 64.0  # allowed mean error of a response, divided by its allowed largest error, at a Strehl ratio of 1
+_SLOPE_FACTOR = 10.0  # allowed error of derivative filters, divided by the allowed error of averaging filters
+_DARK_PART = 0.1  # fraction of the tolerance that summation of dark samples in single precision may use
+_NO_LIMIT = 1e30  # brightness (relative to the peak) above that of any sample
 
 # Signature: pupils, pixels, tolerance, specification -> intensity at the pixel centres.
 Sample = Callable[[P, Grid, float, Wanted], Images]
 # Signature: pupils, pixels, largest v at which far pixels may begin, tolerance, threads -> averages of far pixels.
 Far = Callable[[P, Grid, float, float, int], FarPixels]
 
-Band = tuple[float, float]  # bandwidth relative to the intensity's, and integral of the modulus of the OTF
+Band = tuple[float, float]  # bandwidth divided by the bandwidth of I, and integral of the modulus of the OTF
 
 
 class Averages(NamedTuple):
-    """Averages over pixels, for the flattened stack."""
+    """Pixel averages of the flattened stack, and their derivatives."""
 
-    values: Array  # (1 + k, n, height, width): I, then its k derivatives: by terms, and along y and x if requested
-    error: Array  # (1 + k, n), error bounds relative to the peak; the bound of I includes storing
+    values: Array  # (1 + k, n, height, width): I, its derivatives by phase coefficients, then along y and x
+    error: Array  # (1 + k, n), error bounds relative to the peak; the bound of I includes rounding in storage
     peak: Array  # (n,), largest average, to which the bounds refer
 
 
@@ -162,14 +163,14 @@ def pixel_averages(
 
     With `gradients`, the derivatives by v along y and x are appended, from the same samples.
     """
-    # Errors are relative to the largest average in the plane or, if `wanted` has no scale, in the window: values are
-    # then divided by it. Derivatives by Zernike terms are included: Zernike terms are at most 1, so the moduli of the
-    # OTFs of derivatives are at most twice the OTF of the aperture without aberrations. `band` describes light of
-    # another bandwidth than an intensity: products of fields, or several emitters.
+    # Errors are relative to the largest average in the plane. If `wanted` has no scale, values are divided by the
+    # largest average in the window, and errors are relative to it. Zernike terms are at most 1, so that the OTF
+    # of a derivative by a term has at most twice the modulus of the unaberrated OTF. `band` describes light whose
+    # bandwidth is not that of an intensity: products of fields, or several emitters.
     try:
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _FIRST_SPACING, gradients=gradients)
     except ToleranceError:
-        # Wider spacings need longer filters, which may add errors from bright light beside a dark window.
+        # A wider spacing needs longer filters, with errors from bright light beside a dark window.
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _RETRY_SPACING, gradients=gradients)
 
 
@@ -184,7 +185,7 @@ def _averages_at_spacing(
     *,
     gradients: bool,
 ) -> Averages:
-    # Light of twice the bandwidth needs the filter of twice the pitch. `ceiling` bounds the integral of |OTF|.
+    # Light of twice the bandwidth needs the filter for twice the pitch. `ceiling` bounds the integral of abs(OTF).
     bandwidth, ceiling = (1.0, pupil.amplitude**2) if band is None else band
     step, normalize = bandwidth * grid.step(pupil), wanted.scale is None
     lowest = least_average(step)
@@ -192,12 +193,12 @@ def _averages_at_spacing(
     err_samples, err_response = _first_errors(tol_stored, step)
     in_disc = band is None and not gradients and widest == _FIRST_SPACING and step <= _MAX_PITCH and pupil.within_disc
     if in_disc:
-        # Rounded to a power of two: pupils with similar peaks then use the same cached filter.
+        # Rounded to a power of two, so that pupils with similar peaks use the same cached filter.
         ceiling, err_response = (
             1.0,
             err_response * 2.0 ** math.floor(math.log2(_MEAN_FACTOR * ceiling * pupil.likely_strehl)),
         )
-    # Five attempts: the allowed errors of samples and filter are divided by the excess of the last bound.
+    # Five attempts: each divides the allowed errors of samples and filter by the excess of the previous bound.
     for _ in range(5):
         taps, slope = _choose_filters(step, err_response, widest, grid.shape, gradients=gradients, in_disc=in_disc)
         tol_samples = err_samples / taps.gain**2
@@ -207,7 +208,7 @@ def _averages_at_spacing(
         try:
             total, err_given, peaks = _average_stack(sample, pupil, grid, tol_samples, taps, wanted, dark, slope)
         except ToleranceError as fault:
-            # The gain squared multiplies errors of samples: certificate, section 10.
+            # Filtering multiplies the errors of samples by the squared gain: certificate, section 10.
             bound = math.inf if fault.bound is None else tol * fault.bound / tol_samples
             pixels = f"by averages over pixels of {step / math.pi:.3g} lambda*N in double precision"
             raise not_met(tol, bound, "the largest value in the window", pixels) from None
@@ -222,10 +223,10 @@ def _averages_at_spacing(
         relative = (err_given[0] + err_own) / peak
         bounds = stored_error(relative, wanted)
         if largest(bounds) <= tol:
-            # The OTFs of derivatives by terms have moduli of at most twice the OTF of the aperture: section 8.
+            # The OTFs of derivatives by terms have at most twice the modulus of the unaberrated OTF: section 8.
             errors = err_given + 2.0 * err_filter + rounding * peaks
             if slope is not None:
-                # The response of the derivative filter is at most 2, of the averaging filter 1: section 12, "Shifts".
+                # The responses of the derivative and averaging filters are at most 2 and 1: section 12, "Shifts".
                 missed = (slope.error * (1.0 + taps.error) + 2.0 * taps.error) * ceiling
                 rounding = (4 * taps.weights.size + 16) * 2.0**-53 * taps.gain * slope.gain
                 errors[-2:] = err_given[-2:] + missed + rounding * peaks[-2:]
@@ -233,9 +234,9 @@ def _averages_at_spacing(
             errors[0] = bounds
             return Averages(total, errors, peak)
         too_large = float((err_given[0] / peak).max()) / (0.5 * tol_stored)
-        # If only the filter is too inaccurate, the tolerance of samples stays: a smaller one might be out of reach.
+        # If only the filter is too inaccurate, keep the tolerance of samples: a smaller one may be impossible.
         if too_large > 1.0 and err_samples >= _SINGLE_TOL * taps.gain**2:
-            # Errors in single precision do not predict those in double precision: start just below the limit.
+            # Errors in single precision do not predict errors in double precision: start just below the limit.
             err_samples = 0.9 * _SINGLE_TOL
         elif too_large > 1.0:
             err_samples /= too_large
@@ -259,7 +260,7 @@ def _dark_samples(taps: Taps, allowed: float) -> tuple[float, float]:
 
     Both are relative to the peak; the error is at most `allowed`: certificate, section 10, "Dark rows".
     """
-    # The error is 2 (n + 4) u32 G^2 d: n weights, rounding u32, gain G, largest sample d relative to the peak.
+    # Error for the largest dark sample d: 2 (n + 4) u32 G^2 d, with n weights, unit roundoff u32 and gain G.
     lost = 2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2
     return (lost, _NO_LIMIT) if allowed > lost else (allowed, allowed / lost)
 
@@ -275,12 +276,12 @@ def stored_error(off: Array, wanted: Wanted) -> Array:
     return stored(normalized_error(off) if wanted.scale is None else off, wanted.dtype)
 
 
-def _first_errors(aim: float, step: float) -> tuple[float, float]:
-    """Estimate the errors of samples and of a filter response that keep averages within the error `aim`."""
-    # Assumes a largest average of 4 times its lower bound, and a Strehl ratio that is not small.
+def _first_errors(allowed: float, step: float) -> tuple[float, float]:
+    """Estimate the errors of samples and of a filter response that keep averages within the error `allowed`."""
+    # Assumptions: the largest average is 4 times its lower bound, and the Strehl ratio is not small.
     lowest = least_average(step)
-    # Half of the error for samples; 0.002 for the response, whose error the peak intensity multiplies.
-    return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
+    # Samples get half of the error; the response gets 0.002, since the peak intensity multiplies its error.
+    return 0.5 * allowed * min(4.0 * lowest, 1.0), 2e-3 * allowed * lowest
 
 
 _FAR_FRACTION = 0.7  # fraction of the tolerance that far pixels may use, if the peak is as estimated
@@ -299,7 +300,7 @@ def estimate_far_start(pupil: Pupil, grid: Grid, tol: float) -> float:
     step = grid.step(pupil)
     if largest_far_start(step, grid.shape) == 0.0:
         return 0.0
-    # Amplitude m_0 / r^3 of the averaged rings without aberrations: certificate, section 9, "Farther out".
+    # Amplitude m_0 / r^3 of the averaged rings, unaberrated: certificate, section 9, "Farther out".
     rings = 4.0 / math.pi * float(pupil.illumination.at(np.ones(()))) ** 2 * min(1.0, math.sqrt(2.0) / step)
     return math.cbrt(rings / (_FAR_FRACTION * tol * min(1.0, 4.0 * math.pi * pupil.transmission / step**2)))
 
@@ -307,7 +308,7 @@ def estimate_far_start(pupil: Pupil, grid: Grid, tol: float) -> float:
 def _near_and_far(
     sample: Sample[P], far: Far[P], pupil: P, grid: Grid, tol: float, wanted: Wanted
 ) -> Averages | None:
-    """Return averages of far pixels in closed form and of others from samples; None if slower or out of tolerance."""
+    """Return averages, in closed form for far pixels; None if this is slower or does not meet the tolerance."""
     step = grid.step(pupil)
     most = largest_far_start(step, grid.shape)
     if wanted.terms or wanted.powers or most == 0.0:
@@ -334,14 +335,14 @@ def _near_and_far(
         except (Declined, ToleranceError):
             return None
         try:
-            inner = pixel_averages(sample, pupil, box, tol, wanted)  # Declined is raised for the whole window
+            inner = pixel_averages(sample, pupil, box, tol, wanted)  # not caught: Declined, true of the whole window
         except ToleranceError:
-            return None  # samples of the whole window may keep the tolerance: its peak may be larger
+            return None  # the whole window may meet the tolerance, since its peak may be larger
         err_outer = outer.error / inner.peak
         bounds = stored_error(err_outer, wanted)
         if bounds.max() <= tol:
             outer.values[:, inside[0], inside[1]] = inner.values[0]
-            # Division by the largest average needs the maximum of the whole window: it may be a far pixel.
+            # Division by the largest average needs the maximum of the whole window, far pixels included.
             top = outer.values.max(axis=(1, 2)) if wanted.scale is None else inner.peak
             return Averages(outer.values[None], np.maximum(inner.error, bounds), np.maximum(inner.peak, top))
         tol_far *= 0.8 * allowed / float(err_outer.max())
@@ -357,7 +358,7 @@ def averaged_images(
     band: Band | None = None,
     far: Far[P] | None = None,
 ) -> Images:
-    """Return images of point samples or, if `grid` integrates, of pixel averages, with far pixels by `far`."""
+    """Return point samples or, if `grid` integrates, pixel averages; `far` computes averages of far pixels."""
     if not grid.integrate:
         return sample(pupil, grid, tol, wanted)
     joined = None if far is None else _near_and_far(sample, far, pupil, grid, tol, wanted)
@@ -384,8 +385,8 @@ class Taps(NamedTuple):
     """Filter along one axis, for averages over pixels or for derivatives."""
 
     stride: int  # samples per pixel or, with weights of two pixels, per two pixels (odd)
-    weights: Array  # (2 k + 1,), from k samples before the centre to k after it; two pixels: see fit_pair_weights()
-    error: float  # bound on the error of the response for |w| <= 2, or on its mean (fit_taps() with in_disc)
+    weights: Array  # (2 k + 1,), of samples -k ... k around the centre; of two pixels (2, taps): fit_pair_weights()
+    error: float  # bound on the error of the response for abs(w) <= 2, or on its mean error: fit_taps(), in_disc
     gain: float  # sum of the moduli of the weights: the largest factor by which the filter multiplies errors
 
     @property
@@ -404,16 +405,16 @@ def samples_across(step: float, widest: float = _FIRST_SPACING) -> int:
     if step > _MAX_STRIDE * _FIRST_SPACING:
         raise Declined(
             f"pixel must be at most {_MAX_STRIDE * _FIRST_SPACING / math.pi:.0f} lambda*N to average a pupil "
-            f"without radial symmetry, got {step / math.pi:.4g} lambda*N; take smaller pixels and average blocks"
+            f"without radial symmetry, got {step / math.pi:.4g} lambda*N; take smaller pixels, average blocks"
         )
     return max(1, math.ceil(step / widest))
 
 
 @lru_cache(maxsize=64)
 def averaging_filter(step: float, error: float, widest: float = _FIRST_SPACING, *, growing: bool = False) -> Taps:
-    """Return a filter for averages over pixels of pitch `step`, with a spacing of at most `widest`, both in v.
+    """Return a filter for averages over pixels of pitch `step`, with samples at most `widest` apart (both in v).
 
-    If `growing`, it gives their derivative by ln a, a the pitch: the response is ``cos(a w / 2) - sinc(a w / 2)``.
+    If `growing`, the filter computes derivatives of averages by ln a: response ``cos(a w / 2) - sinc(a w / 2)``.
     """
 
     def response(w: Array) -> Array:
@@ -440,9 +441,9 @@ def _cheapest_filter(step: float, error: float, shape: tuple[int, int], *, in_di
 
 @lru_cache(maxsize=64)
 def slope_filter(step: float, error: float, *, averages: bool, widest: float = _FIRST_SPACING) -> Taps:
-    """Return a filter for the derivative by v along an axis, of pixel averages or, without `averages`, of I.
+    """Return a filter for derivatives by v along an axis: of pixel averages or, without `averages`, of I.
 
-    Its response without the factor i is ``w sinc(a w / 2)`` or w.
+    The response, divided by i, is ``w sinc(a w / 2)`` or w.
     """
 
     def response(w: Array) -> Array:
@@ -461,7 +462,7 @@ def _shortest_filter(
     *,
     in_disc: bool = False,
 ) -> Taps:
-    """Return the shortest filter within `error` and a gain of `most`; if none is found, the longest filter tried."""
+    """Return the shortest filter with at most this `error` and gain `most`; if none has, the longest one tried."""
     stride = samples_across(step, widest)
     half, odd = _half_length(step, error, 2 * stride, in_disc=True) if in_disc else stride // 2 + 2, wave is np.sin
     while True:
@@ -498,17 +499,17 @@ def _average_stack(
 ) -> tuple[Array, Array, Array]:
     """Return averages in the order of :class:`Averages`, their errors due to samples, and the largest samples.
 
-    Samples of at most `dark` times the peak are summed in single precision. `slope` is the filter of the derivatives
-    along y and x, which come last.
+    Samples of at most `dark` times the peak are summed in single precision. The last two arrays, present with the
+    filter `slope`, are derivatives along y and x.
     """
     count, images = math.prod(pupil.shape), 1 + len(wanted.terms) + len(wanted.powers)
     dtype = np.dtype(np.float32 if tol >= _SINGLE_TOL else np.float64)
     request = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms, powers=wanted.powers)
-    all_ = images + (0 if slope is None else 2)
-    total, error, peaks = np.empty((all_, count, *grid.shape)), np.zeros((all_, count)), np.zeros((all_, count))
+    arrays = images + (0 if slope is None else 2)
+    total, error, peaks = np.empty((arrays, count, *grid.shape)), np.zeros((arrays, count)), np.zeros((arrays, count))
     for part, one, pixels in blocks(pupil, grid, taps, images):
         for fine, rows in _sample_strips(total[:, part], pixels, taps):
-            # Strips limit the memory for samples; errors are the largest of all strips.
+            # Strips limit the memory for samples. Errors and peaks are the largest of all strips.
             sampled = sample(one, fine, tol, request)
             err = sampled.bound * sampled.brightest
             error[0, part] = np.maximum(error[0, part], taps.gain**2 * err)
@@ -556,9 +557,9 @@ def _sample_strips(out: Array, grid: Grid, taps: Taps) -> Iterator[tuple[Grid, A
 def averaged_gradient(
     gradient: Callable[[P, Grid, float, Array], Array], pupil: P, grid: Grid, tol: float, weights: Array
 ) -> Array:
-    """Return the gradient of the sum over pixels of averages times `weights`, shape (n, height, width)."""
-    # The transposed filter turns weights of pixels into weights of samples. The tolerance of samples is the first one
-    # that :func:`pixel_averages` tries, which mostly suffices.
+    """Return the gradient of ``sum(weights * averages)`` over pixels, weights of shape (n, height, width)."""
+    # The transposed filter converts weights of pixels to weights of samples. Samples have the first tolerance that
+    # :func:`pixel_averages` tries, which mostly suffices.
     err_samples, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
     def with_spacing(widest: float) -> Array:
@@ -579,18 +580,18 @@ def averaged_gradient(
 
 
 def _row_strips(values: Pixels, taps: Taps) -> Iterator[tuple[int, Pixels]]:
-    """Yield strips of (..., n, height, width) whose samples fit into memory: first row, and the strip."""
-    each = math.prod(values.shape[:-3]) * _sample_count(values.shape[-1], taps) * taps.stride / taps.pixels
-    most = max(1, int(_BLOCK_SAMPLES / each))
-    if most >= values.shape[-2]:
+    """Yield strips of `values` (..., n, height, width) whose samples fit into memory, each after its first row."""
+    samples_per_row = math.prod(values.shape[:-3]) * _sample_count(values.shape[-1], taps) * taps.stride / taps.pixels
+    max_rows = max(1, int(_BLOCK_SAMPLES / samples_per_row))
+    if max_rows >= values.shape[-2]:
         yield 0, values
         return
-    for y in range(0, values.shape[-2], most):
-        yield y, values[..., y : y + most, :]
+    for y in range(0, values.shape[-2], max_rows):
+        yield y, values[..., y : y + max_rows, :]
 
 
 def spread_out(weights: Array, taps: Taps) -> Array:
-    """Return weights of samples (n, rows, columns) whose weighted sum is that of averages with `weights`."""
+    """Return weights of samples (n, rows, columns), from `weights` of pixels, by the transpose of the filter."""
 
     def matrix(pixels: int) -> Array:
         transpose = np.zeros((_sample_count(pixels, taps), pixels))
@@ -611,7 +612,7 @@ def filter_axes(samples: Array, rows: Taps, columns: Taps, threads: int = 0) -> 
 
 
 def _filter_into(samples: Pixels, rows: Taps, columns: Taps, threads: int, out: Array) -> None:
-    # A lower limit of -inf switches off the clamping to 0, which is only valid for an intensity.
+    # A lower limit of -inf switches off clamping to 0, which is valid for intensities only.
     average_samples(samples, _weight_rows(rows), rows.stride, threads, out, -math.inf, _weight_rows(columns))
 
 
@@ -620,14 +621,14 @@ def _sample_count(pixels: int, taps: Taps) -> int:
 
 
 def _strip_grid(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
-    """Return the grid of samples for `height` rows of pixels from `row` on."""
+    """Return the grid of samples for `height` rows of pixels, the first of which is `row`."""
     shape = _sample_count(height, taps), _sample_count(grid.width, taps)
     return _refined_grid(grid, row, shape, taps.stride / taps.pixels, taps.margin)
 
 
 @lru_cache(maxsize=64)
 def _refined_grid(grid: Grid, row: int, shape: tuple[int, int], across: float, margin: int) -> Grid:
-    """Return a grid of `across` samples per pixel, which begins `margin` samples before the first pixel centre."""
+    """Return a grid with `across` samples per pixel that begins `margin` samples before the first pixel centre."""
     y, x = grid.center
     return Grid(shape, grid.side / across, center=((y - row) * across + margin, x * across + margin))
 
@@ -638,13 +639,13 @@ def sample_grid(grid: Grid, taps: Taps) -> Grid:
 
 
 def blocks(pupil: P, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, P, Grid]]:
-    """Yield blocks of the flattened stack: slice, pupils and pixels; the samples of a block fit into memory."""
-    size = max(1, _BLOCK_SAMPLES // (images * math.prod(_sample_count(side, taps) for side in grid.shape)))
+    """Yield the slice, pupils and pixels of blocks of the flattened stack whose samples fit into memory."""
+    count_per_block = max(1, _BLOCK_SAMPLES // (images * math.prod(_sample_count(side, taps) for side in grid.shape)))
     count = math.prod(pupil.shape)
-    if count <= size:
+    if count <= count_per_block:
         yield slice(0, count), pupil, grid
         return
-    for first in range(0, count, size):
-        part = slice(first, min(first + size, count))
+    for first in range(0, count, count_per_block):
+        part = slice(first, min(first + count_per_block, count))
         which = np.unravel_index(np.arange(part.start, part.stop), pupil.shape)
         yield part, pupil[which], grid[which] if grid.stack else grid

@@ -1,6 +1,6 @@
-"""Automatic choice of the methods for a pupil and a window, in the order in which they are tried."""
+"""Automatic choice of methods: the methods for a pupil and a window, in the order in which they are tried."""
 
-# Annotations are not postponed: NamedTuple would compile them, which takes longer than the rest of the import.
+# No `from __future__ import annotations`: NamedTuple would compile them, which takes longer than the other imports.
 
 import math
 from collections.abc import Callable
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from lommel.methods.hankel import Hankel
     from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-_COST_PUPILS = 8  # largest number of pupils of a stack from which its cost is estimated
+_COST_PUPILS = 8  # the cost of a stack is estimated from at most this number of its pupils
 _Result = TypeVar("_Result")
 
 
@@ -29,7 +29,7 @@ class Rule(NamedTuple):
     pupils: str  # description of the class of pupils
     applies: Callable[[BasePupil, Grid], bool]
     import_methods: Callable[[], tuple[Callable[[float], Method], ...]]
-    costs: str  # description of the cost
+    costs: str  # description of the computing time
 
     @property
     def methods(self) -> tuple[Callable[[float], Method], ...]:
@@ -37,7 +37,7 @@ class Rule(NamedTuple):
         return self.import_methods()
 
 
-# Methods are imported on use: most pupils are radially symmetric and need none of these.
+# Functions import methods when they are called: most pupils are radially symmetric and need none of these methods.
 
 
 def _whichever_is_cheaper() -> tuple[Callable[[float], Method], ...]:
@@ -110,7 +110,7 @@ def table() -> str:
 
 
 def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[Method, ...]:
-    """Return the methods for a pupil and a window, in the order in which they are tried, by :data:`RULES`."""
+    """Return the methods of the first of the :data:`RULES` that applies, in the order in which they are tried."""
     imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
     return _construct(rule, tol)
@@ -122,12 +122,12 @@ def _construct(rule: Rule, tol: float) -> tuple[Method, ...]:
 
 
 def of_derivatives(pupil: "ObjectivePupil", methods: tuple[Method, ...]) -> tuple[Method, ...]:
-    """Return the methods for derivatives of an objective's images; only the last one has those by Zernike terms."""
+    """Return methods for derivatives of an objective's images; only the last one has derivatives by Zernike terms."""
     from lommel.methods.layers.chordal_debye import ChordalDebye, ChordalDebyeIfCheaper
 
     tol = methods[0].tol
-    # For light that depends on the azimuth the other methods need new tables over circles for each other plane, so
-    # that chords are tried first.
+    # If the light depends on the azimuth, the chordal rule is tried first: the other methods need new tables over
+    # circles for each further plane.
     first = () if pupil.aberrated or pupil.light.radial else (ChordalDebyeIfCheaper(tol),)
     return (*first, *methods, ChordalDebye(tol))
 
@@ -136,15 +136,15 @@ def first_within_tolerance(
     methods: tuple[Method, ...], compute: Callable[[Method], _Result]
 ) -> tuple[Method, _Result]:
     """Return the first method that neither declines nor misses its tolerance, and its result."""
-    # The chordal rule has a limited number of chords, and an error relative to the window only: it fails for a dark
-    # window, which the series can compute. Errors of other types are defects, and are not caught.
+    # The chordal rule has a limited number of chords, and errors relative to the window: it fails for a dark window,
+    # which NijboerZernike can compute. Errors of other types are defects, and are not caught.
     failure: ToleranceError | Declined | None = None
     for method in methods:
         try:
             return method, compute(method)
         except (ToleranceError, Declined) as error:
-            # Report a missed tolerance first, as it states the possible one; then the reason of a method that is not
-            # the last (chordal) one.
+            # Prefer a missed tolerance, whose message states a possible one; then the reason of a method other than
+            # the last one, the chordal rule.
             if (
                 failure is None
                 or isinstance(error, ToleranceError)
@@ -157,7 +157,7 @@ def first_within_tolerance(
 
 
 def instead(pupil: BasePupil, grid: Grid) -> str:
-    """Return a hint on a method without an error bound for an image that all chosen methods decline, or ""."""
+    """Return a hint to use Fraunhofer, which has no error bound, if no other method computes the image, or ""."""
     from lommel.methods.matrix_fourier import samples_needed
     from lommel.methods.paper.fraunhofer import Fraunhofer
     from lommel.optics.pupil import checked
@@ -168,7 +168,7 @@ def instead(pupil: BasePupil, grid: Grid) -> str:
             return ""
         sampled = Fraunhofer(samples=max(256, samples_needed(lens, grid)[0]))
         sampled.require_fit(lens, grid)
-    except (TypeError, ValueError):  # an objective, a window for each pupil, or too many samples
+    except (TypeError, ValueError):  # an objective, an axis for each pupil, or too many samples
         return ""
     return f"; method=lommel.Fraunhofer(samples={sampled.samples}) computes them, without a bound on its error"
 
@@ -177,7 +177,7 @@ def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tu
     """Return the methods for a stack computed in parts, ordered such that all parts use the same method."""
     if len(methods) == 1:
         return methods
-    # Different methods in different parts would cause steps within the tolerance, visible in differences of images.
+    # Different methods in different parts would cause steps (within the tolerance), visible in image differences.
     if pupil.layered:
         return methods[-1:]
     from lommel.core.engine import disk_costs
@@ -186,14 +186,15 @@ def fixed_order(methods: tuple[Method, ...], pupil: BasePupil, grid: Grid) -> tu
     from lommel.optics.pupil import checked
 
     lens, count = checked(pupil), math.prod(pupil.shape)
-    few = lens[np.unravel_index(np.arange(0, count, -(-count // _COST_PUPILS)), pupil.shape)] if pupil.shape else lens
+    every = np.arange(0, count, -(-count // _COST_PUPILS))
+    part = lens[np.unravel_index(every, pupil.shape)] if pupil.shape else lens
     across = samples_across(grid.step(pupil)) if grid.integrate else 1
     height, width = (across * side for side in grid.shape)
     samples = Grid((height, width), grid.side / across)
     _, series, chords = methods
     try:
         # Estimated times of chords and of the series, from the compiled core.
-        costs = disk_costs(disk_stack(few), window_of(few, samples), series.tol)
+        costs = disk_costs(disk_stack(part), window_of(part, samples), series.tol)
     except Declined:
         return series, chords
     return (chords, series) if costs[0] <= costs[1] else (series, chords)
@@ -212,7 +213,7 @@ def of_large_phases(tol: float) -> "Hankel":
 
 
 def reference(pupil: BasePupil) -> Method:
-    """Return the reference method: quadrature where it applies, else a method with a tolerance of 1e-9."""
+    """Return the reference method for a pupil: quadrature if available, else a method with a tolerance of 1e-9."""
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 

@@ -1,9 +1,9 @@
-r"""Hankel transform by direct quadrature, the reference for all other methods, and the number of nodes it takes.
+r"""Hankel transform by direct quadrature (the reference for all other methods), and its number of nodes.
 
 In t = rho^2 the integrand ``exp(i Phi(t)) J0(v sqrt t)`` is entire. On the ellipse
-``t = c + h cos(theta + i eta)`` around ``[c - h, c + h]`` it is at most ``exp g(eta)`` with
-``g = max_theta (abs(Im Phi) + v abs(Im sqrt t))``, and Gauss quadrature converges like
-``exp(-2 n eta)`` for every eta > 0; the best eta is taken. Certificate, "Differentiable PSFs".
+``t = c + h cos(theta + i eta)`` around ``[c - h, c + h]`` its modulus is at most ``exp(g(eta))`` with
+``g = max_theta (abs(Im Phi) + v abs(Im sqrt t))``. The error of n Gauss nodes is thus bounded in proportion to
+``exp(g(eta) - 2 n eta)`` for every eta > 0; the smallest bound is used. Certificate, "Differentiable PSFs".
 
 References
 ----------
@@ -26,34 +26,34 @@ from lommel.optics.aperture.apodization import Apodization
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
-# Any eta proves a bound; the smallest bound of these is taken.
+# Every eta > 0 gives a bound; the smallest bound for these values of eta is used.
 _ETA = np.geomspace(1e-3, 4.0, 96)
-_STEPS = 128
+_STEPS = 128  # intervals of theta on half an ellipse
 
 UNIT_ROUNDOFF = 2.0**-53
-_EVEN = Apodization()
+_UNIFORM = Apodization()
 
 
-def growth(terms: Array, low: float, v: float, light: Apodization = _EVEN) -> Array:
-    """Bound ``log|A exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
+def growth(terms: Array, low: float, v: float, light: Apodization = _UNIFORM) -> Array:
+    """Bound ``log(abs(A exp(i Phi) J0(v sqrt t)))`` on each ellipse around ``[low, 1]``, for a whole stack.
 
-    `terms` are the coefficients of R_2^0, R_4^0, ... (P_1(2t - 1), P_2, ...), shape ``(n, terms)``; their bounding
-    box stands for the stack. The maximum over theta is taken on a grid. For `low` = 0, Im sqrt t is a trigonometric
-    polynomial of theta / 2, and ``1 / cos(degree step / 2)`` bounds the sum between points (Ehlich and Zeller, 1964);
-    else each interval has a bound of its own: see :func:`rise`.
+    `terms` are the coefficients of R_2^0, R_4^0, ... (P_1(2t - 1), P_2, ...), shape ``(n, terms)``; the bound holds
+    in their whole bounding box. The maximum over theta is computed on a grid. For `low` = 0, the sum is a
+    trigonometric polynomial of theta / 2, at most ``1 / cos(degree step / 2)`` times its largest grid value (Ehlich
+    and Zeller, 1964). Otherwise each interval between grid points is bounded separately: see :func:`rise`.
     """
     degree = terms.shape[1]
     # Bounding box of the stack in the space of coefficients.
     middle = 0.5 * (terms.max(axis=0) + terms.min(axis=0))
     spread = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
     t = ellipses(_ETA, low, _STEPS)
-    # Im Phi is linear in the coefficients: its maximum over a box is its value at the centre plus those of the sides.
+    # Im Phi is linear in the coefficients: its maximum over the box is the value at the centre plus a sum over sides.
     x = 2.0 * t - 1.0
-    phase, sides, before, here = np.zeros(t.shape), np.zeros(t.shape), np.zeros_like(t), np.ones_like(t)
+    phase, sides, previous, current = np.zeros(t.shape), np.zeros(t.shape), np.zeros_like(t), np.ones_like(t)
     for j, (c, s) in enumerate(zip(middle, spread, strict=True), 1):
-        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
-        phase += c * here.imag
-        sides += s * np.abs(here.imag)
+        previous, current = current, ((2 * j - 1) * x * current - (j - 1) * previous) / j
+        phase += c * current.imag
+        sides += s * np.abs(current.imag)
     largest = between(np.abs(phase) + sides, v * rise(_ETA, low, _STEPS), degree, low)
     return np.asarray(largest + light.growth(np.cosh(_ETA), low))
 
@@ -70,9 +70,9 @@ def ellipses(eta: Array, low: float, steps: int) -> NDArray[np.complex128]:
 def rise(eta: Array, low: float, steps: int) -> Array:
     r"""Return abs(Im sqrt t) at the points of :func:`ellipses` for `low` = 0, else its maximum on each interval."""
     # With ``x = cos(theta)`` and ``z = h x + c cosh(eta)``, c and h the middle and half of ``[low, 1]``, abs(t) is
-    # ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. It
-    # therefore lies below the larger of two neighbours, but between those around its one maximum, at ``x = -cosh(eta)
-    # (1 - sqrt(low)) / (1 + sqrt(low))``.
+    # ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. In
+    # an interval it is therefore at most the larger value at the two ends, except in the interval around its only
+    # maximum, at ``x = -cosh(eta) (1 - sqrt(low)) / (1 + sqrt(low))``.
     at = np.asarray(np.abs(np.sqrt(ellipses(eta, low, steps)).imag))
     if low == 0.0:
         return at
@@ -86,10 +86,10 @@ def rise(eta: Array, low: float, steps: int) -> Array:
 
 
 def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
-    """Bound the maximum over theta of a phase at grid points plus a kernel as returned by :func:`rise`."""
-    # With the kernel bounded on intervals: between two points a trigonometric polynomial exceeds linear interpolation
-    # by at most ``(degree step)^2 / 8`` of its maximum, since its second derivative is at most ``degree^2`` times
-    # that (Bernstein).
+    """Bound the maximum over theta of the sum of a phase at grid points and a kernel as returned by :func:`rise`."""
+    # If the kernel is bounded on intervals (low > 0): between two points a trigonometric polynomial exceeds linear
+    # interpolation by at most ``(degree step)^2 / 8`` times its maximum, since its second derivative is at most
+    # ``degree^2`` times its maximum (Bernstein).
     steps = phase.shape[1] - 1
     # Ehlich and Zeller: maximum of a trigonometric polynomial from its values at sufficiently many equal steps.
     widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
@@ -100,30 +100,30 @@ def between(phase: Array, kernel: Array, degree: int, low: float) -> Array:
 
 
 def quadrature_error(g: Array, n: int, low: float = 0.0) -> float:
-    """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, given :func:`growth`."""
-    # exp of more than 700 overflows; such a bound is useless anyway.
+    """Bound the error of n-point Gauss-Legendre quadrature over ``[low, 1]``, from the :func:`growth` `g`."""
+    # exp of more than 700 overflows; so large a bound is useless anyway.
     return math.exp(min(float((_quadrature_log(g, low) - 2.0 * n * _ETA).min()), 700.0))
 
 
 def quadrature_nodes(g: Array, error: float, low: float = 0.0) -> int:
-    """Return the fewest nodes for which :func:`quadrature_error` is at most `error`."""
-    # The bound solved for n at each eta.
+    """Return the smallest number of nodes for which :func:`quadrature_error` is at most `error`."""
+    # The bound is solved for n at each eta.
     needed = (_quadrature_log(g, low) - math.log(error)) / (2.0 * _ETA)
     return max(1, math.ceil(float(needed.min())))
 
 
 def _quadrature_log(g: Array, low: float) -> Array:
-    # 64/15 of Theorem 19.3 times half the length of the interval.
+    # The factor is 64/15 (Theorem 19.3) times half the length of the interval.
     return np.asarray(math.log(32.0 / 15.0 * (1.0 - low)) + g - np.log(-np.expm1(-2.0 * _ETA)))
 
 
 def rounding_error(terms: Array, low: float, nodes: int) -> Array:
-    """Estimate the rounding error of U (not a proof): phases of size Phi lose ``Phi 2^-53``, sums ``sqrt(n)``."""
+    """Estimate (not bound) the rounding error of U: ``Phi 2^-53`` from phases Phi, ``sqrt(n) 2^-53`` from sums."""
     size = np.abs(terms).sum(axis=1)
     return np.asarray((2.0 * size + 4.0 * math.sqrt(nodes) + 16.0) * UNIT_ROUNDOFF * (1.0 - low))
 
 
-_BLOCK = 2**21  # values of J0 held at once: 16 MiB
+_BLOCK = 2**21  # values of J0 in memory at a time: 16 MiB
 _MAX_NODES = 16_000
 
 
@@ -137,7 +137,7 @@ class Hankel(FieldMethod[Pupil]):
     ----------
     tol : float, default 1e-14
         The number of nodes is the smallest whose proven quadrature error in U (relative to U(0) = 1 of the
-        unaberrated aperture) is below `tol`, 1e-15 to 1e-2. Rounding adds about ``2^-53`` times the phase.
+        unaberrated aperture) is below `tol`, 1e-15 to 1e-2. Rounding errors add about ``2^-53`` times the phase.
 
     Raises
     ------
@@ -146,8 +146,8 @@ class Hankel(FieldMethod[Pupil]):
 
     Notes
     -----
-    In t a quartic phase is exactly quadratic and ``J0(v sqrt t)`` is entire, so convergence is geometric
-    once n exceeds about half the bandwidth ``max(sqrt(t (1-t)) |Phi'(t)| + v sqrt(1-t) / 2)``. The bound is
+    In t a quartic phase is exactly quadratic and ``J0(v sqrt t)`` is entire, so convergence is geometric once n
+    exceeds about half the bandwidth ``max(sqrt(t (1-t)) abs(Phi'(t)) + v sqrt(1-t) / 2)``. The bound is
     Theorem 19.3 of Trefethen, *Approximation Theory and Approximation Practice* (2013).
     """
 
@@ -158,24 +158,24 @@ class Hankel(FieldMethod[Pupil]):
     tol: float = 1e-14
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at rising v, with the bound of the quadrature and an estimate of the rounding."""
+        """Return U at rising v, with the sum of the quadrature error bound and an estimate of the rounding error."""
         from scipy.special import j0
 
         low = pupil.obscuration**2
         terms = pupil.radial_terms()
-        reach = float(v[-1]) if v.size else 0.0
-        g = growth(terms, low, reach, pupil.illumination)
-        # U is relative to U(0) = 1 - eps^2 of the unaberrated annulus.
+        largest_v = float(v[-1]) if v.size else 0.0
+        g = growth(terms, low, largest_v, pupil.illumination)
+        # Errors are relative to U(0) = 1 - eps^2 of the unaberrated annulus.
         n = quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise Declined(
-                f"phases of {np.abs(terms).max():.3g} rad and v up to {reach:.3g} take {n:.3g} quadrature "
-                f"nodes, more than the limit of {_MAX_NODES}"
+                f"phases of {np.abs(terms).max():.3g} rad and v up to {largest_v:.3g} need {n:.3g} quadrature nodes, "
+                f"more than the limit of {_MAX_NODES}; leave method out"
             )
         t, weights = gauss_legendre(n, low, 1.0)
         integrand = weights * pupil.illumination.at(t) * np.exp(1j * pupil.radial_phase(t))
-        # On this thread: OpenBLAS's threads would wait actively for one another where several channels are computed
-        # at once.
+        # One thread: threads of OpenBLAS would busy-wait for one another if several channels are computed in
+        # parallel.
         parts = [np.ascontiguousarray(part) for part in (integrand.real, integrand.imag)]
         values = np.empty((len(terms), v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]

@@ -1,4 +1,4 @@
-"""The semi-analytical or matrix Fourier transform: any pupil, any pixels, two matrix products."""
+"""Matrix (semi-analytical) Fourier transform of any pupil onto any pixels, by two matrix products."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
-MAX_SAMPLES = 8192  # most samples across the aperture
-_MAX_FIELD = 2**27  # most complex values of a field: 2 GiB
+MAX_SAMPLES = 8192  # largest number of samples across the aperture
+_MAX_FIELD = 2**27  # largest number of complex values of a field (2 GiB)
 
 
 @dataclass(frozen=True)
 class MatrixFourier(Method[Pupil]):
     r"""Discrete Fourier transform of the sampled pupil onto the pixels, by two matrix products.
 
-    Supports every pupil, as long as no light is aliased into the window. The transform is exact; the error comes from
+    Supports every pupil, if no light is aliased into the window. The transform is exact; the error comes from
     sampling the edge of the aperture (first order in the spacing if binary, second if grey), and grows with the
-    aberration. No bound is claimed: at a few radians the error is typically 1e-3 of the peak with 256 binary samples,
-    2e-4 with grey ones.
+    aberration. There is no error bound. With 256 samples and aberrations of a few radians the error is typically 1e-3
+    of the peak with a binary edge, 2e-4 with a grey edge.
 
     Parameters
     ----------
     samples : int, default 256
-        Number of samples across the diameter of the aperture, 8 to 8192; their cells fill it exactly. With the side
-        of the mask of a pupil it takes the samples of the mask as they are.
+        Number of samples across the diameter of the aperture, 8 to 8192; their square cells span the diameter
+        exactly. If this equals the side of the mask of a pupil, the samples of the mask are used unchanged.
     edge : {"grey", "binary"}, default "grey"
         "grey": a sample is weighted by the clear fraction of its cell. "binary": it is 1 if its centre is clear, else
         0.
@@ -48,8 +48,8 @@ class MatrixFourier(Method[Pupil]):
 
     Notes
     -----
-    ``U = (4 / (pi n^2)) E_y P E_x`` with ``E = exp(-i v x)``. `integrate` averages over Gauss-Legendre points within
-    each pixel, to 1e-8 of the peak of the unaberrated aperture.
+    ``U = (4 / (pi n^2)) E_y P E_x`` with ``E = exp(-i v x)`` and n samples across. `integrate` averages over
+    Gauss-Legendre points within each pixel, with an error of 1e-8 of the peak of the unaberrated aperture.
 
     References
     ----------
@@ -66,7 +66,7 @@ class MatrixFourier(Method[Pupil]):
         validation.choice("edge", self.edge, ("grey", "binary"))
 
     def period(self, pupil: Pupil) -> float:
-        """Return the number of samples: the period of the image of any `pupil`, lambda*N."""
+        """Return the period of the image of any `pupil` in units of lambda*N, the number of samples."""
         return float(self.samples)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -82,19 +82,19 @@ class MatrixFourier(Method[Pupil]):
         offset, weight = gauss_pixel(step, 1e-8) if grid.integrate else (np.zeros(1), np.ones(1))
         if grid.height * grid.width * offset.size**2 > _MAX_FIELD:
             raise Declined(
-                f"pixels of v = {step:.3g} take {offset.size} x {offset.size} points each, {grid.height} x "
-                f"{grid.width} of them more than the limit of {_MAX_FIELD}"
+                f"averages over pixels of v = {step:.3g} need {offset.size} x {offset.size} points per pixel, for "
+                f"{grid.height} x {grid.width} pixels more than the limit of {_MAX_FIELD}; use a smaller window"
             )
         x = cell_centers(self.samples)
-        # Two matrices: exp(-i v y) for all rows of pixels (and nodes in them), exp(-i v x) for all columns (Soummer
-        # et al.).
+        # Two matrices (Soummer et al.): exp(-i v y) for all rows of pixels (and their nodes), exp(-i v x) for
+        # columns.
         to_rows, to_columns = (
             np.exp(-1j * np.multiply.outer((step / grid.side * part[:, None] + offset).ravel(), x))
             for part in (grid.y, grid.x)
         )
         out = np.empty((math.prod(pupil.shape), *grid.shape))
-        for image, given in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
-            field = to_rows @ given @ to_columns.T
+        for image, pupil_function in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
+            field = to_rows @ pupil_function @ to_columns.T
             # A cell has the area (2 / n)^2, and the aperture the area pi: U = (4 / (pi n^2)) times the sum.
             fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
             shaped: Array = fine.reshape(grid.height, offset.size, grid.width, offset.size)
@@ -103,29 +103,29 @@ class MatrixFourier(Method[Pupil]):
 
 
 def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
-    """Return the fewest samples across the aperture with which no light wraps into the window, and why."""
+    """Return the smallest number of samples without light wrapped into the window, and the reason for it as text."""
     # Images of n samples repeat at ``pi n`` in v: the blur of the neighbouring image must not reach the window.
     step = grid.step(pupil)
     blur = float(pupil.v(pupil.geometric_radius()).max())
-    # To the edges of pixels, which averages reach.
+    # Averages extend to the outer edges of pixels.
     window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.side + 0.5 * step
-    why = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
-    return math.ceil((blur + window) / math.pi), why
+    reason = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
+    return math.ceil((blur + window) / math.pi), reason
 
 
 def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> None:
-    """Raise ValueError where light would wrap around into the window, or each pupil has an axis of its own."""
+    """Raise ValueError if light would wrap around into the window, or if each pupil has an axis of its own."""
     grid.require_one_axis()
-    needed, why = samples_needed(pupil, grid)
+    needed, reason = samples_needed(pupil, grid)
     if needed > samples:
-        advice = (
+        requirement = (
             f"at least samples={needed}" if needed <= MAX_SAMPLES else f"{needed:.3g} samples, over {MAX_SAMPLES}"
         )
-        raise Declined(f"{type(method).__name__}(samples={samples}) would alias: {why} need {advice}")
+        raise Declined(f"{type(method).__name__}(samples={samples}) would alias: {reason} need {requirement}")
 
 
 def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[NDArray[np.complex128]]:
-    """Yield the field in square cells of side ``2 half`` centred at ``(x, x)``, for each of the flattened stack."""
+    """Yield the field in cells of side ``2 half`` centred at ``(x, x)``, for each pupil of the flattened stack."""
     rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
     amplitude = transmission(pupil, x, half, edge)
     if not pupil.illumination.uniform:
@@ -140,34 +140,34 @@ def pupil_functions(pupil: Pupil, x: Array, half: float, edge: str) -> Iterator[
 def transmission(pupil: Pupil, x: Array, half: float, edge: str) -> Values:
     """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
 
-    "binary": that at the centre of the cell. "grey": times the part of the cell that the aperture leaves clear; see
-    :meth:`lommel.optics.aperture.opening.Opening.coverage`.
+    A "binary" edge has the transmission 0 or 1 at the centre of the cell, a "grey" edge the clear fraction of the
+    cell (:meth:`lommel.optics.aperture.opening.Opening.coverage`); a mask multiplies it by its value at the centre.
     """
     across, down = x[None, :], x[:, None]
     if edge == "grey":
-        part = pupil.opening.coverage(across, down, half)
+        clear_fraction = pupil.opening.coverage(across, down, half)
     else:
-        part = (pupil.opening.margin(across, down) >= 0.0).astype(np.float64)
-    return part if pupil.mask is None else part * pupil.mask.at(across, down)
+        clear_fraction = (pupil.opening.margin(across, down) >= 0.0).astype(np.float64)
+    return clear_fraction if pupil.mask is None else clear_fraction * pupil.mask.at(across, down)
 
 
 def gauss_pixel(width: float, error: float) -> tuple[Array, Array]:
-    """Return offsets in v and weights that average I over a pixel of `width` in v along an axis, with error `error`.
+    """Return offsets in v and weights that average I within `error` over a pixel of `width` in v along an axis.
 
-    The error is relative to ``sup|U|^2`` and holds for any pupil: U is of exponential type 1 along either axis.
+    The error is relative to ``sup abs(U)^2`` and holds for any pupil: U is of exponential type 1 along either axis.
     """
     x, w = gauss_legendre(pixel_nodes(width, error), -0.5, 0.5)
     return width * x, w
 
 
 def pixel_error(width: float, nodes: int) -> float:
-    """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
-    # The core bounds the error along both axes, relative to half the range of I: a quarter of that.
+    """Bound the error of the q-point average over a pixel of `width` in v along an axis, over sup abs(U)^2."""
+    # The core's bound is for both axes and relative to half the range of I. For one axis and the range, it is 1/4.
     return 0.25 * gauss_error(width, nodes)
 
 
 def pixel_nodes(width: float, error: float) -> int:
-    """Return the fewest nodes along an axis for which :func:`pixel_error` is at most `error`."""
+    """Return the smallest number of nodes along an axis for which :func:`pixel_error` is at most `error`."""
     nodes = 1
     while pixel_error(width, nodes) > error:
         nodes += 1

@@ -32,16 +32,17 @@ else:
     P = TypeVar("P", bound=BasePupil)
 
 Shortcut = Callable[[Any, Pixels], tuple[Array, float] | None]
-"""Signature: pupil, array for its values -> their factor and the largest bound; or None."""
+"""Signature: pupil, array for the values -> scale of the values, and the largest error bound; or None."""
 
-# Article and noun of messages.
-_AN = {"lens": "a lens", "objective": "an objective"}
-# Levels l of tables of the compiled core, whose errors are about 10^-l: certificate, section 9, "Requested accuracy".
+# Article and noun of the kind of pupil, for messages.
+_NOUN = {"lens": "a lens", "objective": "an objective"}
+# Levels l of accuracy of tables in the compiled core: errors are about 10^-l (certificate, section 9, "Requested
+# accuracy").
 _LEVELS = range(3, 16)
-_USUAL = 10  # level for methods without an error bound
-# Steps of the line that is searched for the peak, from the axis to where the last rays arrive: certificate, section
-# 9, "Relative to what".
-_SCAN = 512
+_DEFAULT_LEVEL = 10  # level for profiles without an error bound
+# Steps of the line on which the peak is searched, from the axis to the outermost ray: certificate, section 9,
+# "Relative to what".
+_LINE_STEPS = 512
 
 
 class Method(ABC, Generic[P]):
@@ -52,28 +53,28 @@ class Method(ABC, Generic[P]):
     """
 
     pupils: ClassVar[str] = "lens"
-    """Whose pupils are supported: ``"lens"``, ``"objective"`` or ``"any"``."""
+    """Kind of supported pupils: of a ``"lens"``, of an ``"objective"``, or ``"any"``."""
 
     sampling: ClassVar[str] = "center"
     """``"center"``: values sample the pixel centres; ``"pixel"``: they are averages over pixels."""
 
     apodized: ClassVar[bool] = False
-    """Whether pupils with an apodization are supported."""
+    """True if pupils with an apodization are supported."""
 
     nonradial: ClassVar[bool] = False
-    """Whether pupils whose phase or transmission depends on the direction are supported."""
+    """True if pupils whose phase or transmission depends on the direction are supported."""
 
     any_aperture: ClassVar[bool] = False
-    """Whether apertures with a spider, vignetting or a mask are supported."""
+    """True if apertures with a spider, vignetting or a mask are supported."""
 
     keeps_tol: ClassVar[bool] = True
-    """Whether a bound, where there is one, counts everything, storing included, and never exceeds `tol`."""
+    """True if error bounds, where available, include all errors (also of storing) and never exceed `tol`."""
 
     least_tol: ClassVar[float] = 1e-12
-    """The least tolerance that a method with one takes."""
+    """Smallest tolerance, of methods that have a tolerance."""
 
     most_tol: ClassVar[float] = 1e-1
-    """What its tolerance must be below."""
+    """Exclusive upper limit of the tolerance."""
 
     tol: float = 1e-6
 
@@ -83,14 +84,14 @@ class Method(ABC, Generic[P]):
             object.__setattr__(self, "tol", tol)
 
     def unsupported(self, pupil: P) -> str | None:
-        """Return the reason why `pupil` is not supported, or None; here None for every pupil."""
+        """Return the reason why `pupil` is not supported, or None; by default every pupil is supported."""
         return None
 
     @abstractmethod
     def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on `grid` for the flattened stack of `pupil`, with at most `threads` threads.
 
-        Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
+        The shape is ``(n, len(grid.radii))`` for values at the distinct radii, else ``(n, height, width)``.
         """
 
     def unaberrated_peak(self, pupil: P) -> float:
@@ -102,7 +103,7 @@ class Method(ABC, Generic[P]):
         return 1.0
 
     def period(self, pupil: P) -> float:
-        """Return the period of the image of `pupil`, lambda*N along x and y; infinite unless a sum of samples."""
+        """Return the period of the image along x and y, in lambda*N: infinite unless images are sums of samples."""
         return pupil.period
 
     @property
@@ -121,7 +122,7 @@ class Method(ABC, Generic[P]):
         return changed
 
     def tightened(self, tol: float | None = None) -> Self:
-        """Return the method with half its tolerance or with `tol`, within its range; itself if it has none."""
+        """Return the method with half its tolerance, or with `tol`; unchanged if it keeps no tolerance."""
         if not (self._has_tol and self.keeps_tol):
             return self
         return self.with_tol(max(0.5 * self.tol if tol is None else tol, self.least_tol))
@@ -147,14 +148,15 @@ class Method(ABC, Generic[P]):
         """
         if wanted.powers or wanted.terms:
             raise ValueError(
-                f"derivatives are not available from {type(self).__name__}; leave method out for one that has them"
+                f"derivatives are not available from {type(self).__name__}; leave method out to use one that has them"
             )
         way = self
         made = way.intensity(pupil, grid, wanted.threads)
         while (
             self.keeps_tol and (error := with_storage_rounding(made, wanted)) is not None and error.max() > self.tol
         ):
-            # Values divided by their own largest one have twice the error, so that halving tol once suffices there.
+            # Division of values by their own largest value doubles the error: tol is then divided by 4, otherwise by
+            # 2.
             finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
@@ -165,9 +167,10 @@ class Method(ABC, Generic[P]):
     def plan(self, pupil: P, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a prepared computation on `grid` for pupils that differ from `pupil` in their wavefronts only.
 
-        `wanted` is without `out` and derivatives. The returned function takes such a pupil and an array for the
-        values, and returns their scale, of the shape of the pupil, and the largest error bound; or None if
-        :meth:`images` must be called instead. It raises as :meth:`images`. By default there is none.
+        `wanted` has neither `out` nor derivatives. The returned function has as arguments such a pupil and an array
+        for the values. It returns the scale of the values, of the shape of the pupil, and the largest error bound; or
+        None if :meth:`images` must be called instead. It raises the exceptions of :meth:`images`. By default there is
+        no prepared computation.
         """
         return None
 
@@ -175,7 +178,7 @@ class Method(ABC, Generic[P]):
         """Raise Declined, a ValueError, if `pupil` is not supported."""
         if self.pupils not in (kind := "objective" if imaged(pupil).layered else "lens", "any"):
             raise Declined(
-                f"{type(self).__name__} supports the pupils of {_AN[self.pupils]} only, got that of {_AN[kind]}; "
+                f"{type(self).__name__} supports the pupils of {_NOUN[self.pupils]} only, got that of {_NOUN[kind]}; "
                 "leave method out for one that supports it"
             )
         reason = self.unsupported(pupil)
@@ -194,28 +197,28 @@ class Method(ABC, Generic[P]):
 
 
 def require_period(period: float, pupil: BasePupil, grid: Grid, *, edges: bool) -> None:
-    """Raise ValueError where points, or pixels to their `edges`, exceed the `period` of an image about the axis."""
+    """Raise ValueError if the window, to pixel centres or with `edges` to pixel edges, exceeds the image's period."""
     if period == math.inf:
         return
     for pitch, side, places in zip(grid.pitch, grid.shape, (grid.y, grid.x), strict=True):
         width = pitch * (side - (not edges)) / pupil.scale
         far = (float(np.abs(places).max()) + (0.5 * pitch if edges else 0.0)) / pupil.scale
-        # Windows of even sides reach half a pixel farther to one side than to the other.
+        # Windows of even sides extend half a pixel farther to one side than to the other.
         most = 0.5 * (period + pitch / pupil.scale * (side % 2 == 0))
         if not (width <= period * (1.0 + 1e-9) and far <= most * (1.0 + 1e-9)):
             raise beyond_period("the window", far, period)
 
 
 def beyond_period(what: str, reach: float, period: float) -> ValueError:
-    """Return the error for `what` reaches farther from the axis, lambda*N, than half of the period of the image."""
+    """Return the exception for the object `what` at `reach` lambda*N, beyond half the period of the image."""
     return ValueError(
-        f"{what} reaches {reach:.4g} lambda*N from the axis, but an image of samples repeats, here every "
-        f"{period:.4g} lambda*N: ask for at most half of that, or give finer samples (or a Mask with squares=True)"
+        f"{what} reaches {reach:.4g} lambda*N from the axis, but the image of a sampled pupil repeats every "
+        f"{period:.4g} lambda*N; stay within half of this, or use finer samples (or a Mask with squares=True)"
     )
 
 
 def described(thing: Any) -> Json:
-    """Return the name and fields of a dataclass, and of dataclasses in it, as plain types."""
+    """Return the name and fields of a dataclass, including nested dataclasses, in plain types."""
     options = {item.name: getattr(thing, item.name) for item in fields(thing)}
     for name, value in options.items():
         if hasattr(value, "__dataclass_fields__"):
@@ -238,28 +241,28 @@ class RadialMethod(Method[P]):
         return self if pupil.radial else None
 
     def _ceiling(self, pupil: P) -> float:
-        """Return an upper bound on the image of `pupil`."""
+        """Return an upper bound on the intensity of `pupil`."""
         return self.unaberrated_peak(pupil)
 
     def _likely_peak(self, pupil: P) -> float:
-        """Estimate the lowest peak of a stack."""
+        """Estimate the lowest peak of the pupils of a stack."""
         return pupil.likely_peak
 
     def intensity(self, pupil: P, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        """Return I at the distinct radii of `grid` or, if the grid is not symmetric, on its pixels."""
         if not grid.symmetric:
             return self.on_pixels(pupil, grid, threads)
         return self._threaded_profile(pupil, grid.v(pupil), threads)
 
     def _threaded_profile(self, pupil: P, v: Array, threads: int) -> Intensities:
-        """Return :meth:`profile` with at most `threads` threads; few methods have more than one."""
+        """Return :meth:`profile` with at most `threads` threads; most methods use one thread."""
         return self.profile(pupil, v)
 
     def images(self, pupil: P, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
-        # Values divided by their own largest one have twice the error over that peak.
+        # Division of values by their own largest value doubles their relative error.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
         return to_images(self.on_pixels(pupil, grid, wanted.threads, tol=aim, window=True), grid, wanted)
 
@@ -268,45 +271,45 @@ class RadialMethod(Method[P]):
     ) -> Intensities:
         """Return I at, or averaged over, the pixels of `grid` from the profile of `pupil`, with at most `threads`.
 
-        `tol` bounds the error relative to the peak, or to the largest value in the `window`; by default it is that of
-        the method. Raises ToleranceError if it cannot be met; methods without a tolerance are interpolated to
-        rounding.
+        `tol` bounds the error relative to the peak, or to the largest value in the `window`; by default it is the
+        tolerance of the method. Raises ToleranceError if the bound cannot be met. Profiles without an error bound are
+        interpolated with an error of about 1e-10.
         """
-        # I is band-limited (exponential type 2 in v) and within half its largest value of a constant, which bounds
-        # the error of the weighted sums of the profile: docs/certificate.md, section 9.
+        # I is band-limited (exponential type 2 in v) and differs from a constant by at most half its largest value.
+        # Both properties bound the error of weighted sums of the profile: docs/certificate.md, section 9.
         allowed, finer = self.tol if tol is None else tol, self
-        # The largest value is at most the peak of I or, for pixels that hold all light, its average.
+        # The largest value is about the peak of I or, for pixels that contain all light, the mean over such a pixel.
         side = grid.step(pupil) if grid.integrate else 0.0
-        likely = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
-        # Interpolation may take a fifth of the tolerance; its errors are in units of half the range of I.
-        needed = math.ceil(-math.log10(0.2 * allowed * likely / (0.5 * self._ceiling(pupil))))
+        peak_estimate = 1.0 / (1.0 / self._likely_peak(pupil) + side**2 / (4.0 * math.pi * pupil.transmission))
+        # Interpolation may use a fifth of the tolerance; its errors are relative to half the range of I.
+        needed = math.ceil(-math.log10(0.2 * allowed * peak_estimate / (0.5 * self._ceiling(pupil))))
         level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
-        # A profile without an error bound says nothing of the level it deserves.
+        # The error bound of a profile determines the level; without a bound the level is fixed.
         if self.profile(pupil, np.zeros(1)).error is None:
-            level = _USUAL  # whatever the stack
-        elsewhere, looked = np.zeros(math.prod(pupil.shape)), window
+            level = _DEFAULT_LEVEL
+        plane_peak, searched = np.zeros(math.prod(pupil.shape)), window
         while True:
-            values, given, added = _pixel_sums(finer, pupil, grid, level, threads)
+            values, profile_error, sum_error = _pixel_sums(finer, pupil, grid, level, threads)
             top = values.max(axis=(1, 2))
-            if given is None:
+            if profile_error is None:
                 return Intensities(values, None, top)
-            error = given + added
-            peak = np.maximum(top - error, elsewhere)
-            if not looked and np.any(error > allowed * peak):
-                elsewhere, looked = _peak_at_least(finer, pupil, grid, level, threads), True
-                peak = np.maximum(peak, elsewhere)
+            error = profile_error + sum_error
+            peak = np.maximum(top - error, plane_peak)
+            if not searched and np.any(error > allowed * peak):
+                plane_peak, searched = _peak_at_least(finer, pupil, grid, level, threads), True
+                peak = np.maximum(peak, plane_peak)
             relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 1e-300)
             worst = int(relative.argmax())
-            # Whichever part exceeds a fifth of the tolerance is computed more exactly: section 9, "Requested
+            # Each part of the error above a fifth of the tolerance is computed more accurately: section 9, "Requested
             # accuracy".
-            room = 0.2 * allowed * max(float(top[worst]), float(elsewhere[worst]), 1e-3 * float(error[worst]))
-            before = level, finer
-            if added[worst] > room:
-                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(added[worst] / room))))
-            if given[worst] > room:
+            part_limit = 0.2 * allowed * max(float(top[worst]), float(plane_peak[worst]), 1e-3 * float(error[worst]))
+            previous = level, finer
+            if sum_error[worst] > part_limit:
+                level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(sum_error[worst] / part_limit))))
+            if profile_error[worst] > part_limit:
                 further = finer.tightened().tightened().tightened()  # an eighth of the tolerance
                 finer = further if further.tol >= 1e-5 * self.tol else self
-            stuck = (level, finer) == before
+            stuck = (level, finer) == previous
             if relative[worst] <= allowed or (stuck and not self.keeps_tol):
                 return Intensities(values, relative, peak)
             if stuck:
@@ -319,9 +322,9 @@ class RadialMethod(Method[P]):
 def _pixel_sums(
     method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int
 ) -> tuple[Array, Array | None, Array]:
-    """Return values of pixels, and the parts of the bound on their error due to the profile and to the sums."""
-    # A function of bandwidth 2 `faster` is I on a window that is `faster` times as large. `faster` and `ceiling` are
-    # exponential type and range of I, the units of all bounds of section 9.
+    """Return values of pixels, and two parts of their error bound: due to the profile, and due to the sums."""
+    # An intensity of bandwidth 2 `faster` on a window equals an intensity of bandwidth 2 on a window `faster` times
+    # as large. `faster` and `ceiling` (range of I) are the units of all bounds of section 9.
     faster, ceiling = method.stretch(pupil), method._ceiling(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
@@ -330,26 +333,28 @@ def _pixel_sums(
     # Clamp to 0: averages of an intensity are not negative, and clamping does not increase the error.
     np.maximum(values, 0.0, out=values)
     size = profile.values.max(axis=1)
-    # |I'| = 2 |U| |U'|, and |U'| < 1/2; radii, places in a pixel and pixels are off by a few roundings each.
+    # |I'| = 2 |U| |U'|, and |U'| < 1/2; a few roundings displace each radius, each position in a pixel and each
+    # pixel.
     slope = np.sqrt(of_nodes * size * max(1.0, ceiling))
-    places = float(v[-1]) * slope * (3.0 * of_grid * of_nodes + 6.0 * of_grid + 4.0)
-    added = 0.5 * ceiling * error + 2.0**-53 * (rounding * size + penalties + places)
+    position_error = float(v[-1]) * slope * (3.0 * of_grid * of_nodes + 6.0 * of_grid + 4.0)
+    sum_error = 0.5 * ceiling * error + 2.0**-53 * (rounding * size + penalties + position_error)
     if profile.error is None:
-        return values, None, added
+        return values, None, sum_error
     peak = size if profile.peak is None else profile.peak
-    return values, of_grid * of_nodes * profile.error * peak, added
+    return values, of_grid * of_nodes * profile.error * peak, sum_error
 
 
 def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:
-    """Return a lower bound on the largest value over the plane, on a line from the axis to the last ray."""
-    # Rays end at the largest slope of the phase; diffraction moves the peak by no more than a few units of v.
+    """Return a lower bound on the largest value in the plane, from a line between the axis and the outermost ray."""
+    # The largest slope of the phase determines the outermost ray; diffraction moves the peak by a few units of v
+    # only.
     blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
-    pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
-    count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
+    pixel = grid.side if grid.integrate else blur / _LINE_STEPS / grid.step(pupil) * grid.side
+    count = min(_LINE_STEPS, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
     line = Grid((1, count), pixel, center=(0.0, 0.0), integrate=grid.integrate)
-    values, given, added = _pixel_sums(method, pupil, line, level, threads)
-    assert given is not None
-    return np.asarray(values.max(axis=(1, 2)) - given - added)
+    values, profile_error, sum_error = _pixel_sums(method, pupil, line, level, threads)
+    assert profile_error is not None
+    return np.asarray(values.max(axis=(1, 2)) - profile_error - sum_error)
 
 
 class FieldMethod(RadialMethod[P]):
@@ -385,8 +390,8 @@ def squared(field: FieldValues) -> Intensities:
 
 
 def relative_error(intensity: Array, field_error: Array) -> Array:
-    """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``."""
-    # Certificate, section 6: M is the largest abs(U) computed, and the exact one may be smaller by e.
+    """Bound ``max abs(I - I_exact) / max I_exact`` from a bound e on abs(U - U_exact)."""
+    # (2 M e + e^2) / (M - e)^2, M the largest computed abs(U), the exact one >= M - e: certificate, section 6.
     peak = np.sqrt(intensity.max(axis=1))
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
@@ -394,18 +399,18 @@ def relative_error(intensity: Array, field_error: Array) -> Array:
 
 
 def storing(dtype: DTypeLike) -> float:
-    """Bound the error over the peak that scaling and storing add, as the compiled core does them."""
+    """Bound the error, relative to the peak, of scaling and storing values in the compiled core."""
     # Six roundings: two squares and their sum, the scale and the product with it (certificate, section 6, "Storing").
     return 6.0 * 2.0**-53 + (2.0**-24 if np.dtype(dtype) == np.float32 else 0.0)
 
 
 def stored(relative: Array, dtype: DTypeLike) -> Array:
-    """Bound the error after storing of values that were off by `relative` of the peak."""
+    """Bound the error of stored values from their error `relative` before, both relative to the peak."""
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
 def with_storage_rounding(made: Intensities, wanted: Wanted) -> Array | None:
-    """Bound the error of images after scaling (None: to a peak of 1) and storing."""
+    """Bound the error of images after scaling (a scale of None makes the largest value 1) and storing."""
     if made.error is None:
         return None
     return stored(normalized_error(made.error) if wanted.scale is None else made.error, wanted.dtype)
@@ -423,30 +428,30 @@ def to_images(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
 
 
 def normalized_error(relative: Array) -> Array:
-    """Bound the error of values divided by their own largest one, itself in error by `relative`."""
-    # 2 r / (1 - r): a value and the largest one that divides it are both off by r.
+    """Bound the error of values divided by their largest value, from their error `relative` before division."""
+    # 2 r / (1 - r): a value and the largest value that divides it both have errors of at most r.
     safe = np.minimum(relative, 1.0 - 1e-9)
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
 def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normalized: bool) -> Images:
     """Return images whose bounds include the truncation errors of the terms of wavefront and apodization."""
-    # Certificate, "Model error of a wavefront": a phase off by e changes U, and its derivatives, by at most e int A
-    # dx dy / pi. At shorter wavelengths of a spectrum both e and U are larger. An amplitude off by e A does the same,
-    # and counts twice: the peak or the light by which values are divided changes with it.
+    # Certificate, "Model error of a wavefront": a phase error e changes U, and its derivatives, by at most e int A
+    # dx dy / pi. At the shorter wavelengths of a spectrum both e and U are larger. An amplitude error e A has the
+    # same effect, and counts twice: it also changes the peak or the light by which values are divided.
     of_phase, of_light = pupil.left_out
     if not (of_phase or of_light) or made.error is None:
         return made
     stretch = max(1.0, method.stretch(pupil))
     left = np.asarray((of_phase * stretch + 2.0 * of_light) * pupil.amplitude * stretch)
     brightest = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64) / made.scale
-    more = relative_error(brightest[:, None], left)
-    error = made.error + (normalized_error(more) if normalized else more)
+    relative = relative_error(brightest[:, None], left)
+    error = made.error + (normalized_error(relative) if normalized else relative)
     if method.keeps_tol and error.max() > method.tol >= made.error.max():
         raise ToleranceError(
             f"tol={method.tol:g} cannot be met: the terms of the wavefront leave up to {of_phase:.2g} rad of the "
-            f"phase out, those of the apodization {of_light:.2g} of the amplitude; with both the error is bounded by "
-            f"{error.max():.2g} of the peak; ask for a larger tol"
+            f"phase out, the terms of the apodization {of_light:.2g} of the amplitude, so that the error bound is "
+            f"{error.max():.2g} of the peak; use a larger tol"
         )
     if made.slopes is None:
         return made._replace(error=error)
@@ -455,14 +460,14 @@ def with_model_error(made: Images, pupil: BasePupil, method: Method, *, normaliz
 
 
 def powers_cancel(pupil: Pupil) -> str | None:
-    """Return why the phase must not be expanded in powers of rho, or None if it may."""
-    from lommel.optics.wavefront.wavefront import MAX_HIGHER  # loaded with what has one
+    """Return the reason why the phase must not be expanded in powers of rho, or None."""
+    from lommel.optics.wavefront.wavefront import MAX_HIGHER  # imported on use
 
     if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:
         return None
     return (
-        f"takes powers of rho up to {2 * (2 + MAX_HIGHER)}, and those of radially symmetric terms of higher degree "
-        "cancel: use NijboerZernike"
+        f"expands the phase in powers of rho up to {2 * (2 + MAX_HIGHER)}, which cancel for radially symmetric terms "
+        "of higher degree; use NijboerZernike"
     )
 
 

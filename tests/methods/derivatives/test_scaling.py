@@ -65,7 +65,7 @@ def slopes_of(light, off, integrate):
         return Images(np.ascontiguousarray(values), np.ones(1), np.array([off]), None, np.ones(1))
 
     grid = lm.Grid(5, 0.5, integrate=integrate)
-    (slope, error), _ = tilted(lm.NijboerZernike(1e-4), lm.Pupil(lm.Wavefront(0.0)), grid, ask=ask)
+    (slope, error), _ = tilted(lm.NijboerZernike(1e-4), lm.Pupil(lm.Wavefront(0.0)), grid, compute=ask)
     return slope[0, 2], float(error[0])
 
 

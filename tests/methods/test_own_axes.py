@@ -188,7 +188,7 @@ def test_a_plan_keeps_its_axes_and_writes_where_it_is_told():
         answer = plan(pupil, out=frames)
         assert answer.values is frames
         np.testing.assert_array_equal(frames, lm.psf(pupil, 9, 0.5, center=center).values)
-    with pytest.raises(ValueError, match="center must broadcast with the stack of pupils, got places of shape"):
+    with pytest.raises(ValueError, match="center must broadcast with the stack of pupils, got centres of shape"):
         plan(lm.Pupil(lm.Wavefront([1.0, 2.0])))
     with pytest.raises(ValueError, match=r"out must have the shape \(3, 9, 9\), got \(9, 9\)"):
         plan(lm.Pupil(), out=np.empty((9, 9), np.float32))

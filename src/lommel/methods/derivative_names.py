@@ -193,9 +193,7 @@ def _lens(name: str, pupil: Pupil) -> tuple[float, Geometry]:
     wave, _ = _metric(name, pupil)
     lens = pupil.geometry
     if lens is None:
-        raise ValueError(
-            f"derivatives by {name!r} need a pupil with the distances of a lens; make it by Lens.pupil"
-        )
+        raise ValueError(f"derivatives by {name!r} need a pupil with the distances of a lens; make it by Lens.pupil")
     if lens.model != "paraxial":
         raise ValueError(
             f"derivatives by {name!r} are of paraxial lenses only, got model={lens.model!r}, where the distance "

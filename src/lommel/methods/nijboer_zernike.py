@@ -1,4 +1,4 @@
-"""Default method: the Legendre-Bessel form of the extended Nijboer-Zernike series, compiled, with error bounds."""
+"""Default method: the Legendre-Bessel form of the extended Nijboer-Zernike series, with error bounds."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
     tol: float = 1e-6
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return the field U at increasing v and its error bound, at which I is accurate to `tol` of the peak."""
+        """Return the field U at increasing v, so exact that the error of I is at most `tol`, and its error bound."""
         return radial_fields(radial_stack(pupil), v, self.tol)
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
@@ -115,7 +115,7 @@ class NijboerZernike(FieldMethod["Pupil"]):
         if pupil.radial:
             return self._radial_images(pupil, grid, wanted)
         if wanted.powers:
-            raise ValueError("derivatives are available of radially symmetric pupils only")
+            raise ValueError("derivatives by powers of rho are available for radially symmetric pupils only")
         return disk_images(_series_samples, pupil, grid, self.tol, wanted)
 
     def _radial_images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
@@ -130,12 +130,12 @@ class NijboerZernike(FieldMethod["Pupil"]):
             return radial_images(stack, window, self.tol, wanted, integrate=grid.integrate)
 
         averaged = grid.integrate and not grid.stack
-        # Two ways to average over pixels: weights shared by all pupils of a window (certificate, section 9), or a
-        # filter of finer samples (section 10).
+        # Pixel averages are sums with weights that all pupils of a window share (certificate, section 9), or filtered
+        # finer samples (section 10).
         sampled = averaged and filters_pay(stack, window, self.tol)
         if averaged and wanted.powers and (sampled or filters_pay(stack, window, self.tol, derivatives=True)):
             values = images(wanted._replace(powers=()), sampled=sampled)
-            # Derivatives are computed from finer samples, values in the way that is faster for them.
+            # Derivatives are computed from finer samples, values by the faster of the two ways.
             return values._replace(slopes=images(wanted._replace(out=None), sampled=True).slopes)
         return images(wanted, sampled=sampled)
 

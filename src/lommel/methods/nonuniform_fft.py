@@ -1,7 +1,7 @@
 """Quadrature along the rows of any aperture, summed by a non-uniform FFT: every pupil, with a proven error bound.
 
-Small windows of many fields (stacks, derivatives) use a rule of the disc with the moments of the aperture instead:
-certificate, section 18.
+Stacks and derivatives on small windows use the moment rule instead, a quadrature rule of the disc that has the same
+moments as the aperture: certificate, section 18.
 
 References
 ----------
@@ -36,19 +36,19 @@ from lommel.special.legendre import gauss_legendre
 Complexes = NDArray[np.complex128]
 
 _UNIT = 2.0**-53
-_MAX_VALUES = 2**21  # values of the pupil function in memory at a time
+_MAX_VALUES = 2**21  # largest number of values of the pupil function in memory at a time
 _MAX_TERM_DEGREE = 12  # Zernike degree above which products of polynomials of x and y lose digits by cancellation
-_MIN_FIELDS = 4  # number of fields from which the moment rule saves time
+_MIN_FIELDS = 4  # smallest number of fields for which the moment rule saves time
 _MIN_FIELD_ERROR = 3e-12  # relative error of the field below which rounding errors dominate
-_MAX_WAVES = 2**22  # cached cosines and sines
+_MAX_WAVES = 2**22  # largest number of cached cosines and sines
 _DEGREE_STEP = 32  # degrees are rounded up to multiples of this
 
 
 # Moment rule. A quadrature rule of the aperture is a linear functional L. For polynomials p up to degree D there is
-# one polynomial g with L(p) = integral of p g over the disc. A rule of the disc that is exact to degree 2 D, its
-# weights omega multiplied by g, is therefore equal to L: D + 1 chords of D + 1 nodes, for any number of vanes or
-# segments. The products may be negative or complex; their moduli sum to at most
-# ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the root of the transmitted area (certificate, section 18,
+# one polynomial g with L(p) = integral of p g over the disc. A rule of the disc that is exact to degree 2 D therefore
+# equals L if its weights omega are multiplied by g. It has D + 2 chords of D + 2 nodes, for any number of vanes or
+# segments. The products of weights and g may be negative or complex; the sum of their moduli is at most
+# ``sqrt(sum omega) sqrt(sum omega |g|^2)``, about the square root of the transmitted area (certificate, section 18,
 # "Moments").
 #
 # g is the sum of ``L(phi) phi`` over an orthonormal basis phi: products of Gegenbauer polynomials of y and Legendre
@@ -56,22 +56,22 @@ _DEGREE_STEP = 32  # degrees are rounded up to multiples of this
 
 
 def moment_rule_is_faster(
-    pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, fine: int, error: float
+    pupil: Pupil, grid: Grid, terms: tuple[tuple[int, int], ...], degree: int, rule_degree: int, error: float
 ) -> bool:
     """Return whether the moment rule takes less time than transforms of rows; arguments as of :func:`moment_rule`."""
     count, highest = math.prod(pupil.shape), max((n for n, _ in terms), default=0)
-    fields, most, (height, width) = 1 + len(terms), 1 + highest, grid.shape
+    fields, degrees, (height, width) = 1 + len(terms), 1 + highest, grid.shape
     rows = degree + _DEGREE_STEP / 2
     if count * fields < _MIN_FIELDS or highest > _MAX_TERM_DEGREE or error < _MIN_FIELD_ERROR * pupil.amplitude:
         return False
-    if most * rows**2 / 4 * max(height, width) > _MAX_WAVES:
+    if degrees * rows**2 / 4 * max(height, width) > _MAX_WAVES:
         return False
     # Cost per PSF, in units of the time per sample of the Fourier transform, fitted to timings of stacks of 1 to 27
-    # PSFs of 17 to 257 pixels a side. The cost of the rule is shared by an assumed four stacks or steps of a fit.
-    _, sampled, power = _rounded(degree, fine, error)
+    # PSFs of 17 to 257 pixels a side. Four stacks, or steps of a fit, are assumed to share the cost of the rule.
+    _, sampled, power = _rounded(degree, rule_degree, error)
     samples = _samples(pupil.opening, sampled, power)
     setup = 0.16 * samples * rows / (4 * count)
-    sums = 1.6 * rows**2 + most * rows**2 * width / 300 + (most**2 * rows / 240 + fields / 3) * height * width
+    sums = 1.6 * rows**2 + degrees * rows**2 * width / 300 + (degrees**2 * rows / 240 + fields / 3) * height * width
     return setup + sums < (fields + 0.3) * samples + fields * (0.8 * height * width + 1700.0)
 
 
@@ -102,31 +102,31 @@ def nodes(rows: int) -> Nodes:
     """Return the rule of the disc that is exact to degree ``2 rows - 1`` and symmetric about both axes."""
     # Chords at y = cos(t_i), t_i = i pi / (N + 1), with weights sin^2 t_i / (N + 1): certificate, section 8.
     theta = (np.arange(rows) + 1.0) * (math.pi / (rows + 1))
-    half, (along, each) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
-    return Nodes(np.cos(theta), np.outer(half, along), np.asarray(along), np.outer(half**2 / (rows + 1), each))
+    half, (along, weight) = np.sin(theta), gauss_legendre(rows, -1.0, 1.0)
+    return Nodes(np.cos(theta), np.outer(half, along), np.asarray(along), np.outer(half**2 / (rows + 1), weight))
 
 
-def moment_rule(opening: Opening, degree: int, fine: int, error: float) -> MomentRule:
+def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -> MomentRule:
     """Return the moment rule that is equal to the rule of :meth:`Opening.rows` for polynomials up to `degree`.
 
-    `fine` is the degree of the latter, which also integrates the phase factors of segments contained in the weights.
+    The latter is exact to `rule_degree`: it also integrates the phase factors of segments, which the weights contain.
     """
-    return _moment_rule(opening, *_rounded(degree, fine, error))
+    return _moment_rule(opening, *_rounded(degree, rule_degree, error))
 
 
-def degrees_and_error(pupil: Pupil, reach: float, aim: float) -> tuple[int, int, float]:
-    """Return `degree` and `fine` of :func:`moment_rule` for v up to `reach`, and the resulting error of U.
+def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, int, float]:
+    """Return `degree` and `rule_degree` of :func:`moment_rule` for v up to `reach`, and the resulting error of U.
 
-    `aim` is the error of polynomial approximations. For derivatives add the degree of the Zernike term to both.
+    Polynomial approximations have the error `allowed`. For derivatives add the degree of the term to both degrees.
     """
     terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
     phases = pupil.opening.phases
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
-    degree = degree_needed(terms, reach, pupil.illumination, aim)
+    degree = degree_needed(terms, reach, pupil.illumination, allowed)
     # The phase factor of a segment is approximated by a polynomial, whose degree adds to that of the pupil function.
-    fine = degree + (degree_needed([], steepest, pupil.illumination, aim, power=0.0) if steepest else 0)
-    # a (1 + W) / 2 + (1 + a / 2) a of section 18, "A polynomial", with W <= 1 + a.
-    return degree, fine, 1.1 * aim + (1.0 + aim) * aim + phase_roundings(pupil)
+    rule_degree = degree + (degree_needed([], steepest, pupil.illumination, allowed, power=0.0) if steepest else 0)
+    # Section 18, "A polynomial": a (1 + W) / 2 + (1 + a / 2) a, with a = `allowed` and W <= 1 + a.
+    return degree, rule_degree, 1.1 * allowed + (1.0 + allowed) * allowed + phase_roundings(pupil)
 
 
 def phase_roundings(pupil: Pupil) -> float:
@@ -135,22 +135,22 @@ def phase_roundings(pupil: Pupil) -> float:
     return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
-def _rounded(degree: int, fine: int, error: float) -> tuple[int, int, int]:
-    """Return degrees rounded up and the exponent of the error rounded down, so that searches reuse cached rules."""
-    first, second = (_DEGREE_STEP * math.ceil(each / _DEGREE_STEP) for each in (degree, max(fine, degree)))
+def _rounded(degree: int, rule_degree: int, error: float) -> tuple[int, int, int]:
+    """Return degrees rounded up and the exponent of the error rounded down, so that cached rules are reused."""
+    first, second = (_DEGREE_STEP * math.ceil(each / _DEGREE_STEP) for each in (degree, max(rule_degree, degree)))
     return first, second, 2 * math.floor(0.5 * math.log10(error))
 
 
 @lru_cache(maxsize=16)
-def _samples(opening: Opening, fine: int, power: int) -> int:
-    """Return the number of nodes in all rows, which the Fourier transform sums."""
-    return sum(rule.nodes.shape[1] for rule in opening.rows(fine, 10.0**power))
+def _samples(opening: Opening, rule_degree: int, power: int) -> int:
+    """Return the number of nodes in all rows, over which the Fourier transform sums."""
+    return sum(rule.nodes.shape[1] for rule in opening.rows(rule_degree, 10.0**power))
 
 
 @lru_cache(maxsize=16)
-def _moment_rule(opening: Opening, degree: int, fine: int, power: int) -> MomentRule:
+def _moment_rule(opening: Opening, degree: int, rule_degree: int, power: int) -> MomentRule:
     moments = np.zeros((degree + 1, degree + 1), dtype=np.complex128)
-    for rule, phase in zip(opening.rows(fine, 10.0**power), opening.phases, strict=True):
+    for rule, phase in zip(opening.rows(rule_degree, 10.0**power), opening.phases, strict=True):
         # Moments L(phi): sums with Legendre polynomials along each row, then with Gegenbauer polynomials of y.
         x, y, weight = rule.nodes
         if not x.size:
@@ -164,14 +164,14 @@ def _moment_rule(opening: Opening, degree: int, fine: int, power: int) -> Moment
         sums = np.array([np.add.reduceat(phased * part, firsts) for part in _legendre(degree, along)])
         for m, part in enumerate(_gegenbauer(degree, y[firsts])):
             moments[: len(part), m] += np.einsum("kr,kr->k", part, sums[: len(part)])
-    # Values of g = sum L(phi) phi at the nodes, times the weights of the disc (normalized to sum 1, hence pi).
+    # Values of g = sum L(phi) phi at the nodes, times the weights of the disc rule (of sum 1) and its area pi.
     at = nodes(degree + 2)
     values = np.zeros((degree + 1, at.y.size), dtype=np.complex128)
     for m, part in enumerate(_gegenbauer(degree, at.y)):
         values[: len(part)] += part * moments[: len(part), m, None]
     weight = np.ascontiguousarray(values.T @ np.array(list(_legendre(degree, at.along))) * (math.pi * at.weight))
     weight.flags.writeable = False
-    lost = sum(rule.lost for rule in opening.rows(fine, 10.0**power))
+    lost = sum(rule.lost for rule in opening.rows(rule_degree, 10.0**power))
     return MomentRule(weight, float(np.abs(weight).sum()), lost)
 
 
@@ -209,23 +209,23 @@ def field_sums(
 ) -> tuple[Array, Array, Array]:
     """Return I (n, h, w), its derivatives by terms (k, n, h, w), and rounding error bounds of U and its derivatives.
 
-    Waves and Chebyshev products T_a(x) T_b(y), of which terms are sums, are even or odd in x and in y: a quarter of
-    the nodes and pixels suffices. The sums along rows are shared by all terms with the same a.
+    Terms are sums of Chebyshev products T_a(x) T_b(y). These and waves are even or odd in x and in y: a quarter of
+    the nodes and pixels suffices. All terms with the same a share the sums along rows.
     """
     at, q, edge, count = nodes(rule.rows), rule.rows // 2, pupil.wavefront.flattened().edge, math.prod(pupil.shape)
     amplitude = rule.weight
     if not pupil.illumination.uniform:
         amplitude = amplitude * pupil.illumination.at(at.x**2 + at.y[:, None] ** 2)
-    phases, shares = _polynomials(pupil.wavefront.terms, rule.rows), _products(((0, 0), *terms))
-    most, (height, width) = shares.shape[1], grid.shape
+    phases, coefficients = _polynomials(pupil.wavefront.terms, rule.rows), _products(((0, 0), *terms))
+    degrees, (height, width) = coefficients.shape[1], grid.shape
     step = grid.step(pupil) / grid.side
     (right, column), (down, row) = (np.unique(np.abs(part), return_inverse=True) for part in (grid.x, grid.y))
-    across, upward = _waves(rule.rows, step, tuple(right.tolist()), most), _rows(rule.rows, step, down, most)
+    across, upward = _waves(rule.rows, step, tuple(right.tolist()), degrees), _rows(rule.rows, step, down, degrees)
     signs = (np.ones(width), np.sign(grid.x)), (np.ones((height, 1)), np.sign(grid.y)[:, None])
     values, slopes = np.empty((count, height, width)), np.empty((len(terms), count, height, width))
-    many = max(1, _MAX_VALUES // (4 * most * q * q))
-    for first in range(0, count, many):
-        part = slice(first, min(first + many, count))
+    block_size = max(1, _MAX_VALUES // (4 * degrees * q * q))
+    for first in range(0, count, block_size):
+        part = slice(first, min(first + block_size, count))
         angle = edge[part] @ phases
         wave = _times_wave(amplitude[:, None], np.cos(angle), np.sin(angle))
         parts = _parts(wave, q)
@@ -233,14 +233,14 @@ def field_sums(
         field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
         for i in range(2):
             # Both parities along y: [parity, term, row of pixels, pupil, real or imaginary, column].
-            sums = np.zeros((2, len(shares), down.size, size, 2, right.size))
-            for a in range(most):
+            sums = np.zeros((2, len(coefficients), down.size, size, 2, right.size))
+            for a in range(degrees):
                 for c in range(2):
                     along = parts[i ^ (a & 1), c].reshape(q, -1, q) @ across[i][a]
-                    product = upward[c][: most - a] @ along.reshape(q, -1)
-                    product = product.reshape(most - a, *sums.shape[2:])
-                    for b in range(min(2, most - a)):
-                        sums[c ^ b] += np.tensordot(shares[:, a, b : most - a : 2], product[b::2], 1)
+                    product = upward[c][: degrees - a] @ along.reshape(q, -1)
+                    product = product.reshape(degrees - a, *sums.shape[2:])
+                    for b in range(min(2, degrees - a)):
+                        sums[c ^ b] += np.tensordot(coefficients[:, a, b : degrees - a : 2], product[b::2], 1)
             # e^{-i v.r} = (cos - i sin)(cos - i sin): an odd part has a factor -i and the sign of its coordinate.
             for j in range(2):
                 both = (sums[j, :, :, :, 0] + 1j * sums[j, :, :, :, 1]).swapaxes(1, 2)[:, :, row[:, None], column]
@@ -250,7 +250,7 @@ def field_sums(
         # dI/dc = -2 Im(conj(U) D): certificate, section 8, "Derivatives".
         slopes[:, part] = 2.0 * (u.imag * others.real - u.real * others.imag)
     reach = step * math.hypot(np.abs(grid.x).max(), np.abs(grid.y).max())
-    rounding = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(shares).sum(axis=(1, 2)).max())])
+    rounding = roundings(rule, pupil, reach) * np.array([1.0, float(np.abs(coefficients).sum(axis=(1, 2)).max())])
     return values, slopes, rounding
 
 
@@ -309,37 +309,37 @@ def _polynomials(terms: tuple[tuple[int, int], ...], rows: int) -> Array:
 
 
 @lru_cache(maxsize=4)
-def _waves(rows: int, step: float, at: tuple[float, ...], most: int) -> tuple[Array, Array]:
-    """Return T_a(x) times cosines and sines of step * x * column, for a quarter: (a, row, node, column)."""
+def _waves(rows: int, step: float, columns: tuple[float, ...], degrees: int) -> tuple[Array, Array]:
+    """Return T_a(x) times cosines and sines of step * x * column on a quarter disc: (a, row, node, column)."""
     q = rows // 2
     x = nodes(rows).x[:q, :q]
-    turn = step * x[:, :, None] * np.array(at)
-    powers = np.moveaxis(np.polynomial.chebyshev.chebvander(x, most - 1), -1, 0)[..., None]
+    turn = step * x[:, :, None] * np.array(columns)
+    powers = np.moveaxis(np.polynomial.chebyshev.chebvander(x, degrees - 1), -1, 0)[..., None]
     return powers * np.cos(turn), powers * np.sin(turn)
 
 
-def _rows(rows: int, step: float, at: Array, most: int) -> tuple[Array, Array]:
-    """Return T_b(y) times cosines and sines, exchanged for odd b: (b, row of pixels, row of nodes)."""
+def _rows(rows: int, step: float, pixel_rows: Array, degrees: int) -> tuple[Array, Array]:
+    """Return T_b(y) times cosines and T_b(y) times sines, swapped for odd b: (b, row of pixels, row of nodes)."""
     y = nodes(rows).y[: rows // 2]
-    turn = step * np.outer(at, y)
-    powers = np.polynomial.chebyshev.chebvander(y, most - 1).T[:, None]
+    turn = step * np.outer(pixel_rows, y)
+    powers = np.polynomial.chebyshev.chebvander(y, degrees - 1).T[:, None]
     even, odd = powers * np.cos(turn), powers * np.sin(turn)
-    swapped = np.arange(most)[:, None, None] % 2 == 1
+    swapped = np.arange(degrees)[:, None, None] % 2 == 1
     return np.where(swapped, odd, even), np.where(swapped, even, odd)
 
 
 _MIN_IMAGES = 4  # number of images and derivatives that fill vector lanes
 _STEPS = 8  # assumed number of stacks or steps of a fit with the same rule
-_RULE_COST = 2.4e-5  # ms per cubed number of rows (measured, as the next two)
+_RULE_COST = 2.4e-5  # ms per cubed number of rows (measured, like the next two costs)
 _SUM_COST = 5.5e-8  # ms per product of a sum
 _SAMPLE_COST = 1.15e-4  # ms per filtered sample
-_MAX_DEGREE = 400
-_SINGLE_SHARE = 0.5  # share of the tolerance for sums in single precision
+_MAX_DEGREE = 400  # largest degree of a moment rule for averages
+_SINGLE_SHARE = 0.5  # fraction of the tolerance that sums in single precision may use
 _MIN_NODE_ERROR = 1e-12  # error of the field below which rounding errors dominate
 
 
-# Averages over pixels use the moment rule at the nodes of the window. The nodes of the moment rule are those of the
-# chordal rule of the disc: the core sums pupils side by side in vector lanes, as for circular apertures.
+# Pixel averages use the moment rule at the nodes of the window. The moment rule and the chordal rule of the disc have
+# the same nodes: as for circular apertures, the core sums pupils side by side in vector lanes.
 
 
 def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
@@ -351,17 +351,17 @@ def averaged_apertures(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> 
     stack, window = disk_stack(pupil), window_of(pupil, grid)
 
     def rule(reach: float, tol: float, single: bool, rows: int, columns: int) -> tuple[Array, float, bool] | None:
-        aim = 0.15 * tol
-        if aim < _MIN_NODE_ERROR:
+        allowed = 0.15 * tol
+        if allowed < _MIN_NODE_ERROR:
             return None
-        degree, fine, missed = degrees_and_error(pupil, reach, aim)
+        degree, rule_degree, missed = degrees_and_error(pupil, reach, allowed)
         sums = _SUM_COST * columns * (degree + highest + 20.0) * (degree + highest + 20.0 + rows)
         if degree + highest > _MAX_DEGREE or not _nodes_are_faster(fields, degree + highest + 20.0, sums, window):
             return None
-        moments = moment_rule(pupil.opening, degree + highest, fine + highest, aim)
+        moments = moment_rule(pupil.opening, degree + highest, rule_degree + highest, allowed)
         rounding = roundings(moments, pupil, reach, single=True)
         single = single and rounding < _SINGLE_SHARE * tol
-        error = missed + 1.1 * aim + (rounding if single else roundings(moments, pupil, reach))
+        error = missed + 1.1 * allowed + (rounding if single else roundings(moments, pupil, reach))
         return of_quadrant(moments, pupil), error, single
 
     # Chords are rows of the aperture here, but columns in the core: x and y are exchanged.
@@ -426,9 +426,9 @@ def of_quadrant(rule: MomentRule, pupil: Pupil) -> Array:
     return np.stack([part for each in parts for part in (each.real, each.imag)], axis=2)
 
 
-_MIN_ERROR = 4e-15  # smallest error of U to aim at, over the largest possible value of U
-_SUM_SHARE = 0.25  # share of the sums in the error of U
-_MAX_HALF_SHARE = 0.75  # share of the pixels in the half image up to which mirroring it saves time
+_MIN_ERROR = 4e-15  # smallest allowed error of U, relative to the largest possible value of U
+_SUM_SHARE = 0.25  # fraction of the error of U that the sums may use
+_MAX_HALF_SHARE = 0.75  # mirroring saves time if the half image has at most this fraction of the pixels
 
 
 @dataclass(frozen=True)
@@ -455,15 +455,15 @@ class NonuniformFFT(Method[Pupil]):
     Lines of constant y cut the aperture into intervals. Gauss-Legendre rules are used along the intervals, and across
     them between the intersections of edges. Their error is bounded for all polynomials of a given degree with modulus
     at most 1 on the unit disc, and the integrand is proven to be close to such a polynomial
-    (:func:`lommel.optics.aperture.opening.degree_needed`). The non-uniform FFT spreads the nodes of each row to a
-    fine grid with a kernel and transforms it to the columns; the second one transforms the rows in the same way.
+    (:func:`lommel.optics.aperture.opening.degree_needed`). One non-uniform FFT spreads the nodes of each row to a
+    fine grid with a kernel and transforms them to the columns; a second one transforms the rows in the same way.
     Aliasing and rounding errors are included in the bound: docs/certificate.md, section 18. Pixel-integrated values
-    are filtered samples. Small windows of many fields (stacks, derivatives) are matrix products with a rule of the
-    disc that has the moments of the aperture.
+    are filtered samples. Stacks and derivatives on small windows are matrix products with a quadrature rule of the
+    disc that has the same moments as the aperture.
 
     References
     ----------
-    Lloyd N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: the bound on Gauss's
+    Lloyd N. Trefethen, Approximation Theory and Approximation Practice (2013), Theorem 19.3: error bound of the Gauss
     rule. Magnus Lundin, "The extremal PSH for the complement of convex, symmetric subsets of R^N", Michigan Math. J.
     32, 197 (1985), doi:10.1307/mmj/1029003186: growth of polynomials outside the disc.
     Alok Dutt and V. Rokhlin, "Fast Fourier transforms for nonequispaced data", SIAM J. Sci. Comput. 14, 1368 (1993),
@@ -488,7 +488,7 @@ class NonuniformFFT(Method[Pupil]):
             averages = averaged_apertures(pupil, grid, self.tol, wanted)
             if averages is not None:
                 return averages
-        # Errors of averages are relative to the peak of the PSF, also if the window does not contain it.
+        # Errors of averages are relative to the peak of the PSF, even if the window does not contain the peak.
         sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
         return averaged_images(sample, pupil, grid, self.tol, wanted)
 
@@ -507,8 +507,8 @@ def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere
     # Estimate of the peak field, for light spread evenly over the blur; usually an underestimate.
     bright = pupil.amplitude / (1.0 + sum(n * w for (n, _), w in pupil.wavefront.amplitudes().items() if n > 1))
     outer_peak: Array | None = np.zeros(math.prod(pupil.shape)) if wanted.scale is None else None
-    # Section 6: the first error assumes the estimated peak; it is reduced if the computed peak is too dim for the
-    # bound.
+    # The first requested error assumes the estimated peak. It is reduced if the computed peak is too dim for the
+    # bound (section 6).
     for _ in range(8):
         requested = max(0.45 * budget * bright / pupil.amplitude, _MIN_ERROR)
         values, slopes, field_bounds, slope_bounds = _sums(pupil, grid, requested, wanted)
@@ -568,7 +568,7 @@ def _half_grid(grid: Grid) -> Grid | None:
 
 
 def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
-    """Return images on the pixels of `grid` from those on its :func:`_half_grid`."""
+    """Return images on the pixels of `grid` from images on its :func:`_half_grid`."""
     (row, column), (down, _) = grid.axis, half.axis
     left, top, end = math.ceil(column), int(down - row), int(down + row) + 1
     out = np.empty((len(values), *grid.shape))
@@ -582,7 +582,7 @@ def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
 def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array, Array, Array, Array]:
     """Return I, its derivatives, and bounds on the errors of U and of its derivatives by any term.
 
-    `error` is the requested error of U relative to the amplitude; the bounds will be close to it.
+    `error` is the requested error of U relative to the amplitude, which the bounds approach.
     """
     half = None if wanted.terms or not _real_pupil(pupil) else _half_grid(grid)
     if half is not None:
@@ -590,29 +590,31 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
         return _mirrored(values, half, grid), slopes, field_bounds, slope_bounds
     step, amplitude = grid.step(pupil), pupil.amplitude
     reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
-    factor = max((n for n, _ in wanted.terms), default=0)
+    highest = max((n for n, _ in wanted.terms), default=0)
     phases = pupil.opening.phases.copy()
     if pupil.mask is None:
         # Reduced to [-pi, pi): sines of large phases lose digits.
         phases[:, 0] = np.remainder(phases[:, 0] + math.pi, 2.0 * math.pi) - math.pi
         terms = [(n, w) for (n, _), w in pupil.wavefront.amplitudes().items()]
         steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
-        aim = 0.3 * error * amplitude
-        degree, fine, missed = degrees_and_error(pupil, reach, aim)
-        degree, fine = degree + factor, fine + factor
-        if moment_rule_is_faster(pupil, grid, wanted.terms, degree, fine, aim):
-            rule = moment_rule(pupil.opening, degree, fine, aim)
+        allowed = 0.3 * error * amplitude
+        degree, rule_degree, missed = degrees_and_error(pupil, reach, allowed)
+        degree, rule_degree = degree + highest, rule_degree + highest
+        if moment_rule_is_faster(pupil, grid, wanted.terms, degree, rule_degree, allowed):
+            rule = moment_rule(pupil.opening, degree, rule_degree, allowed)
             values, slopes, rounding = field_sums(rule, pupil, grid, wanted.terms)
-            field_bounds, slope_bounds = np.tile((missed + 1.1 * aim + rounding)[:, None], len(values))
+            field_bounds, slope_bounds = np.tile((missed + 1.1 * allowed + rounding)[:, None], len(values))
             return values, slopes, field_bounds, slope_bounds
-        rules = pupil.opening.rows(degree_needed(terms, reach + steepest, pupil.illumination, aim) + factor, aim)
+        rules = pupil.opening.rows(
+            degree_needed(terms, reach + steepest, pupil.illumination, allowed) + highest, allowed
+        )
     else:
         phases, rules, missed = np.zeros((1, 3)), pupil.samples, phase_roundings(pupil)
     window = window_of(pupil, grid)
     values, slopes, sum_error = row_images(rules, phases, disk_stack(pupil), window, 0.5 * _SUM_SHARE * error, wanted)
     if pupil.mask is not None and pupil.mask.squares:
-        # Square cells multiply the field by sinc along each axis, and I by its square (section 18, "The light of a
-        # mask").
+        # Square cells multiply the field by a sinc along each axis, and I by squared sincs (section 18, "The light of
+        # a mask").
         down, across = (np.sinc(step / grid.side / (math.pi * pupil.mask.side) * at) ** 2 for at in (grid.y, grid.x))
         cells = down[:, None] * across
         values, slopes = values * cells, slopes * cells

@@ -40,17 +40,17 @@ class PixelRule(NamedTuple):
 def octant(half: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Return column and row of the pixels of an octant (0 <= row <= column), called its cells.
 
-    The cells of a smaller window come first.
+    Cells are ordered by column: the first cells are the octant of a smaller window.
 
     Parameters
     ----------
     half : int
-        Pixels from the middle one to the edge.
+        Half width of the window, without the middle pixel: its side is ``2 half + 1`` pixels.
 
     Returns
     -------
     column, row : ndarray of int, shape (cells,)
-        Counted from the middle pixel.
+        Column and row of each cell, counted from the middle pixel.
     """
     column, row = np.tril_indices(half + 1)
     column.flags.writeable = row.flags.writeable = False
@@ -65,15 +65,15 @@ def sums_of_windows(means: Array, half: int) -> Array:
     means : ndarray, shape (n, cells)
         Values of the pixels of the octant.
     half : int
-        Pixels from the middle one to the edge.
+        Half width of the largest window, without the middle pixel.
 
     Returns
     -------
     ndarray, shape (n, half + 1)
         Sums over the windows of half width 0, 1, ... pixels.
     """
-    copies, rings = _rings(half)
-    return np.asarray(np.cumsum(np.add.reduceat(means * copies, rings, axis=1), axis=1))
+    copies, column_starts = _cell_copies(half)
+    return np.asarray(np.cumsum(np.add.reduceat(means * copies, column_starts, axis=1), axis=1))
 
 
 def cells_alike(half: int) -> Array:
@@ -82,18 +82,18 @@ def cells_alike(half: int) -> Array:
     Parameters
     ----------
     half : int
-        Pixels from the middle one to the edge.
+        Half width of the window, without the middle pixel.
 
     Returns
     -------
     ndarray, shape (cells,)
         8, or 4 on an axis or a diagonal, or 1 in the middle.
     """
-    return _rings(half)[0]
+    return _cell_copies(half)[0]
 
 
 @lru_cache(maxsize=16)
-def _rings(half: int) -> tuple[Array, NDArray[np.int64]]:
+def _cell_copies(half: int) -> tuple[Array, NDArray[np.int64]]:
     """Return the number of equal pixels for each cell of the octant, and the first cell of each column."""
     column, row = octant(half)
     copies = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
@@ -101,7 +101,7 @@ def _rings(half: int) -> tuple[Array, NDArray[np.int64]]:
 
 
 def quarters(means: Pixels, half: int) -> Pixels:
-    """Return the quadrants of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``.
+    """Return a quadrant of each window, with the middle row and column, shape ``(n, half + 1, half + 1)``.
 
     Parameters
     ----------
@@ -126,14 +126,14 @@ def cells_of_quarter(half: int) -> NDArray[np.int64]:
 
 
 def averaging_error(width: float, count: int) -> float:
-    """Return a bound, over the peak, on the error of means over a pixel by `count` by `count` Gauss nodes.
+    """Bound the error, relative to the peak, of means over a pixel from `count` by `count` Gauss nodes.
 
     `width` is the side of the pixel in v.
     """
     # I(v) = U(v) conj(U(conj(v))) is an entire function of either coordinate, and at most exp(2 |Im v|) times the
-    # square of the amplitude of the pupil. On the Bernstein ellipse of parameter b around a pixel that is
-    # exp(width sinh b). The error of p Gauss nodes along either side is therefore at most
-    # 2 (32/15) exp(width sinh b - 2 p b) / (1 - exp(-2 b)) for every b; the smallest of several is taken.
+    # square of the amplitude of the pupil. On the Bernstein ellipse of parameter b around a pixel, this factor is at
+    # most exp(width sinh b). The error of p Gauss nodes along either side is therefore at most
+    # 2 (32/15) exp(width sinh b - 2 p b) / (1 - exp(-2 b)) for every b; the smallest of several bounds is used.
     b = np.linspace(0.05, 5.0, 200)
     exponent = width * np.sinh(b) - 2.0 * count * b - np.log(-np.expm1(-2.0 * b))
     return 64.0 / 15.0 * math.exp(min(float(exponent.min()), 600.0))
@@ -143,26 +143,26 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
     r"""Return the rule for windows of ``2 half + 1`` pixels a side, each `step` in v wide.
 
     The integral over a pixel is ``int I(r) r Theta(r) dr``, where Theta is the angle of the part of the circle of
-    radius r that lies in the pixel. Between the distances of the pixel's corners, Theta is a difference of
+    radius r that lies in the pixel. For r between the distances of two corners of the pixel, Theta is a difference of
     ``arccos(x / r)`` and ``arcsin(y / r)`` with the coordinates x and y of its edges. Theta is not smooth where the
-    circle touches an edge x as a tangent, but is smooth as a function of ``u = sqrt(r^2 - x^2)``, with
-    ``r dr = u du``. I is even and of exponential type 2 in v: half a Gauss node per radian of its phase, and `margin`
-    more, have an error near rounding.
+    circle touches an edge x as a tangent, but is a smooth function of ``u = sqrt(r^2 - x^2)``, with ``r dr = u du``.
+    I is even and of exponential type 2 in v: the error is near rounding with half a Gauss node per radian of the
+    phase ``2 v``, and `margin` more nodes.
 
-    These are dozens of nodes for a pixel. On the whole window, however, I is a sum of Chebyshev polynomials of even
-    degrees up to little more than ``2 v``. The rule therefore interpolates I by these polynomials, and contains their
-    integrals over the pixels (measured error: 1e-12 of the largest I with the default).
+    A pixel thus needs dozens of nodes. On the whole window, however, I is almost a sum of Chebyshev polynomials of
+    even degrees up to little more than ``2 v``. The rule therefore interpolates I by these polynomials, and contains
+    their integrals over the pixels (measured error: 1e-12 of the largest I with the default).
 
-    A rule is accurate for smaller steps, too: steps within an eighth of an octave share one.
+    A rule is accurate for smaller steps, too: steps within an eighth of an octave share one rule.
 
     Parameters
     ----------
     half : int
-        Pixels from the middle one to the edge.
+        Half width of the window, without the middle pixel.
     step : float
         Pixel pitch in v.
     margin : int, default 12
-        Number of nodes beyond those for the phase, in each of the three intervals of a pixel.
+        Number of nodes in addition to those for the phase, in each of the three intervals of a pixel.
 
     Returns
     -------
@@ -174,7 +174,7 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
 @lru_cache(maxsize=16)
 def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     """Return the rule for the step of ``2^(eighths / 8)`` in v."""
-    # Steps within an eighth of an octave share the rule of the largest.
+    # The largest step of the eighth of an octave.
     step = 2.0 ** (eighths / 8.0)
     radii, weights, starts = _nodes(half, step, margin)
     reach = math.sqrt(2.0) * (half + 0.5)
@@ -184,7 +184,7 @@ def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     count = math.ceil(0.5 * (phase + 10.0 * math.cbrt(phase) + 2.0 * margin))
     angle = np.arccos(np.minimum(1.0, radii / reach))
     moments = _moments(2.0 * np.cos(2.0 * angle), weights, starts, count)
-    # A cosine transform from values at the positive half of 2 count Chebyshev nodes to coefficients of even degree.
+    # Cosine transform from values at the positive half of 2 count Chebyshev nodes to coefficients of even degrees.
     at = (np.arange(count, dtype=np.float64)[::-1] + 0.5) * (0.5 * math.pi / count)
     transform = np.cos(2.0 * np.outer(at, np.arange(count))) * (2.0 / count)
     transform[:, 0] *= 0.5
@@ -216,13 +216,13 @@ def local_rule(half: int, step: float) -> LocalRule:
 
     The quadrature is that of :func:`pixel_rule`, but I at its nodes is interpolated by polynomials through the
     nearest values. As I is of exponential type 2 in v, the interpolation error is ``sin(spacing)^16`` times a
-    fraction of the largest I: less than 1e-7. A pixel depends only on values near it; with :func:`pixel_rule` on all
-    values.
+    fraction of the largest I: less than 1e-7. The mean over a pixel depends on values near the pixel only; with
+    :func:`pixel_rule` it depends on all values.
 
     Parameters
     ----------
     half : int
-        Pixels from the middle one to the edge.
+        Half width of the window, without the middle pixel.
     step : float
         Pixel pitch in v.
 
@@ -250,7 +250,7 @@ def local_rule(half: int, step: float) -> LocalRule:
         scale = math.prod(j - k for k in range(_STENCIL) if k != j)
         sums += np.bincount(entry + j, before * after[j] / scale, ends[-1])
         before = before * (t - j)
-    # I is even: values at negative radii are those at positive ones.
+    # I is even: a negative radius uses the value at the positive radius.
     column = np.abs(np.arange(ends[-1]) - np.repeat(ends - high, high - low))
     count = int(high.max())
     matrix = csr_array((sums, column, np.concatenate([[0], ends])), shape=(starts.size, count))
@@ -273,9 +273,9 @@ def _moments(two_cos: Array, weights: Array, starts: NDArray[np.int64], count: i
 
 
 def _nodes(half: int, step: float, margin: int) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return radii (pixels) and weights for the integrals over all cells, and the first node of each."""
+    """Return radii (pixels) and weights for the integrals over all cells, and the first node of each cell."""
     column, row = octant(half)
-    # Only the part of a pixel in the first quadrant is integrated: half of those on an axis, a quarter of the middle.
+    # Only the part of a pixel in the first quadrant is integrated: half of it on an axis, a quarter in the middle.
     x0, y0, x1, y1 = np.maximum(0.0, column - 0.5), np.maximum(0.0, row - 0.5), column + 0.5, row + 0.5
     copies = np.where(column == 0, 2.0, 1.0) * np.where(row == 0, 2.0, 1.0)
     # Three intervals of the radius for each cell, between the distances of its corners.

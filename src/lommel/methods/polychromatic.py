@@ -20,106 +20,107 @@ from lommel.optics.grid import Grid
 def mixed(
     parts: Sequence[Component],
     shares: Array,
-    ask: Callable[[Component, float], Intensities],
-    way: Polychromatic,
+    compute: Callable[[Component, float], Intensities],
+    method: Polychromatic,
     tol: float,
     window: bool = False,
 ) -> list[Intensities]:
-    """Return sums over wavelengths of the answers of `ask`, each to `tol` over its peak.
+    """Return sums over wavelengths of the intensities that `compute` returns, with errors of at most `tol`.
 
-    With `window`, over its largest value in the window; this is a contract if `way` keeps its tolerance.
+    Errors are relative to the peak of the sum or, with `window`, to its largest value in the window. The tolerance is
+    a contract if `method` keeps its tolerance.
     """
     # At a shorter wavelength the same light falls on a smaller area: I relative to the reference grows as 1 /
     # lambda^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
-    asked, least = tol, (way.method or Method).least_tol
+    part_tol, least = tol, (method.method or Method).least_tol
     while True:
         try:
-            made = _sums(parts, weights, ask, asked, window)
+            sums = _sums(parts, weights, compute, part_tol, window)
         except ToleranceError as fault:
             raise ToleranceError(
-                f"tol={way.tol:g} cannot be met by a sum over wavelengths each of which must be exact to "
-                f"{asked:.2g} of its peak: {fault}"
+                f"tol={method.tol:g} cannot be met by a sum over wavelengths, whose images must each be accurate to "
+                f"{part_tol:.2g} of the peak: {fault}"
             ) from None
-        errors = [float(each.error.max()) for each in made if each.error is not None]
-        if not errors or not way.keeps_tol or (worst := max(errors)) <= tol:
-            return made
-        # Each part is within the tolerance of its own peak; the peak of the sum may be below the sum of their peaks.
-        if asked <= least:
-            raise not_met(way.tol, worst, "the largest value in the window" if window else "the peak")
-        # The next tolerance follows the excess of the error, halved for safety.
-        asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
+        errors = [float(each.error.max()) for each in sums if each.error is not None]
+        if not errors or not method.keeps_tol or (worst := max(errors)) <= tol:
+            return sums
+        # Each part meets the tolerance of its own peak; the peak of the sum may be below the sum of the peaks.
+        if part_tol <= least:
+            raise not_met(method.tol, worst, "the largest value in the window" if window else "the peak")
+        # The next tolerance is reduced by the excess of the error, and halved for safety.
+        part_tol = max(least, part_tol * max(1e-3, min(0.5, 0.5 * tol / worst)))
 
 
 def _sums(
     parts: Sequence[Component],
     weights: Array,
-    ask: Callable[[Component, float], Intensities],
-    asked: float,
+    compute: Callable[[Component, float], Intensities],
+    part_tol: float,
     window: bool,
 ) -> list[Intensities]:
-    """Return weighted sums of intensities, and their errors over lower bounds on their peaks.
+    """Return weighted sums of intensities, and error bounds divided by lower bounds on the peaks of the sums.
 
-    With `window`, over lower bounds on their largest values in the window. Only one part is in memory at a time.
+    With `window`, peaks are the largest values in the window. Only one wavelength is in memory at a time.
     """
     sums: list[Array | None] = [None] * len(weights)
     tops, errors, bounded = [], [], [True] * len(weights)
     for k, part in enumerate(parts):
-        made = ask(part, asked)
+        made = compute(part, part_tol)
         tops.append(made.values.reshape(len(made.values), -1).max(axis=1) if made.peak is None else made.peak)
         errors.append(np.zeros(len(made.values)) if made.error is None else made.error)
         for c in np.flatnonzero(weights[:, k]):
             bounded[c] &= made.error is not None
             term, before = weights[c, k] * made.values, sums[c]
             sums[c] = term if before is None else np.add(before, term, out=before)
-    found = []
-    for row, values, known in zip(weights, sums, bounded, strict=True):
-        assert values is not None  # each sum has light at some wavelength
+    results = []
+    for row, values, has_bound in zip(weights, sums, bounded, strict=True):
+        assert values is not None  # each sum has a wavelength with a positive weight
         highest = values.reshape(len(values), -1).max(axis=1)
-        if not known:
-            found.append(Intensities(values, None, highest))
+        if not has_bound:
+            results.append(Intensities(values, None, highest))
             continue
         used = np.flatnonzero(row)
         # Certificate, section 9, last paragraph.
-        off = (len(used) + 8) * 2.0**-53 * highest  # roundings of weights, products and the sum
-        off = off + sum(row[k] * errors[k] * tops[k] for k in used)
+        error = (len(used) + 8) * 2.0**-53 * highest  # roundings of weights, products and the sum
+        error = error + sum(row[k] * errors[k] * tops[k] for k in used)
         # Intensities are not negative: the sum is at least as bright as any of its parts.
         peak = highest if window else np.maximum(highest, np.max([row[k] * tops[k] for k in used], axis=0))
-        least = peak - off
-        relative = np.divide(off, least, out=np.full(off.shape, np.inf), where=least > 0)
-        found.append(Intensities(values, relative, least))
-    return found
+        least = peak - error
+        relative = np.divide(error, least, out=np.full(error.shape, np.inf), where=least > 0)
+        results.append(Intensities(values, relative, least))
+    return results
 
 
 @dataclass(frozen=True, init=False)
 class Polychromatic(Spectrum, RadialMethod[BasePupil]):
-    r"""Incoherent sum over a spectrum, each wavelength by another method.
+    r"""Incoherent sum over a spectrum, with another method for each wavelength.
 
-    Supports pupils with a wavelength, the reference: their phases are optical path differences, which at another
-    wavelength are ``wavelength / other`` times as many radians, and v at a given radius scales alike.
+    Supports pupils with a wavelength, the reference wavelength. The phases of a pupil are optical path differences:
+    at another wavelength the phases, and v at a given radius, are ``wavelength / other`` times as large.
 
     Parameters
     ----------
     wavelengths : sequence of float
-        Metres.
+        Wavelengths in metres.
     weights : sequence of float, optional
-        Share of the light at each wavelength, >= 0; made to sum to 1. By default all are equal.
+        Fraction of the light at each wavelength, >= 0; normalized to a sum of 1. By default all are equal.
     method : Method, optional
-        By default chosen for the pupil at each wavelength as by :func:`lommel.psf`, so that every pupil is supported.
+        Method for each wavelength, by default chosen as by :func:`lommel.psf`, so that every pupil is supported.
     tol : float, optional
-        Tolerance of the sum relative to its peak: a contract if all parts have a bound. By default that of the
-        method, or 1e-6.
+        Tolerance of the sum relative to its peak: a contract if all wavelengths have a bound. By default the
+        tolerance of `method`, or 1e-6.
 
     Raises
     ------
     TypeError, ValueError
-        If a wavelength is invalid or none is given, if weights are negative, all 0 or not one for each wavelength, or
-        if `method` is not for one wavelength, or has no such tolerance.
+        If a wavelength is invalid or none is given, if weights are negative, all 0 or of another number than the
+        wavelengths, if `method` is polychromatic itself, or if `method` does not accept `tol`.
 
     Notes
     -----
-    Each wavelength is computed separately, with a smaller tolerance if the errors together would exceed that of the
-    sum. ``normalize="strehl"`` is relative to the same spectrum without aberration.
+    Each wavelength is computed separately, with a smaller tolerance if the error of the sum would otherwise exceed
+    `tol`. ``normalize="strehl"`` is relative to the peak of the same spectrum without aberration.
     """
 
     pupils = "any"
@@ -150,18 +151,18 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
 
     @property
     def keeps_tol(self) -> bool:  # type: ignore[override]
-        """Tolerance contract of the method."""
+        """True if error bounds never exceed `tol`, as with the method for each wavelength."""
         return (self.method or Method).keeps_tol
 
     @property
     def sampling(self) -> str:  # type: ignore[override]
-        """Sampling of the method."""
+        """Sampling of the method for each wavelength."""
         return (self.method or Method).sampling
 
     def unsupported(self, pupil: BasePupil) -> str | None:
-        """Return the reason if the reference wavelength is unknown, or if the method gives one."""
+        """Return a reason if the reference wavelength is unknown, or the reason of the method; otherwise None."""
         if pupil.wavelength is None:
-            return "needs a pupil with a wavelength, to which the others are related"
+            return "needs a pupil with a wavelength, the reference for the other wavelengths"
         if self.method is None:
             return None
         try:
@@ -173,11 +174,11 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         return None
 
     def unaberrated_peak(self, pupil: BasePupil) -> float:
-        """Return the peak of the same spectrum without aberration."""
+        """Return the peak of the image of the same spectrum without aberration."""
         return pupil.amplitude**2 * sum(part.weight for part in self.components(pupil))
 
     def stretch(self, pupil: BasePupil) -> float:
-        """Return the reference wavelength over the shortest."""
+        """Return the reference wavelength divided by the shortest wavelength."""
         return max(part.stretch for part in self.components(pupil))
 
     def along_radius(self, pupil: BasePupil) -> RadialMethod | None:
@@ -186,14 +187,14 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
         return self if radial and all(part.pupil.radial for part in self.components(pupil)) else None
 
     def period(self, pupil: BasePupil) -> float:
-        """Return the shortest period of the components of `pupil`; their sum has none."""
+        """Return the shortest period of the components of `pupil`; the sum of the components has no period."""
         way = Method.period if self.method is None else type(self.method).period
         return min(way(self.method or self, part.pupil) / part.stretch for part in self.components(pupil))
 
     def profile(self, pupil: BasePupil, v: Array) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
 
-        def ask(part: Component, tol: float) -> Intensities:
+        def compute(part: Component, tol: float) -> Intensities:
             way = of_profiles(tol) if self.method is None else self.method.tightened(tol)
             if not isinstance(way, RadialMethod):
                 raise ValueError(
@@ -202,20 +203,20 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
             return way.profile(part.pupil, v * part.stretch)
 
         parts = self.components(pupil)
-        return mixed(parts, np.array([self.weights]), ask, self, self.tol)[0]
+        return mixed(parts, np.array([self.weights]), compute, self, self.tol)[0]
 
     def intensity(self, pupil: BasePupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
+        """Return the weighted sum of I at the distinct radii or, if the grid is not symmetric, on the pixels."""
         return together((self,), pupil, grid, threads, self.tol)[0]
 
     def images(self, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.powers or wanted.terms:
             raise ValueError(
-                "derivatives of white light are sums of those of its components; ask lommel.psf for them"
+                "derivatives are not available from Polychromatic.images; use derivatives= of lommel.psf"
             )
         aim = self.tol - 1.1 * storing(wanted.dtype)
-        # Values divided by their own largest one have twice the error; 0.48 leaves a reserve.
+        # Division of values by their own largest value doubles the error; 0.48 leaves a reserve.
         aim = aim if wanted.scale is not None else 0.48 * aim
         made = together((self,), pupil, grid, wanted.threads, aim, window=wanted.scale is None)
         return to_images(made[0], grid, wanted)
@@ -224,18 +225,18 @@ class Polychromatic(Spectrum, RadialMethod[BasePupil]):
 def together(
     sums: Sequence[Polychromatic], pupil: BasePupil, grid: Grid, threads: int, tol: float, *, window: bool = False
 ) -> list[Intensities]:
-    """Return the intensities of several sums, each wavelength computed once for all of them."""
+    """Return the intensities of several sums, with each wavelength computed once for all sums."""
     places = {w: k for k, w in enumerate(dict.fromkeys(w for each in sums for w in each.wavelengths))}
     parts = Spectrum(tuple(places), np.ones(len(places))).components(pupil)
     shares = np.zeros((len(sums), len(parts)))
     for row, each in zip(shares, sums, strict=True):
-        # A wavelength that a sum names twice counts twice: += on repeated indices would count it once.
+        # A wavelength that a sum has twice counts twice: += on repeated indices would count it once.
         np.add.at(row, [places[w] for w in each.wavelengths], each.weights)
     method = sums[0].method
-    # With lateral colour some components are off the axis, and have no radii in common with the others.
+    # With lateral colour some components are off the axis, and share no radii with the others.
     alike = all(part.pupil.radial == pupil.radial for part in parts)
 
-    def ask(part: Component, tol: float) -> Intensities:
+    def compute(part: Component, tol: float) -> Intensities:
         ways = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
         made = first_within_tolerance(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
         if alike or made.values.ndim == 3:
@@ -244,4 +245,4 @@ def together(
         grid.paint(made.values, np.ones(len(values)), values)
         return made._replace(values=values)
 
-    return mixed(parts, shares, ask, sums[0], tol, window)
+    return mixed(parts, shares, compute, sums[0], tol, window)

@@ -27,9 +27,7 @@ if TYPE_CHECKING:
 class Prepared(NamedTuple):
     """Window, methods and settings for all pupils that differ only in phase."""
 
-    light: tuple[
-        object, ...
-    ]  # properties of the pupils except the phase, and whether the phase is radially symmetric
+    light: tuple[object, ...]  # pupil properties except the phase, and whether the phase is radially symmetric
     grid: Grid
     methods: tuple[Method, ...]  # in the order in which they are tried
     named: bool  # whether the caller named the method
@@ -209,7 +207,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
         return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
     except ValueError:
         raise ValueError(
-            f"center must broadcast with the stack of pupils, got places of shape {places} for {pupil.shape}"
+            f"center must broadcast with the stack of pupils, got centres of shape {places} for {pupil.shape}"
         ) from None
 
 

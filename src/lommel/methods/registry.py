@@ -1,4 +1,4 @@
-"""Every method by its name."""
+"""Registry of all methods, by class name and by the names of the command line."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from lommel.methods.polychromatic import Polychromatic
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 
 
-def _named(*kinds: type[Method]) -> dict[str, type[Method]]:
-    """Return methods by their names at the command line: nijboer-zernike for NijboerZernike."""
+def _by_command_name(*kinds: type[Method]) -> dict[str, type[Method]]:
+    """Return methods by their names in the command line, such as nijboer-zernike for NijboerZernike."""
     return {re.sub("(?<=[a-z])(?=[A-Z])", "-", kind.__name__).lower(): kind for kind in kinds}
 
 
-METHODS = _named(
+METHODS = _by_command_name(
     NijboerZernike,
     Hankel,
     LommelSeries,
@@ -44,23 +44,25 @@ METHODS = _named(
     Geometric,
     ChordalGauss,
 )
-"""Every method for the pupils of lenses, by the name the command line uses."""
+"""Methods for the pupils of lenses, by the names in the command line."""
 
-LAYERED = _named(Stratified, ChordalDebye, DebyeRings, DebyeWolf)
-"""Those for the pupils of objectives."""
+LAYERED = _by_command_name(Stratified, ChordalDebye, DebyeRings, DebyeWolf)
+"""Methods for the pupils of objectives, by the names in the command line."""
 
-_SUMS = _named(Polychromatic, Bead, Confocal, TwoPhoton, Sted)  # methods that combine images of others
+_SUMS = _by_command_name(
+    Polychromatic, Bead, Confocal, TwoPhoton, Sted
+)  # methods that combine images of other methods
 
 ERFS: dict[str, type[AbramowitzErf | TableErf | FresnelErf]] = {
     "abramowitz": AbramowitzErf,
     "table": TableErf,
     "fresnel": FresnelErf,
 }
-"""The error functions of `ClosedForm` by the name the command line uses."""
+"""Error functions of `ClosedForm`, by the names in the command line."""
 
 
 def method_from_dict(description: Mapping[str, object]) -> Method:
-    """Rebuild a method from :meth:`Method.to_dict`.
+    """Return the method with a description from :meth:`Method.to_dict`.
 
     Parameters
     ----------
@@ -73,7 +75,7 @@ def method_from_dict(description: Mapping[str, object]) -> Method:
     Raises
     ------
     ValueError
-        If its name is unknown, or that of something else.
+        If the name is unknown, or is not the name of a method.
     """
     kinds = [*METHODS.values(), *LAYERED.values(), *_SUMS.values(), *ERFS.values()]
     known: dict[object, Callable[..., object]] = {kind.__name__: kind for kind in kinds}
@@ -84,7 +86,7 @@ def method_from_dict(description: Mapping[str, object]) -> Method:
         name = options.pop("name")
         if name not in known:
             raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(map(str, known)))}")
-        # JSON has lists only; options are tuples, which are hashable.
+        # JSON has no tuples, but options must be tuples, which are hashable.
         return known[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
 
     method = build(description)

@@ -219,9 +219,9 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
 def test_what_is_not_taken_is_said_in_a_sentence():
     given = {"depth": 0.0, "wavelength": WAVE}
     measured = OIL.pupil(**given, aberrations=FIVE)
-    with pytest.raises(ValueError, match="DebyeWolf supports no aberrations on top of those of layers; use"):
+    with pytest.raises(ValueError, match="DebyeWolf supports no aberrations except those of the layers; use"):
         lm.psf(measured, 5, PIXEL, method=lm.DebyeWolf())
-    with pytest.raises(ValueError, match="supports aberrations only; without these use Stratified or DebyeWolf"):
+    with pytest.raises(ValueError, match="supports pupils with aberrations only; use Stratified"):
         lm.psf(OIL.pupil(**given), 5, PIXEL, method=DebyeRings())
     with pytest.raises(TypeError, match=r"aberrations must be of the type Wavefront, or None, got 0\.1"):
         OIL.pupil(**given, aberrations=0.1)

@@ -82,7 +82,7 @@ def test_errors_of_light_are_those_of_products_and_means():
 def test_large_discs_are_declined():
     pupil = OIL.pupil(depth=1e-6, wavelength=525e-9, aberrations=FIVE)
     beam = {"depth": 1e-6, "z": pupil.focus, "origin": "coverslip", "wavelength": 488e-9, "emitter": lm.Beam()}
-    with pytest.raises(ValueError, match="ask for a smaller pinhole or bead"):
+    with pytest.raises(ValueError, match="use a smaller pinhole or bead"):
         lm.microscopy.confocal(OIL.pupil(**beam), pupil, 5, PIXEL, pinhole=90.0)
 
 

@@ -1,6 +1,7 @@
-"""Small windows of a microscope with a measured wavefront: the chordal Gauss rule with projected amplitudes.
+"""Microscope images with a measured wavefront in small windows, by the chordal Gauss rule with projected amplitudes.
 
-Images use numbers of chords and nodes that are proven to suffice; searches choose their own, without a bound.
+Images use numbers of chords and nodes that are proven to suffice. Parameter searches use fewer, without an error
+bound.
 """
 
 from __future__ import annotations
@@ -47,29 +48,29 @@ _SINH = np.sinh(_B)
 _QUARTER = 0.25 / _B
 _RATIO = np.exp(-4.0 * _B)
 _OVER_CHORDS = np.log1p(_RATIO)
-# cosh^2 b over half of cosh 2b: certificate, section 16, "Chords and nodes".
-_TWICE = 1.0 + 1.0 / np.cosh(2.0 * _B)  # weight of chords on the paths over its mean
-_ETA = np.linspace(0.0, 1.0, 17)
+# cosh(b)^2 / (cosh(2 b) / 2): certificate, section 16, "Chords and nodes".
+_CHORD_WEIGHT = 1.0 + 1.0 / np.cosh(2.0 * _B)  # largest weight of chords on the shifted paths, over the mean
+_ETA = np.linspace(0.0, 1.0, 17)  # positions on a path for the trapezoidal rule of means_of_kernel()
 # exp(-s) I_0(s) <= sqrt(_BESSEL / s), by 1 - cos t >= 2 t^2 / pi^2 in the integral of I_0 (section 16).
 _BESSEL = math.pi / 8.0
 _OVER_NODES = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B))
 _MOST_NODES, _MOST_DEGREE = 256, 250  # limits that keep sums of exp(n b) finite
 _ROUNDING = 2.0**-53
-# Shares of the error of a field: projection, sum over chords, sum over nodes.
+# Fractions of the error of a field: for the projection, the sum over chords and the sum over nodes.
 _SHARES = (0.25, 0.3, 0.3)
-_QUADRATURE = 0.05
+_QUADRATURE = 0.05  # fraction of the error of a field: for the quadrature of the radial series
 
 
 class By(NamedTuple):
-    """Parameters of derivatives: depth (0) and focus (1), normalized to the steepest phase; ln k; Zernike terms."""
+    """Parameters of derivatives."""
 
-    rates: tuple[int, ...] = ()
-    terms: tuple[tuple[int, int], ...] = ()
+    rates: tuple[int, ...] = ()  # 0: depth, 1: focus, both normalized to the steepest phase; WAVENUMBER: ln k
+    terms: tuple[tuple[int, int], ...] = ()  # n and m of Zernike terms
 
 
 _NONE = By()
 _FLAT = Wavefront()
-_Made = TypeVar("_Made")
+_Result = TypeVar("_Result")
 
 
 @dataclass(frozen=True)
@@ -94,9 +95,9 @@ class ChordalDebye(AberratedMethod):
     -----
     Every field is ``(1/pi) int t(rho) exp(i q theta + i W - i v.r) dx dy`` over the unit disc, where t is the
     amplitude with the phase of the layers, W the measured wavefront (radians) and v the image position. t has a kink
-    at the critical angle; it is replaced by its series of radial polynomials ``R_n^q`` up to degree D. The remainder
-    is orthogonal to all polynomials of lower degree, and in a small window ``exp(i W - i v.r)`` is nearly such a
-    polynomial, so that the remainder contributes little. The rule of :class:`ChordalGauss` integrates the product.
+    at the critical angle, and is therefore replaced by its series of radial polynomials ``R_n^q`` up to degree D. The
+    remainder is orthogonal to all polynomials of lower degree, and in a small window ``exp(i W - i v.r)`` is nearly a
+    polynomial of lower degree: the remainder contributes little. :class:`ChordalGauss` integrates the product.
     Degree, chords and nodes are proven to suffice; see docs/certificate.md, section 16.
 
     References
@@ -120,36 +121,36 @@ class ChordalDebye(AberratedMethod):
     ) -> tuple[Images, Array, Array, Array]:
         """Return I of a `pupil` at the pixel centres of `grid`, and derivatives `by` parameters.
 
-        Derivatives of I have shape (k, n, height, width) and no tolerance; bounds on their errors and on their
-        largest moduli, (k, n), follow. Raises ToleranceError and ValueError like ``images``.
+        The derivatives have the shape (k, n, height, width), and no tolerance. The last two arrays, (k, n), are
+        bounds on their errors and on their largest moduli. Raises ToleranceError and ValueError like ``images``.
         """
         n = pupil.depth.size
         if not grid.stack:
             return self._refined(pupil, grid, tol, wanted, by)
         values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
         scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
-        numbers, slopes, off = np.empty((3, n)), None, np.empty(0)
-        for these, planes, around in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
-            one = wanted._replace(scale=None if scales is None else scales[these], out=None)
-            made, each, *more = self._refined(planes, around, tol, one, by)
-            values[these] = made.values
-            numbers[:, these] = made.scale, made.bound, made.brightest
+        scalars, slopes, bounds = np.empty((3, n)), None, np.empty(0)
+        for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
+            part_wanted = wanted._replace(scale=None if scales is None else scales[indices], out=None)
+            images, part_slopes, *part_bounds = self._refined(planes, axis_grid, tol, part_wanted, by)
+            values[indices] = images.values
+            scalars[:, indices] = images.scale, images.bound, images.brightest
             if slopes is None:
-                slopes, off = np.empty((len(each), n, *grid.shape)), np.empty((2, len(each), n))
-            slopes[:, these], off[:, :, these] = each, more
+                slopes, bounds = np.empty((len(part_slopes), n, *grid.shape)), np.empty((2, len(part_slopes), n))
+            slopes[:, indices], bounds[:, :, indices] = part_slopes, part_bounds
         assert slopes is not None
-        return Images(values, numbers[0], numbers[1], None, numbers[2]), slopes, off[0], off[1]
+        return Images(values, scalars[0], scalars[1], None, scalars[2]), slopes, bounds[0], bounds[1]
 
     def _refined(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
     ) -> tuple[Images, Array, Array, Array]:
         """Return the result of :meth:`differentiated` for one axis, with the error of I below `tol` of its peak."""
 
-        def made(field: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
-            found = intensities(pupil, grid, field, wanted.threads, by)
-            return found, found[2][0], found[1][0]
+        def compute(field: float) -> tuple[tuple[Array, Array, Array], Array, Array]:
+            result = intensities(pupil, grid, field, wanted.threads, by)
+            return result, result[2][0], result[1][0]
 
-        (values, error, largest), top, relative = self._proven(pupil, tol, wanted, made)
+        (values, error, largest), top, relative = self._proven(pupil, tol, wanted, compute)
         scales = np.empty(top.shape)
         scales[:] = 1.0 / top if wanted.scale is None else wanted.scale
         out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
@@ -158,27 +159,31 @@ class ChordalDebye(AberratedMethod):
         return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
     def _proven(
-        self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Made, Array, Array]]
-    ) -> tuple[_Made, Array, Array]:
-        """Return the result for fields accurate search_rule for `tol`, the largest I, and its relative error.
+        self,
+        pupil: ObjectivePupil,
+        tol: float,
+        wanted: Wanted,
+        compute: Callable[[float], tuple[_Result, Array, Array]],
+    ) -> tuple[_Result, Array, Array]:
+        """Return the result for fields accurate enough for `tol`, the largest I, and its relative error.
 
-        `made` returns the result, the largest I and its error for a given error of fields. ToleranceError if `tol`
-        cannot be met.
+        `compute` computes the result, the largest I and its absolute error from a required error of fields. Raises
+        ToleranceError if `tol` cannot be met.
         """
-        # Division by the computed peak doubles the error and rounds a second time.
+        # Division by the computed peak doubles the error, and adds a second rounding error.
         twice = 2.0 if wanted.scale is None else 1.0
         # The first error of fields assumes a quarter of the likely peak; it is reduced until the bound is proven.
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         peak = likely_peak(pupil) / 4.0
         while True:
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            found, top, error = made(field)
+            result, top, error = compute(field)
             least = top - error
             relative: Array = np.where(least > 0.0, error / np.where(least > 0.0, least, 1.0), np.inf)
             if wanted.scale is None:
                 relative = normalized_error(relative)
             if (worst := float(stored(relative, wanted.dtype).max())) <= tol:
-                return found, top, relative
+                return result, top, relative
             if field <= LEAST or (not worst < np.inf and peak < 1e-12):
                 raise not_met(self.tol, worst, "the largest value in the window")
             # The peak is lower than assumed, or the bound is less tight: reduce the error of fields.
@@ -187,7 +192,7 @@ class ChordalDebye(AberratedMethod):
     def gradient(self, pupil: ObjectivePupil, grid: Grid, weights: Array, by: By, threads: int = 0) -> Array:
         """Return weighted sums of I over the pixels of `grid` and their derivatives `by` parameters, (n, 1 + k).
 
-        The transpose of :meth:`differentiated`: it costs little more than an image, for any number of terms.
+        The transpose of :meth:`differentiated`: it takes little more time than an image, for any number of terms.
 
         Parameters
         ----------
@@ -202,32 +207,32 @@ class ChordalDebye(AberratedMethod):
         Raises
         ------
         ToleranceError, ValueError
-            If images cannot meet the tolerance, or need too many nodes.
+            If the tolerance cannot be met, or needs too many nodes.
         """
         wanted = Wanted(1.0, np.dtype(np.float64), threads=threads)
 
-        def sampled(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
+        def gradient_of_samples(pupil: ObjectivePupil, grid: Grid, tol: float, weights: Array) -> Array:
             if grid.stack:
-                found = np.empty((len(weights), 1 + len(by.rates) + len(by.terms)))
-                for these, planes, around in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
-                    found[these] = sampled(planes, around, tol, weights[these])
-                return found
+                result = np.empty((len(weights), 1 + len(by.rates) + len(by.terms)))
+                for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
+                    result[indices] = gradient_of_samples(planes, axis_grid, tol, weights[indices])
+                return result
             return self._proven(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[0]
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:
-            return sampled(pupil, grid, self.tol, weights)
-        return averaged_gradient(sampled, pupil, grid, self.tol, weights)
+            return gradient_of_samples(pupil, grid, self.tol, weights)
+        return averaged_gradient(gradient_of_samples, pupil, grid, self.tol, weights)
 
 
-# Largest extent of the axes of a group, and side of the cells into which they are grouped beyond it; in window sides.
+# Groups of planes: largest extent of the axes in a group, and side of the cells that divide larger groups (windows).
 _MAX_SPREAD, _CELL = 0.2, 0.15
 
 
 def gathered(
     pupil: ObjectivePupil, grid: Grid, *, apart: bool
 ) -> Iterator[tuple[NDArray[np.int64], ObjectivePupil, Grid]]:
-    """Yield groups of planes around a common axis: indices, planes and grid.
+    """Yield groups of planes with a common axis: indices, planes and grid.
 
     Planes with neighbouring axes share a group, in which tilts of the wavefront replace small shifts of the axis.
     With `apart` each plane is a group of its own, without tilts.
@@ -242,25 +247,25 @@ def gathered(
     if (np.ptp(axes, axis=0) > _MAX_SPREAD * side).any():
         cells = np.unique(np.floor(axes / (_CELL * side)), axis=0, return_inverse=True)[1].ravel()
     for cell in range(int(cells.max(initial=0)) + 1):
-        these = np.flatnonzero(cells == cell)
-        here, planes = axes[these], flat[these]
-        middle = 0.5 * (here.min(axis=0) + here.max(axis=0))
-        if len(these) > 1:
+        indices = np.flatnonzero(cells == cell)
+        group_axes, planes = axes[indices], flat[indices]
+        middle = 0.5 * (group_axes.min(axis=0) + group_axes.max(axis=0))
+        if len(indices) > 1:
             # A shift d of the axis in v is a tilt: exp(-i (v - d).r) = exp(-i v.r) exp(i d.r).
-            row, column = (here - middle).T * grid.step(pupil)
+            row, column = (group_axes - middle).T * grid.step(pupil)
             tilts = Wavefront.from_edge({(1, -1): row, (1, 1): column})
             planes = replace(planes, aberrations=tilts + planes.aberrations if planes.aberrations else tilts)
-        yield these, planes, Grid(grid.shape, grid.side, center=(float(middle[0]), float(middle[1])))
+        yield indices, planes, Grid(grid.shape, grid.side, center=(float(middle[0]), float(middle[1])))
 
 
-# Limits above which methods over circles are faster, because more samples share their tables.
+# Limits above which methods over circles (Stratified, DebyeRings) are faster: their tables serve many samples.
 _MOST_SAMPLES = 50000  # samples of all planes
 _MOST_PLANE_SAMPLES = 10000  # samples of a plane with its own axis
-_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # planes and samples without aberrations
+_PLAIN_PLANES, _PLAIN_SAMPLES = 8, 20000  # number of planes, and of their samples, without aberrations
 
 
 class ChordalDebyeIfCheaper(ChordalDebye):
-    """ChordalDebye where it is estimated to be faster than methods over circles; raises Declined elsewhere."""
+    """ChordalDebye, which declines before computing if methods over circles are estimated to be faster."""
 
     def differentiated(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By = _NONE
@@ -270,7 +275,7 @@ class ChordalDebyeIfCheaper(ChordalDebye):
         plain = not pupil.aberrated and (planes > _PLAIN_PLANES or samples > _PLAIN_SAMPLES)
         shared = not grid.stack or planes == 1
         if plain or samples > (_MOST_SAMPLES if shared else planes * _MOST_PLANE_SAMPLES):
-            raise Declined("methods over circles are faster for so many samples")
+            raise Declined("methods over circles are estimated to be faster for so many samples")
         return super().differentiated(pupil, grid, tol, wanted, by)
 
     @property
@@ -290,16 +295,16 @@ class Rule(NamedTuple):
 class Fields(NamedTuple):
     """Arguments of the core for the fields of some planes, and bounds on the errors of fields."""
 
-    given: tuple[NodeTables, Complex, NodeWaves, Window]
+    arguments: tuple[NodeTables, Complex, NodeWaves, Window]
     sets: NDArray[np.int32]  # see :func:`all_sets`
     terms: NodeTerms
-    field_errors: Array  # bounds on errors, (sets, planes, fields)
-    turns: tuple[float, float]  # normalization of the two sets of derivatives by ln k: phases of layers, and W
+    field_errors: Array  # bounds on errors of fields, (sets, planes, fields)
+    turns: tuple[float, float]  # scales of the two sets of derivatives by ln k: phases of layers, and largest W
 
 
 @dataclass(frozen=True, eq=False)
 class _Case:
-    """Quantities shared by fields that differ in depth and focus only: a wavefront or a stack, in a window."""
+    """Quantities of a stack of wavefronts in a window that do not depend on depth and focus."""
 
     wavefront: Wavefront
     window: Window
@@ -309,16 +314,16 @@ class _Case:
     sets: NDArray[np.int32]
     degree: int
     norm: float
-    largest: float  # bound on W, where W is a factor
-    own: NDArray[np.int32] | None  # index of the wavefront of each plane; None if all planes share one
+    largest: float  # bound on abs(W) if a set of fields has the factor W, else 0
+    own: NDArray[np.int32] | None  # index of the wavefront of each plane; None if all planes share one wavefront
     sizes: Growth  # for each set, (sets, b)
-    chosen: Array  # bounds from which numbers of chords and nodes are computed, (2, b)
-    powers: Array  # bound on each term on the paths, (terms, b)
-    ends: NDArray[np.int32]  # index after the last term of each part
-    series: NDArray[np.int32]  # series of each set
+    chosen: Array  # bounds that determine the numbers of chords and of nodes, (2, b)
+    powers: Array  # bound on each term on the shifted paths, (terms, b)
+    ends: NDArray[np.int32]  # index after the last term of each amplitude part
+    series: NDArray[np.int32]  # index of the radial series of each set
     left: Array  # truncation error of each set of fields, (sets,)
     lost: Array  # part of the rounding errors that does not depend on the rule, in units of _ROUNDING, (sets,)
-    rules: dict[Rule, _RuleTables]
+    rules: dict[Rule, _RuleTables]  # cached tables
 
     def rule_tables(self, rule: Rule) -> _RuleTables:
         """Return the tables for given numbers of chords and nodes."""
@@ -343,14 +348,14 @@ class _RuleTables(NamedTuple):
     waves: NDArray[np.complex128]
     terms: NodeTerms
     curves: tuple[Array, Array]
-    rounding: Array  # rounding error over the moduli of amplitudes, (sets,)
+    rounding: Array  # rounding error of a field, divided by the sum of the moduli of amplitudes, (sets,)
 
 
-_MOST_RULES, _MOST_BYTES = 8, 2**20  # number of cached rules, and largest size of the waves of one
+_MOST_RULES, _MOST_BYTES = 8, 2**20  # number of cached rules, and largest size (bytes) of the waves of a cached rule
 
 
 def all_sets(by: By, *, turned: bool) -> list[tuple[int, int, int]]:
-    """Return the sets of fields, (series, term or -1, kind): kind 1, added by `turned`, has a factor W."""
+    """Return the sets of fields (series, term or -1, kind); kind 1 (factor W) is added if `turned`."""
     sets = [*_series(by), *((0, k, 0) for k in range(len(by.terms)))]
     return [*sets, (0, -1, 1)] if turned else sets
 
@@ -361,7 +366,7 @@ def _case(
 ) -> _Case:
     wavefront, model = (aberrations or _FLAT).flattened(), emitter.light.model
     axis, shape = np.array(window.center), np.array(window.shape)
-    # Derivatives by ln k multiply the waves by i W: section 16, "Their derivatives".
+    # Derivatives by ln k multiply waves by i W: section 16, "Their derivatives".
     by_k, phases = projection.WAVENUMBER in by.rates, wavefront.amplitudes()
     plain = growth(wavefront, -axis * window.step, (shape - 1.0 - axis) * window.step, phases)
     highest = max((n for n, _ in phases), default=0)
@@ -373,14 +378,14 @@ def _case(
     sets = all_sets(by, turned=largest > 0.0)
     factors = [highest if kind else 0 if term < 0 else by.terms[term][0] for _, term, kind in sets]
     sizes = Growth(*(np.stack(each) for each in zip(*(plain.times(n) for n in factors), strict=True)))
-    # Films multiply s and p waves by different factors; a part is their sum, hence sqrt(2) times the norm.
+    # Films multiply s and p waves by different factors. A part is a sum of both waves, hence sqrt(2) times the norm.
     norms = [norm, *(norm * (math.sqrt(2.0) if rate == projection.WAVENUMBER else 1.0) for rate in by.rates)]
     left = np.array([norms[series] for series, _, _ in sets]) * truncation_error(sizes.across, degree)
     reach = window.step * float(np.hypot(*np.maximum(axis, shape - 1.0 - axis)))
     of_terms = wavefront.indices[:, 0] ** 2 * 3.0 + 16.0 + len(wavefront.terms)
-    # Section 16, "Rounding", without 2 N + 2 K of the rule.
+    # Section 16, "Rounding", without 2 N + 2 K, which depends on the rule.
     lost = 4.0 * degree + 64.0 + 9.0 * reach + (np.abs(wavefront.edge) @ of_terms).max()
-    # Further rounding of a factor of degree n: section 8, "Derivatives".
+    # Further rounding errors, from a factor of degree n: section 8, "Derivatives".
     more = [6.0 * n * n + (of_terms.max() if kind else 0.0) for n, (_, _, kind) in zip(factors, sets, strict=True)]
     counts = [projection.degrees(q, degree).size for q in model.orders]
     powers = np.concatenate([_powers(q, degree) for q in model.orders])
@@ -398,11 +403,11 @@ def _case(
 
 
 def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
-    """Return arguments for fields of one axis and their derivatives, with errors of about `field`."""
+    """Return arguments for fields of planes with one axis and their derivatives, with errors of about `field`."""
     window = Window(grid.shape, grid.axis, grid.step(pupil))
     case = _case(pupil.layers, pupil.emitter, pupil.aberrations, window, by, field)
     series = projection.amplitudes(pupil, case.degree, _QUADRATURE * field, by.rates)
-    # Weights of the rule sum to 1: an amplitude is at most the sum of the moduli of its terms.
+    # The weights of a rule have the sum 1: an amplitude is at most the sum of the moduli of its terms.
     sizes, chords, nodes = chordal_series_sizes(series.coefficients, case.ends, case.powers, _QUARTER, case.chosen)
     tables_of_rule = case.rule_tables(Rule(_even(chords), _even(nodes), case.degree))
     shares = _shares(pupil.emitter)
@@ -410,20 +415,21 @@ def fields(pupil: ObjectivePupil, grid: Grid, field: float, by: By) -> Fields:
         sizes, case.series, tables_of_rule.curves, case.left, tables_of_rule.rounding, shares, series.error
     )
     own = np.zeros(pupil.depth.size, dtype=np.int32) if case.own is None else case.own
-    given = tables_of_rule.tables, series.coefficients, NodeWaves(tables_of_rule.waves, own), window
-    return Fields(given, case.sets, tables_of_rule.terms, field_errors, (series.steepest, case.largest))
+    arguments = tables_of_rule.tables, series.coefficients, NodeWaves(tables_of_rule.waves, own), window
+    return Fields(arguments, case.sets, tables_of_rule.terms, field_errors, (series.steepest, case.largest))
 
 
 def intensities(
     pupil: ObjectivePupil, grid: Grid, field: float, threads: int, by: By = _NONE
 ) -> tuple[Array, Array, Array]:
-    """Return I at pixel centres around one axis and its derivatives, (1 + k, n, height, width).
+    """Return I at pixel centres around one axis, and its derivatives, from fields with errors of about `field`.
 
-    Fields have errors of about `field`. Bounds on errors and on the largest moduli, (1 + k, n), follow.
+    The values have the shape (1 + k, n, height, width). The other two arrays, (1 + k, n), are bounds on their errors
+    and on their largest moduli.
     """
-    made = fields(pupil, grid, field, by)
-    of_layers, measured = made.turns
-    found = chordal_series_light(*made.given, made.sets, made.terms, made.field_errors, pupil.power, threads)
+    data = fields(pupil, grid, field, by)
+    of_layers, measured = data.turns
+    found = chordal_series_light(*data.arguments, data.sets, data.terms, data.field_errors, pupil.power, threads)
     if projection.WAVENUMBER in by.rates:
         at = 1 + by.rates.index(projection.WAVENUMBER)
         for each in found:
@@ -438,12 +444,12 @@ def intensities(
 def sums(
     pupil: ObjectivePupil, grid: Grid, field: float, weights: Array, threads: int, by: By
 ) -> tuple[Array, Array, Array]:
-    """Return weighted sums of I and their derivatives for one axis, (n, 1 + k), the largest I, and its error."""
-    made = fields(pupil, grid, field, by)
-    asked = np.array(_series(by), dtype=np.int32)
-    found, largest = chordal_series_gradient(*made.given, asked, made.terms, weights, threads)
-    top, error = largest[:, 0], error_of_light(made.field_errors[0], largest[:, 1:])
-    return found / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
+    """Return weighted sums of I and their derivatives, (n, 1 + k), for one axis; also the largest I and its error."""
+    data = fields(pupil, grid, field, by)
+    sets = np.array(_series(by), dtype=np.int32)
+    results, largest = chordal_series_gradient(*data.arguments, sets, data.terms, weights, threads)
+    top, error = largest[:, 0], error_of_light(data.field_errors[0], largest[:, 1:])
+    return results / pupil.power[:, None], top / pupil.power, error / pupil.power * (1.0 + 1e-12)
 
 
 def _series(by: By) -> list[tuple[int, int, int]]:
@@ -451,14 +457,14 @@ def _series(by: By) -> list[tuple[int, int, int]]:
     return [(k, -1, 0) for k in range(1 + len(by.rates))]
 
 
-def error_of_light(off: Array, largest: Array) -> Array:
-    """Bound the error of a sum of squares of fields with errors `off` and moduli up to `largest`; (n,)."""
-    return np.asarray((off * (2.0 * largest + off) + 32.0 * _ROUNDING * largest**2).sum(axis=-1))
+def error_of_light(field_errors: Array, largest: Array) -> Array:
+    """Bound the error of a sum of squares of fields with these errors and moduli up to `largest`; shape (n,)."""
+    return np.asarray((field_errors * (2.0 * largest + field_errors) + 32.0 * _ROUNDING * largest**2).sum(axis=-1))
 
 
 @lru_cache(maxsize=64)
 def _rows(emitter: Emitter) -> Complex:
-    """Return the fields of an emitter as linear combinations of its waves; I is the sum of their squares."""
+    """Return the fields of an emitter as linear combinations of its waves; I is the sum of their squared moduli."""
     return squares(emitter.light.waves.form)
 
 
@@ -471,19 +477,19 @@ def _shares(emitter: Emitter) -> Array:
 
 @lru_cache(maxsize=64)
 def _powers(order: int, degree: int) -> Array:
-    """Return bounds on each term of an amplitude on the paths, shape (terms, b)."""
+    """Return bounds on each term of an amplitude on the shifted paths, shape (terms, b)."""
     return np.asarray(np.exp(np.outer(projection.degrees(order, degree), _B)))
 
 
 class Growth(NamedTuple):
-    """Logarithms of bounds on the means of ``abs(exp(i W - i v.r))`` on paths: projection, chords, nodes."""
+    """Logarithms of bounds on the means of ``abs(exp(i W - i v.r))`` on the shifted paths, each of shape (..., b)."""
 
-    across: Array
-    around: Array
-    along: Array
+    across: Array  # for the projection
+    around: Array  # for the sum over chords
+    along: Array  # for the sums over nodes
 
     def times(self, n: int) -> Growth:
-        """Return bounds with a Zernike term of degree n as a factor, at most ``cosh(n b)`` on the paths."""
+        """Return bounds for integrands with a Zernike term of degree n, at most ``cosh(n b)``, as a factor."""
         return Growth(*(each + _factor(n) for each in self)) if n else self
 
 
@@ -500,9 +506,9 @@ def _sinh(n: int) -> Array:
 def growth(
     wavefront: Wavefront, low: Array, high: Array, phases: dict[tuple[int, int], float] | None = None
 ) -> Growth:
-    """Return bounds for a stack of wavefronts in a window from v = `low` to `high`, (y, x).
+    """Return bounds for a stack of wavefronts, in a window from v = `low` to v = `high`, (y, x).
 
-    `phases` are the amplitudes of its terms, computed if not given.
+    `phases` are the amplitudes of the Zernike terms, by default computed from the wavefronts.
     """
     terms, reach = wavefront.edge_terms(), []
     for edges, term in zip(zip(low.tolist(), high.tolist(), strict=True), ((1, -1), (1, 1)), strict=True):
@@ -517,21 +523,21 @@ def growth(
 
 
 def means_of_kernel(y: float, x: float) -> tuple[Array, Array, Array]:
-    """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three paths, abs(v) up to `y` and `x`."""
+    """Bound the logarithms of the means of ``abs(exp(-i v.r))`` on the three paths, for abs(v) up to (`y`, `x`)."""
     # m_1 = sinh(s) / s, s = abs(v) sinh(b): section 16, "Projection".
     s = np.maximum(math.hypot(y, x) * _SINH, 1e-12)
     across = s + np.log(-np.expm1(-2.0 * s) / (2.0 * s))
     # The trapezoidal rule overestimates the mean of a convex function.
     each = np.maximum(np.outer(_SINH, np.hypot(x, y * _ETA)), 1e-12)
-    held = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
-    around = s + np.minimum(0.0, np.log(_TWICE * (0.5 * (held[:, 1:] + held[:, :-1])).mean(axis=1)))
+    scaled = np.exp(each - s[:, None]) * np.minimum(1.0, np.sqrt(_BESSEL / each))
+    around = s + np.minimum(0.0, np.log(_CHORD_WEIGHT * (0.5 * (scaled[:, 1:] + scaled[:, :-1])).mean(axis=1)))
     # m_K <= I_0(abs(v_y) sinh b) <= exp(s) sqrt(pi / (8 s)).
     along = np.maximum(y * _SINH, 1e-12)
     return across, around, along + np.minimum(0.0, 0.5 * np.log(_BESSEL / along))
 
 
 def truncation_error(size: Array, degree: int) -> Array:
-    """Bound the contribution of terms above `degree` to a field, over their norm, for `size` of shape (..., b)."""
+    """Bound the contribution of terms above `degree` to a field, divided by the norm; `size` has shape (..., b)."""
     return np.asarray(np.exp(np.minimum(700.0, (size + _tail_exponent(degree)).min(axis=-1))))
 
 
@@ -541,18 +547,18 @@ def _tail_exponent(degree: int) -> Array:
 
 
 def _tail(first: Array | float) -> Array:
-    """Return the logarithm of the tail of the series from degree `first` on, without exp(-first b)."""
+    """Return the logarithm of the tail of the series from degree `first` on, without the factor exp(-first b)."""
     # The squared tail is the sum over n = D + 1, D + 3, ... of (n + 1) exp(-2 n b).
     terms = (first + 1.0) / (1.0 - _RATIO) + 2.0 * _RATIO / (1.0 - _RATIO) ** 2
     return np.asarray(0.5 * np.log(terms) + np.log1p(np.exp(-2.0 * _B)))
 
 
 _FIRST_TAIL = _tail(40.0)
-_TOO_LARGE = "ChordalDebye takes smaller windows and aberrations only"
+_TOO_LARGE = "window or aberrations too large for ChordalDebye; leave method out, or use a smaller window"
 
 
 def degree_for(size: Array, norm: float, error: float) -> int:
-    """Return the degree at which truncation of amplitudes of this norm costs at most about `error`."""
+    """Return the degree at which truncation of amplitudes with this norm causes an error of at most about `error`."""
     needed = size + math.log(norm / error)
     # The tail depends weakly on the degree: two steps of a fixed-point iteration suffice.
     first = np.maximum((needed + _FIRST_TAIL) / _B, 1.0)
@@ -572,7 +578,7 @@ def _even(halved: float) -> int:
 
 
 def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
-    """Return the error of the sum over chords and of the sum over nodes, per unit amplitude on the paths."""
+    """Return the errors of the sum over chords and of the sum over nodes, per unit amplitude on the shifted paths."""
     of_chords, of_nodes = _rule_errors(rule.chords, rule.nodes)
     return np.exp(np.minimum(size.around + of_chords, 600.0)), np.exp(np.minimum(size.along + of_nodes, 600.0))
 
@@ -580,7 +586,7 @@ def curves(size: Growth, rule: Rule) -> tuple[Array, Array]:
 @lru_cache(maxsize=64)
 def _rule_errors(chords: int, nodes: int) -> tuple[Array, Array]:
     """Return the logarithms of the relative errors of sums over chords and over nodes."""
-    # Certificate, section 8: e_N and e_K, divided by the mean of the integrand on the paths.
+    # Certificate, section 8: e_N and e_K, divided by the mean of the integrand on the shifted paths.
     around = np.log1p(_RATIO) - np.log(-np.expm1(-2.0 * (chords + 1) * _B)) - 2.0 * chords * _B
     return around, _OVER_NODES - 2.0 * nodes * _B
 
@@ -605,7 +611,7 @@ def quadrant(chords: int, nodes: int) -> Quadrant:
 
 @lru_cache(maxsize=16)
 def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTables:
-    """Return the tables of an emitter's fields at the nodes."""
+    """Return the tables of an emitter's fields at the nodes of a quadrant."""
     at, waves = quadrant(rule.chords, rule.nodes), emitter.light.waves
     radial = [zernike.radials(q, max(rule.degree, q), at.rho) for q in orders]
     shares, factors = [], []
@@ -623,13 +629,13 @@ def node_tables(rule: Rule, orders: tuple[int, ...], emitter: Emitter) -> NodeTa
     )
 
 
-# Parities are numbered 2 (odd in x) + 1 (odd in y).
-_PARITIES = ((0, 3), (2, 1))  # of cosine and sine of q theta, for even and odd q
+# Parities are numbered by 2 (if odd in x) + 1 (if odd in y).
+_PARITIES = ((0, 3), (2, 1))  # of the cosine and the sine of q theta, for even and odd q
 
 
 @lru_cache(maxsize=16)
 def node_terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> NodeTerms:
-    """Return Zernike terms at the nodes of a quadrant, and the parity of each."""
+    """Return Zernike terms at the nodes of a quadrant, and the parity of each term."""
     at = quadrant(chords, nodes)
     odd_y = np.array([m < 0 for _, m in terms], dtype=np.int32)
     odd_x = np.array([(abs(m) + (m < 0)) % 2 for _, m in terms], dtype=np.int32)
@@ -637,7 +643,7 @@ def node_terms(chords: int, nodes: int, terms: tuple[tuple[int, int], ...]) -> N
     return NodeTerms(np.reshape(values, (len(terms), *at.rho.shape)), 2 * odd_x + odd_y)
 
 
-# Averages over discs use the chords of the same rule: certificate, "Scanning microscopes and beads".
+# Averages over discs are sums over chords of the same kind of rule: certificate, "Scanning microscopes and beads".
 _DISC_B = np.geomspace(0.02, 6.0, 96)
 _MOST_DISC_CHORDS = 200
 
@@ -647,31 +653,29 @@ def chords_for(radius: float, error: float) -> int:
     for chords in range(2, _MOST_DISC_CHORDS + 1, 2):
         if chord_error(radius, chords) <= error:
             return chords
-    raise Declined(
-        "with aberrations, averages are limited to discs of 15 Airy units; ask for a smaller pinhole or bead"
-    )
+    raise Declined("with aberrations, averages are limited to discs of 15 Airy units; use a smaller pinhole or bead")
 
 
 def chord_error(radius: float, chords: int) -> float:
-    """Bound the error of the transfer function of a disc of `radius` (in v), summed over chords."""
-    # Section 8 with the integrand exp(i s w.r), abs(w) <= 2.
+    """Bound the error of the transfer function of a disc of `radius` (in v), computed as a sum over chords."""
+    # Section 8 for the integrand exp(i s w.r) with abs(w) <= 2.
     grown = np.exp(np.minimum(2.0 * radius * np.sinh(_DISC_B) - 2.0 * chords * _DISC_B, 600.0))
     return float(((1.0 + np.exp(-4.0 * _DISC_B)) * grown / -np.expm1(-2.0 * (chords + 1) * _DISC_B)).min())
 
 
-# Parameter searches need errors of a small fraction of the noise only, and a certified image checks their result.
-# They use rules of fixed size: about half as many chords and nodes as the proof requires. Pixel, bead and blur are
-# linear filters of the samples. Filter weights are fitted to the transfer function at frequencies abs(w) <= 2, beyond
-# which the OTF is 0, by least squares weighted with the OTF of a circular aperture.
+# Parameter searches need errors that are small relative to the noise only; a certified image checks their result.
+# They use rules of fixed size, with about half as many chords and nodes as the proof requires. Pixel, bead and blur
+# are linear filters of the samples. Filter weights are fitted to the transfer function at frequencies abs(w) <= 2,
+# beyond which the OTF is 0, by least squares with the OTF of a circular aperture as the weight.
 
 Term = tuple[int, int]
 HALF = 7  # smallest number of samples on each side of a filter
-_FARTHEST = 1.535  # v between samples; pi/2 is the Nyquist limit
+_MAX_SPACING = 1.535  # v between samples; pi/2 is the Nyquist limit
 _BAND = 2.0 * np.cos((np.arange(160) + 0.5) * (0.5 * math.pi / 160))  # Chebyshev points of [0, 2]
-_CUT = 0.5 * _BAND
-_WEIGHT = 2.0 / math.pi * (np.arccos(_CUT) - _CUT * np.sqrt(1.0 - _CUT * _CUT)) + 1e-3
+_HALF_BAND = 0.5 * _BAND
+_WEIGHT = 2.0 / math.pi * (np.arccos(_HALF_BAND) - _HALF_BAND * np.sqrt(1.0 - _HALF_BAND * _HALF_BAND)) + 1e-3
 # _WEIGHT is the OTF of a circular aperture, plus 0.001 to keep the fit determined at the end of the band.
-_DISC = 1e-4  # error of the transfer function of a disc
+_DISC = 1e-4  # allowed error of the transfer function of a disc
 
 
 class Planes(NamedTuple):
@@ -679,7 +683,7 @@ class Planes(NamedTuple):
 
     depth: Array  # (n,)
     focus: Array  # (n,)
-    edge: Array  # (n, terms), or (1, terms) if all share one
+    edge: Array  # (n, terms), or (1, terms) if all planes share one wavefront
 
 
 class SampleLattice(NamedTuple):
@@ -693,7 +697,7 @@ class SampleLattice(NamedTuple):
     @property
     def stride(self) -> int:
         """Number of samples per pixel along each axis."""
-        return max(1, math.ceil(self.step / _FARTHEST))
+        return max(1, math.ceil(self.step / _MAX_SPACING))
 
     @property
     def window(self) -> Window:
@@ -739,12 +743,12 @@ def light(
     waves = folded_waves(nodes, edge, weight, 0.0)
     count = planes.depth.size
     which = np.zeros(count, np.int32) if len(edge) == 1 else np.arange(count, dtype=np.int32)
-    own = node_terms(rule.chords, rule.nodes, by)
+    derivative_terms = node_terms(rule.chords, rule.nodes, by)
     sets = [*((k, -1, 0) for k in range(len(coefficients))), *((0, k, 0) for k in range(len(by)))]
     # The rule has no error bound: errors of fields are set to 0.
     no_error = np.zeros((len(sets), count, int(tables.shares[:, 0].max()) + 1))
-    given = tables, coefficients, NodeWaves(waves, which), samples.window, np.array(sets, dtype=np.int32)
-    return chordal_series_light(*given, own, no_error, np.ones(count), threads)[0]
+    arguments = tables, coefficients, NodeWaves(waves, which), samples.window, np.array(sets, dtype=np.int32)
+    return chordal_series_light(*arguments, derivative_terms, no_error, np.ones(count), threads)[0]
 
 
 def collected(layers: Layers, emitter: Emitter, depth: Array) -> Array:
@@ -814,7 +818,7 @@ def pixel_filter(
     s, half, side = samples.stride, samples.half, samples.step if integrate else 0.0
     h = samples.step / s
 
-    # Transfer function along one axis: pixel, Gaussian, and a chord (sinc along it) with its mirror image (cosine).
+    # Transfer function along one axis: pixel, Gaussian, a chord (sinc), and the chord with its mirror image (cosine).
     def along(w: Array, mean: float, cosine: float) -> Array:
         plain = np.sinc(side * w / (2.0 * math.pi)) * np.exp(-0.5 * variance * w * w)
         return np.asarray(plain * np.sinc(mean * w / math.pi) * np.cos(cosine * w))
@@ -824,14 +828,14 @@ def pixel_filter(
     parts = []
     for angle in angles:
         share = 4.0 / (chords + 1) * math.sin(angle) ** 2 if chords else 1.0
-        rows = _fitted(along(_BAND, disc * math.sin(angle), 0.0), h, half)
-        columns = share * _fitted(along(_BAND, 0.0, disc * math.cos(angle)), h, half)
+        rows = _fit_weights(along(_BAND, disc * math.sin(angle), 0.0), h, half)
+        columns = share * _fit_weights(along(_BAND, 0.0, disc * math.cos(angle)), h, half)
         height, width = samples.shape
-        parts.append((_banded(rows, s, height), _banded(columns, s, width)))
+        parts.append((_filter_matrix(rows, s, height), _filter_matrix(columns, s, width)))
     return Filter(tuple(parts))
 
 
-def _fitted(response: Array, h: float, half: int) -> Array:
+def _fit_weights(response: Array, h: float, half: int) -> Array:
     """Return filter weights, for samples with spacing `h` in v, fitted to a transfer function."""
     return np.asarray(_inverse(h, half) @ (_WEIGHT * response))
 
@@ -841,13 +845,13 @@ def _inverse(h: float, half: int) -> Array:
     """Return the least-squares matrix from transfer functions to symmetric filter weights."""
     x = h * np.arange(half + 1)
     basis = np.where(x > 0.0, 2.0, 1.0) * np.cos(np.outer(_BAND, x))
-    found = np.linalg.pinv(_WEIGHT[:, None] * basis, rcond=1e-10)
-    return np.concatenate([found[:0:-1], found])
+    inverse = np.linalg.pinv(_WEIGHT[:, None] * basis, rcond=1e-10)
+    return np.concatenate([inverse[:0:-1], inverse])
 
 
-def _banded(weights: Array, stride: int, side: int) -> Array:
+def _filter_matrix(weights: Array, stride: int, side: int) -> Array:
     """Return the matrix of a filter, from samples to `side` pixels."""
-    made = np.zeros((side, stride * (side - 1) + weights.size))
+    matrix = np.zeros((side, stride * (side - 1) + weights.size))
     for i in range(side):
-        made[i, stride * i : stride * i + weights.size] = weights
-    return made
+        matrix[i, stride * i : stride * i + weights.size] = weights
+    return matrix

@@ -1,4 +1,4 @@
-"""Stacks of a microscope with a measured wavefront on top: fields on circles, by orders of the azimuth."""
+"""Microscope stacks with a measured wavefront: fields on circles, as sums over azimuthal orders."""
 
 from __future__ import annotations
 
@@ -27,21 +27,21 @@ from lommel.special.bessel import bessel_sequence
 
 
 class _Band(NamedTuple):
-    """Bandwidth of circles in radians a step, and the least error of the interpolation between them."""
+    """Bandwidth of I in radians per spacing of circles, and smallest error of the interpolation between circles."""
 
     band: float
     least: float
 
 
-# Circles are 0.8 apart in v or, where little may be lost, 0.55: certificate, section 16, "Between circles".
+# Circles are 0.8 apart in v or, for small errors, 0.55: certificate, section 16, "Between circles".
 _BANDS = (_Band(1.6, 5e-12), _Band(1.1, 5e-13))
-_AROUND = 1e-12  # least error of the interpolation around circles
-_PARTS = 2**22  # values of pupils with a wavefront each, at once
+_AROUND = 1e-12  # smallest error of the interpolation around circles
+_PARTS = 2**22  # largest number of values of pupil functions in memory, if each pupil has its own wavefront
 _ROUNDING = 2.0**-53
 
 
 class Accuracy(NamedTuple):
-    """Errors of fields, of interpolation between circles (in I) and around them (relative to I)."""
+    """Allowed errors: of fields, of I by interpolation between circles, and by interpolation around them (over I)."""
 
     field: float
     between: float
@@ -57,8 +57,8 @@ class DebyeRings(AberratedMethod):
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance relative to the peak of each plane, 1e-12 to 1e-1. Below about 1e-10 rounding prevents it, and
-        :class:`ToleranceError` is raised.
+        Tolerance relative to the peak of each plane, 1e-12 to 1e-1. Because of rounding errors, tolerances below
+        about 1e-10 may raise :class:`ToleranceError`.
 
     Raises
     ------
@@ -72,9 +72,9 @@ class DebyeRings(AberratedMethod):
     .. math:: U(v, \phi) = \sum_m (-i)^{|m + q|} e^{i (m + q) \phi}
        \int P_m(\rho) T(\rho) e^{i \psi} J_{|m + q|}(v \rho) \rho \, d\rho
 
-    with a number of orders and nodes that is proven to suffice. A Fourier transform gives these fields at equal
+    with a number of orders and nodes that is proven to suffice. A Fourier transform computes these fields at equal
     angles on equally spaced circles, and the intensity is interpolated to the pixels, also with a proven error; see
-    docs/certificate.md, section 16. Bessel functions are kept for stacks of the same objective, wavelength, emitter
+    docs/certificate.md, section 16. Bessel functions are cached for stacks of the same objective, wavelength, emitter
     and window.
 
     References
@@ -89,32 +89,32 @@ class DebyeRings(AberratedMethod):
         return self.refined(pupil, grid, tol, wanted)[0]
 
     def refined(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
-        """Return I of a `pupil` at the pixel centres of `grid`, and the accuracy that it took.
+        """Return I of a `pupil` at the pixel centres of `grid`, and the accuracy that `tol` required.
 
-        ToleranceError if rounding prevents `tol`.
+        Raises ToleranceError if rounding errors exceed `tol`.
         """
         peak = likely_peak(pupil) / 4.0
-        # Values divided by their own largest one have twice the error, and are rounded twice.
+        # Division of values by their own largest value doubles the error, and adds a second rounding error.
         twice = 2.0 if wanted.scale is None else 1.0
-        aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
+        allowed = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         while True:
-            # Powers of two, so that taps and angles are shared by similar tolerances.
-            exact = (2.0 ** math.floor(math.log2(x)) for x in (aim * math.sqrt(peak) / 8.0, aim * peak, aim / 100.0))
-            accuracy = Accuracy(*exact)
-            made = ringed(pupil, grid, accuracy, wanted)
-            assert made.error is not None
-            if (worst := float(made.error.max())) <= tol:
-                return made, accuracy
+            # Powers of two, so that similar tolerances share taps and angles.
+            errors = (allowed * math.sqrt(peak) / 8.0, allowed * peak, allowed / 100.0)
+            accuracy = Accuracy(*(2.0 ** math.floor(math.log2(error)) for error in errors))
+            images = ringed(pupil, grid, accuracy, wanted)
+            assert images.error is not None
+            if (worst := float(images.error.max())) <= tol:
+                return images, accuracy
             if accuracy.field <= LEAST:
                 raise not_met(self.tol, worst, "the peak")
-            # The peak was lower than expected, or the bound less tight.
-            peak, aim = peak * 0.25, aim * max(1e-6, min(0.5, 0.5 * tol / worst))
+            # The peak is lower than estimated, or the bound is less tight: reduce the errors.
+            peak, allowed = peak * 0.25, allowed * max(1e-6, min(0.5, 0.5 * tol / worst))
 
 
 class Turn(NamedTuple):
-    """Factor of waves, ``(1 + amount (rate - middle)) / 2``, at most 1 for real rho."""
+    """Factor of waves, ``(1 + amount (rate - middle)) / 2``, with a modulus of at most 1 for real rho."""
 
-    which: int  # 1 for the rate of the phase by depth, 2 for that by focus
+    which: int  # index of the phase rate: 1 by depth, 2 by focus
     amount: complex
     middle: float
 
@@ -123,19 +123,19 @@ class Turn(NamedTuple):
         return np.asarray(0.5 * (1.0 + self.amount * (rates[self.which] - self.middle)))
 
     def growth(self, piece: Piece) -> Array:
-        """Return the logarithm of a bound on the factor, on each disc around a piece."""
-        away = (piece.covered.rates[self.which] - self.middle).largest
-        return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * away)))
+        """Return the logarithm of a bound on the factor, for each disc of complex angles around a piece."""
+        largest_rate = (piece.covered.rates[self.which] - self.middle).largest
+        return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * largest_rate)))
 
 
 def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None) -> Images:
-    """Return images of an accuracy, with bounds to be compared with a tolerance: certificate, section 16.
+    """Return images computed with this accuracy, and their error bounds: certificate, section 16.
 
-    With a `turn` the waves have a further factor.
+    A `turn` multiplies the waves by a further factor.
     """
     step, light, n = grid.step(pupil), pupil.light, pupil.depth.size
     band, along = _along(accuracy.between)
-    # Circles to the farthest pixel, and the further ones that taps and filter need.
+    # Circles up to the farthest pixel, and further circles for the taps and the filter.
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
     wavefront, terms, rule = _nodes(pupil, (0.5 * band * (circles - 1), accuracy.field), turn)
     rows = squares(light.waves.form)
@@ -144,21 +144,21 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
     axes = grid.axes
     errors, peaks, tops = np.empty((3, n))
     many = wavefront.shape[0] > 1
-    # Stacks with a wavefront each are computed in parts, so that their pupil functions fit into memory.
-    each = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else n
-    for part in (slice(k, min(k + each, n)) for k in range(0, n, each)):
-        across, left = projection.components(
+    # Stacks with a wavefront for each plane are computed in parts, so that the pupil functions fit into memory.
+    block_size = max(8, _PARTS // (len(rows) * rule.rho.size * 100) // 8 * 8) if many else n
+    for part in (slice(k, min(k + block_size, n)) for k in range(0, n, block_size)):
+        across, omitted = projection.components(
             wavefront[part] if many else wavefront, terms, rule, 0.1 * accuracy.field
         )
-        # Orders of a field are sums of those of the wavefront and of the emitter's wave.
+        # The order of a field is the sum of an order of the wavefront and the order of an emitter's wave.
         shift = max(map(abs, light.waves.orders))
-        most = across.shape[1] // 2 + shift
-        # The intensity has twice the orders of a field; this number of angles separates them.
-        angles = fft_length(4 * most + 1)
-        around = interpolation.circular_taps(2 * most, 2 * angles, max(accuracy.around, _AROUND))
+        max_order = across.shape[1] // 2 + shift
+        # The intensity has up to twice the orders of a field; this number of angles separates them.
+        angles = fft_length(4 * max_order + 1)
+        around = interpolation.circular_taps(2 * max_order, 2 * angles, max(accuracy.around, _AROUND))
         waves = rule.waves(pupil.depth.ravel()[part], pupil.focus.ravel()[part])
         sums = Rings(
-            bessel=_bessel(rule.rho.tobytes(), 0.5 * band, circles, most + 1),
+            bessel=_bessel(rule.rho.tobytes(), 0.5 * band, circles, max_order + 1),
             parts=_fields(light.waves, rows, rule.parts, across, shift),
             waves=np.ascontiguousarray(waves * (1.0 if turn is None else turn.of(rule.rates))),
             power=pupil.power[part],
@@ -170,14 +170,16 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
             gains=np.stack([around.gains, around.errors]),
         )
         window = Window(grid.shape, axes[part] if len(axes) > 1 else axes, step / (0.5 * band))
-        found = ringed_images(sums, window, scales[part], wanted.threads, values[part])
+        sampled = ringed_images(sums, window, scales[part], wanted.threads, values[part])
         size = max(float(np.abs(each).sum()) for each in rule.parts)
         # Quadrature, omitted orders, and roundings of the transform over angles (section 16, "Rounding").
-        off = rule.error + left + 64.0 * math.sqrt(angles) * _ROUNDING * size
-        wrong = _circle_error(found, off * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power), most, angles)
-        errors[part] = _pixel_error(found, wrong, along, around, angles)
-        peaks[part] = np.maximum(found.top - wrong, found.pixel - errors[part])
-        tops[part] = found.pixel
+        field_error = rule.error + omitted + 64.0 * math.sqrt(angles) * _ROUNDING * size
+        by_circles = _circle_error(
+            sampled, field_error * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power), max_order, angles
+        )
+        errors[part] = _pixel_error(sampled, by_circles, along, around, angles)
+        peaks[part] = np.maximum(sampled.top - by_circles, sampled.pixel - errors[part])
+        tops[part] = sampled.pixel
     relative = np.divide(errors, peaks, out=np.full(peaks.shape, np.inf), where=peaks > 0.0)
     if wanted.scale is None:
         if not np.all(tops > 0.0):
@@ -204,22 +206,26 @@ def _nodes(
     return wavefront, terms, debye.rule(pupil.layers, pupil.light.model, depth, focus, *reach_and_error, growth)
 
 
-def _circle_error(found: Ringed, field_errors: Array, most: int, angles: int) -> Array:
-    """Bound the error of the intensity at any angle of a circle, from those of fields, shape (fields, n)."""
-    # Between this many angles a field is at most 1 / cos(pi most / angles) times larger (Ehlich and Zeller).
-    largest = np.sqrt(found.squares) / math.cos(math.pi * most / angles)
+def _circle_error(found: Ringed, field_errors: Array, max_order: int, angles: int) -> Array:
+    """Bound the error of the intensity at any angle of a circle, from the errors of fields, shape (fields, n)."""
+    # Between the angles a field is at most 1 / cos(pi most / angles) times its largest value (Ehlich and Zeller).
+    largest = np.sqrt(found.squares) / math.cos(math.pi * max_order / angles)
     return np.asarray((field_errors * (2.0 * largest + field_errors)).sum(axis=0))
 
 
 def _pixel_error(
-    found: Ringed, wrong: Array, along: interpolation.FilteredTaps, around: interpolation.CircularTaps, angles: int
+    found: Ringed,
+    by_circles: Array,
+    along: interpolation.FilteredTaps,
+    around: interpolation.CircularTaps,
+    angles: int,
 ) -> Array:
-    """Bound the error of pixels: interpolation between and around circles, intensities, roundings."""
+    """Bound the error of pixels: interpolation between and around circles, errors of intensities, rounding."""
     sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
     # Section 16, "Rounding".
     units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
     interpolated = found.aliases + units * _ROUNDING * around.taps.gain * sizes
-    return np.asarray(along.error + along.gain * wrong + along.taps.gain * interpolated)
+    return np.asarray(along.error + along.gain * by_circles + along.taps.gain * interpolated)
 
 
 @lru_cache(maxsize=64)
@@ -233,7 +239,7 @@ def squares(form: Complex) -> Complex:
     if not np.any(form - np.diag(np.diag(form))):
         rows = np.diag(np.sqrt(np.diag(form).astype(np.complex128)))
     else:
-        # A Hermitian form is a sum of squares of its eigenvectors; eigenvalues below 0 are roundings.
+        # A Hermitian form is a sum of squares of its eigenvectors; negative eigenvalues are rounding errors.
         shares, vectors = np.linalg.eigh(form)
         rows = np.sqrt(np.maximum(shares, 0.0))[:, None] * vectors.T
     return np.asarray(rows[np.abs(rows).max(axis=1) > 1e-14])
@@ -242,21 +248,21 @@ def squares(form: Complex) -> Complex:
 def _fields(
     waves: Waves, rows: Complex, parts: Sequence[Complex], across: Complex, shift: int
 ) -> NDArray[np.complex128]:
-    """Return the integrands of the orders of fields, shape (wavefronts, orders, fields, nodes)."""
-    made = np.zeros((len(across), across.shape[1] + 2 * shift, len(rows), across.shape[2]), np.complex128)
+    """Return the integrands of each azimuthal order of the fields, shape (wavefronts, orders, fields, nodes)."""
+    integrands = np.zeros((len(across), across.shape[1] + 2 * shift, len(rows), across.shape[2]), np.complex128)
     for c, row in enumerate(rows):
         for share, q, j in zip(row, waves.orders, waves.parts, strict=True):
             if share:
-                made[:, shift + q : shift + q + across.shape[1], c] += share * parts[j] * across
-    # (-i)^abs(m + q) of each order: certificate, section 16, first equation.
-    turns = (-1j) ** np.abs(np.arange(made.shape[1]) - made.shape[1] // 2)
-    made *= turns[:, None, None]
-    return made
+                integrands[:, shift + q : shift + q + across.shape[1], c] += share * parts[j] * across
+    # Factor (-i)^abs(m + q) of each order: certificate, section 16, first equation.
+    turns = (-1j) ** np.abs(np.arange(integrands.shape[1]) - integrands.shape[1] // 2)
+    integrands *= turns[:, None, None]
+    return integrands
 
 
 @lru_cache(maxsize=2)
-def _bessel(rho: bytes, apart: float, count: int, orders: int) -> Array:
-    """Return J_n at the products of the radii of circles and rho, shape (orders, circles, nodes)."""
-    arguments = np.multiply.outer(apart * np.arange(count), np.frombuffer(rho))
-    found = bessel_sequence(arguments.ravel(), orders).reshape(*arguments.shape, orders)
-    return np.ascontiguousarray(np.moveaxis(found, -1, 0))
+def _bessel(rho: bytes, spacing: float, count: int, orders: int) -> Array:
+    """Return J_n at the products of rho and the radii of circles `spacing` apart, shape (orders, circles, nodes)."""
+    arguments = np.multiply.outer(spacing * np.arange(count), np.frombuffer(rho))
+    bessel = bessel_sequence(arguments.ravel(), orders).reshape(*arguments.shape, orders)
+    return np.ascontiguousarray(np.moveaxis(bessel, -1, 0))

@@ -19,7 +19,7 @@ from lommel.optics.layers import debye
 from lommel.optics.layers.emitter import Harmonic
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 
-LEAST = 1e-15  # smallest tolerance of fields, near rounding
+LEAST = 1e-15  # smallest error of fields that may be requested, near rounding
 
 BRIGHT_RING = 1.8412  # v of the maximum of J1: images that are dark on the axis are bright near this radius
 
@@ -29,8 +29,8 @@ def likely_peak(pupil: ObjectivePupil) -> float:
     layers = pupil.layers
     defocus = pupil.focus - (layers.immersion / layers.sample) * pupil.depth
     largest = abs(defocus.item()) if defocus.size == 1 else float(np.abs(defocus).max())
-    # In radians at the edge of the pupil, of the distance between the stage focus and the paraxial image of the
-    # emitter.
+    # Defocus in radians at the edge of the pupil, for the distance between the stage focus and the paraxial image of
+    # the emitter.
     blur = layers.wavenumber * largest * layers.NA**2 / layers.immersion
     return min(0.25, 2.0 / (1.0 + blur**2))
 
@@ -40,8 +40,8 @@ def refine_until(
 ) -> Intensities:
     """Refine a computation until its error bound is at most `tol` of the peak of every plane, and return intensities.
 
-    `compute(accuracy)` returns values (n, ...) and bounds on their errors (n,); accuracies fall from `start` to
-    `floor`. The user's tolerance `named` appears in the ToleranceError if none suffices.
+    `compute(accuracy)` returns values (n, ...) and bounds on their errors (n,). The accuracy falls from `start` to
+    `floor`. If no accuracy suffices, ToleranceError is raised with `named`, the tolerance that the user requested.
     """
     accuracy = start
     while True:
@@ -68,8 +68,8 @@ class AberratedMethod(LayeredMethod):
     tol: float
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason why `pupil` is not supported, or None if it is."""
-        return None if pupil.aberrated else "supports aberrations only; without these use Stratified or DebyeWolf"
+        """Return the reason why `pupil` is not supported, or None."""
+        return None if pupil.aberrated else "supports pupils with aberrations only; use Stratified or DebyeWolf"
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on the pixels of `grid`."""
@@ -78,7 +78,7 @@ class AberratedMethod(LayeredMethod):
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`lommel.Method.images`."""
         if wanted.powers or wanted.terms:
-            raise ValueError("derivatives by phases are not available of the pupils of an Objective")
+            raise ValueError("derivatives by phases are not available for the pupils of an Objective")
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -111,12 +111,12 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     tol: float = 1e-6
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
-        """Return the reason why `pupil` is not supported, or None if it is."""
-        return "supports no aberrations on top of those of layers; use DebyeRings" if pupil.aberrated else None
+        """Return the reason why `pupil` is not supported, or None."""
+        return "supports no aberrations except those of the layers; use DebyeRings" if pupil.aberrated else None
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at ascending v, with errors relative to the computed peak."""
-        # One radius more, where images that are dark on the axis are bright, so that the peak is not missed.
+        # One more radius, at which images that are dark on the axis are bright, so that the peak is not missed.
         profile = self._refined(pupil, np.append(v, BRIGHT_RING), lambda orders: orders[0], self.tol)
         return profile._replace(values=profile.values[:, :-1])
 
@@ -179,7 +179,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
 def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array]:
     """Return the azimuthal orders of I at ascending v, ``(orders, n, radii)``, from fields with errors below `tol`.
 
-    Bounds on the error of the intensity at any azimuth follow, ``(n,)``.
+    The second array, ``(n,)``, has bounds on the error of the intensity at any azimuth.
     """
     light, depth, focus = pupil.light, pupil.depth.ravel(), pupil.focus.ravel()
     rule = debye.rule(pupil.layers, light.model, depth, focus, float(v.max(initial=0.0)), tol)
@@ -192,7 +192,7 @@ def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array
 
 
 def _form_error(harmonic: Harmonic, brightest: Array, error: float) -> Array:
-    """Return a bound on the error of a harmonic, (n,), of field components with moduli `brightest` and this `error`.
+    """Bound the error of a harmonic, (n,), from field components with moduli `brightest` and this `error`.
 
     `brightest` has the shape (components, n).
     """

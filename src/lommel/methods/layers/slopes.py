@@ -24,7 +24,7 @@ from lommel.methods.derivatives import Slope, scaling_derivative, tilted
 from lommel.methods.layers import chordal_debye
 from lommel.methods.layers.chordal_debye import ChordalDebye
 from lommel.methods.layers.debye_rings import DebyeRings, Turn, ringed
-from lommel.methods.layers.stratified import By, Stratified, differentiated, known
+from lommel.methods.layers.stratified import By, Stratified, differentiated, is_supported
 from lommel.methods.method import Method, storing, with_model_error
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
@@ -247,7 +247,7 @@ def _require_available(
         )
     if named and not isinstance(method, ChordalDebye):
         raise Declined(TERMS_BY_CHORDS)
-    if isinstance(method, Stratified) and not known(pupil.light):
+    if isinstance(method, Stratified) and not is_supported(pupil.light):
         raise ValueError(
             f"derivatives are not available of the light of {pupil.emitter!r} from Stratified; use "
             "method=ChordalDebye(), in small windows"

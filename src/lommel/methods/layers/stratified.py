@@ -25,9 +25,10 @@ from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layers
 
-# Fractions of the tolerance: for fields, over the root of the peak; for interpolation between radii, over the peak.
+# Fractions of the tolerance: errors of fields over the square root of the peak, errors of interpolation over the
+# peak.
 _FIELD_SHARE, _INTERPOLATION_SHARE = 1.0 / 32.0, 1.0 / 8.0
-_LEAST = 2.0**-52  # smallest error that is requested, a rounding error
+_LEAST = 2.0**-52  # smallest error that is requested: a rounding error
 _MAX_ORDER = 2  # highest azimuthal order that the core supports
 
 T = TypeVar("T")
@@ -103,9 +104,9 @@ class _Accuracy(NamedTuple):
 
 
 def _refined(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
-    """Refine until the relative error bound is at most `tol`; None if it cannot be, or if an attempt returns None.
+    """Refine until the relative error bound is at most `tol`; None if rounding prevents it or `attempt` returns None.
 
-    `attempt` returns a result and the largest error bound over the peak.
+    `attempt` returns a result, or None, and the largest error bound relative to the peak.
     """
     peak = likely_peak(pupil)
     while True:
@@ -124,7 +125,7 @@ def _refined(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: Obje
 def profiles(pupil: ObjectivePupil, v: Array, tol: float) -> tuple[Array, Array] | None:
     """Return the azimuthal orders of I (n, orders, radii) at ascending v, and the error bound of their sum (n,).
 
-    The bound is at most `tol` of the peak; None if the core does not support the emitter or the tolerance.
+    The bound is at most `tol` of the peak. None if the core does not support the emitter or the tolerance.
     """
 
     def attempt(accuracy: _Accuracy) -> tuple[tuple[Array, Array], float]:
@@ -141,9 +142,9 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
 
     None if the engine does not support the window or the tolerance; see :func:`lommel.core.engine.layered_images`.
     """
-    if not known(pupil.light):
+    if not is_supported(pupil.light):
         return None
-    step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
+    step, largest_v = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, grid.axes, step)
 
     def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
@@ -151,11 +152,11 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
         field = accuracy.field / 2.0 if grid.integrate else accuracy.field
         slopes = None
         if by:
-            errors, turning = _slopes(_angles_key(pupil, reach, field))
+            errors, turning = _slopes(_angles_key(pupil, largest_v, field))
             pairs = np.array([(derivative.which, derivative.factor) for derivative in by])
             own = np.stack([np.broadcast_to(derivative.own, pupil.power.shape) for derivative in by])
             slopes = LayeredSlopes(pairs, own, errors, *turning)
-        stack = layered(pupil, reach, field)
+        stack = layered(pupil, largest_v, field)
         images = layered_images(
             stack, window, accuracy.interpolation, wanted, integrate=grid.integrate, slopes=slopes
         )
@@ -164,40 +165,40 @@ def differentiated(pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: flo
     return _refined(attempt, pupil, tol)
 
 
-def known(light: Light) -> bool:
+def is_supported(light: Light) -> bool:
     """Return whether the core supports the light of an emitter: no vortices, and azimuthal orders up to 2."""
     return light.model.orders[0] == 0 and max(h.order for h in light.harmonics) <= _MAX_ORDER
 
 
-def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
-    """Return a flattened stack in the layout of the core, with errors of fields below `tol` for v up to `reach`."""
+def layered(pupil: ObjectivePupil, largest_v: float, tol: float) -> Layered:
+    """Return a flattened stack in the layout of the core, with errors of fields below `tol` up to `largest_v`."""
     # One quadrature rule serves all planes in a range of depths and foci: certificate, section 15.
-    rule, parts, rates = _angles(_angles_key(pupil, reach, tol))
+    rule, parts, rates = _angles(_angles_key(pupil, largest_v, tol))
     planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
     harmonics = pupil.light.harmonics
     turns = np.array([[h.order, h.cosine, h.sine] for h in harmonics], dtype=np.float64)
     return Layered(rule.rho, parts, rates, rule.error, planes, np.stack([h.form for h in harmonics]), turns)
 
 
-def _angles_key(pupil: ObjectivePupil, reach: float, tol: float) -> _AnglesKey:
-    """Return the key of the cached angles, with ranges of depths and of foci less the paraxial focus."""
+def _angles_key(pupil: ObjectivePupil, largest_v: float, tol: float) -> _AnglesKey:
+    """Return the key of the cached angles, with the ranges of depth and of focus minus paraxial focus."""
     depth, layers = pupil.depth.ravel(), pupil.layers
-    # The parallelogram of section 15: focus less paraxial focus.
+    # Section 15: in depth and focus, the range is a parallelogram.
     defocus = pupil.focus.ravel() - layers.immersion / layers.sample * depth
-    return layers, pupil.light.model, _rounded_range(depth), _rounded_range(defocus), _rounded_up(reach), tol
+    return layers, pupil.light.model, _rounded_range(depth), _rounded_range(defocus), _rounded_up(largest_v), tol
 
 
 def _rounded_range(values: Array) -> tuple[float, float]:
-    """Return a range that contains values, rounded outward to at most an eighth of its width, for cache hits."""
+    """Return a range that contains the values, rounded outward by at most an eighth of its width, for cache hits."""
     low, high = float(values.min()), float(values.max())
     unit = 2.0 ** math.floor(math.log2(max(high - low, 4e-7) / 8.0))
     return unit * math.floor(low / unit), unit * math.ceil(high / unit)
 
 
-def _rounded_up(reach: float) -> float:
-    """Return a reach rounded up by at most an eighth, for cache hits."""
-    unit = 2.0 ** math.floor(math.log2(max(reach, 1.0) / 8.0))
-    return unit * math.ceil(reach / unit)
+def _rounded_up(largest_v: float) -> float:
+    """Return the largest v rounded up by at most an eighth, for cache hits."""
+    unit = 2.0 ** math.floor(math.log2(max(largest_v, 1.0) / 8.0))
+    return unit * math.ceil(largest_v / unit)
 
 
 def _corners(layers: Layers, depths: tuple[float, float], foci: tuple[float, float]) -> tuple[Array, Array]:
@@ -209,14 +210,14 @@ def _corners(layers: Layers, depths: tuple[float, float], foci: tuple[float, flo
 @lru_cache(maxsize=32)
 def _angles(key: _AnglesKey) -> tuple[Rule, Complex, Complex]:
     """Return the quadrature rule over angles, and its parts and rates as arrays."""
-    layers, model, depths, foci, reach, tol = key
-    rule = debye.rule(layers, model, *_corners(layers, depths, foci), reach, tol)
+    layers, model, depths, foci, largest_v, tol = key
+    rule = debye.rule(layers, model, *_corners(layers, depths, foci), largest_v, tol)
     return rule, np.stack(rule.parts), np.stack(rule.rates)
 
 
 @lru_cache(maxsize=32)
 def _slopes(key: _AnglesKey) -> tuple[Array, Turning]:
-    """Return the errors of derivatives of fields by these angles, and factors of the derivatives by ln k."""
-    (layers, model, depths, foci, reach, tol), (rule, _, _) = key, _angles(key)
-    errors = debye.slope_errors(rule, layers, model, *_corners(layers, depths, foci), reach, tol)
+    """Return the errors of derivatives of fields computed with these angles, and factors of derivatives by ln k."""
+    (layers, model, depths, foci, largest_v, tol), (rule, _, _) = key, _angles(key)
+    errors = debye.slope_errors(rule, layers, model, *_corners(layers, depths, foci), largest_v, tol)
     return np.array(errors), debye.turning(rule, layers, model)

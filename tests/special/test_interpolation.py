@@ -64,9 +64,9 @@ def test_taps_and_neighbours_are_the_fewest():
 
 
 def test_what_few_neighbours_cannot_tell_is_said():
-    with pytest.raises(ValueError, match=r"no 16 taps are off by at most 1e-08: the band 3 is too wide"):
+    with pytest.raises(ValueError, match=r"16 taps do not reach an error of 1e-08: the band 3 is too wide"):
         interpolation.filtered_taps(3.0, 1e-8)
-    with pytest.raises(ValueError, match=r"no 16 taps are off by at most 1e-08 of the order 45 on 96 steps"):
+    with pytest.raises(ValueError, match=r"16 taps do not reach an error of 1e-08 for order 45 on 96 samples"):
         interpolation.circular_taps(45, 96, 1e-8)
 
 

@@ -1,4 +1,4 @@
-"""Special functions, each with its published source."""
+"""Special functions, quadrature and interpolation."""
 
 from typing import TYPE_CHECKING
 

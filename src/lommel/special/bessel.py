@@ -1,4 +1,4 @@
-"""Bessel functions of the first kind (compiled), and the forms of J0 that the paper joins."""
+"""Bessel functions of the first kind (compiled), and the approximations of J0 in the paper."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lommel.core import engine
 def bessel_sequence(v: ArrayLike, count: int) -> Array:
     """Return ``J_0(v), ..., J_{count-1}(v)`` for ``0 <= v <= 1e6``.
 
-    Miller's backward recurrence (DLMF 3.6(vi)); absolute error a few units of 2^-53.
+    Computed by Miller's backward recurrence (DLMF 3.6(vi)), with an absolute error of a few units of 2^-53.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def legendre_transforms(v: ArrayLike, terms: int) -> Array:
 
 
 def j0_series(a: ArrayLike, terms: int = 3) -> Array:
-    """Return the first terms of the power series of J0 (paper, Eq. 6; DLMF 10.2.2).
+    """Return a polynomial approximation of J0: the first terms of its power series (paper, Eq. 6; DLMF 10.2.2).
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def j0_asymptotic(a: ArrayLike) -> Array:
 
 
 def tangent_line(center: float) -> tuple[float, float]:
-    """Return A and B of ``1/sqrt(a) ~ A a + B + 1/a``, tangent to ``1/sqrt(a)`` at `center` (Eq. 9-11).
+    """Return A and B of ``1/sqrt(a) ~ A a + B + 1/a``, where ``A a + B`` is the tangent at `center` (Eq. 9-11).
 
     Parameters
     ----------
@@ -93,11 +93,11 @@ def tangent_line(center: float) -> tuple[float, float]:
 
 def _radii(v: ArrayLike) -> Array:
     radii = np.ascontiguousarray(v, dtype=np.float64)
-    bad = ~(np.isfinite(radii) & (radii >= 0))
-    if radii.ndim != 1 or bad.any():
-        found = f"shape {radii.shape}" if radii.ndim != 1 else radii[bad][0]
-        raise ValueError(f"v must be a one-dimensional array of finite numbers >= 0, got {found}")
-    # Beyond there is less than 1e-17 of the light: certificate, section 3.
+    invalid = ~(np.isfinite(radii) & (radii >= 0))
+    if radii.ndim != 1 or invalid.any():
+        value = f"shape {radii.shape}" if radii.ndim != 1 else radii[invalid][0]
+        raise ValueError(f"v must be a one-dimensional array of finite numbers >= 0, got {value}")
+    # At larger v there is less than 1e-17 of the light: certificate, section 3.
     if radii.size and radii.max() > MAX_REACH:
         raise ValueError(f"v must be at most {MAX_REACH:.0e}, got {radii.max():g}")
     return radii

@@ -1,7 +1,7 @@
-"""Circular arithmetic: discs of the complex plane that contain every result for numbers of the operands.
+"""Circular arithmetic: each result is a disc of the complex plane that contains the results for all numbers in discs.
 
-Functions take the largest slope on a disc times its radius. Every radius is widened by 1e-13 of the magnitudes that
-it came from, more than rounding errors.
+The disc of a function has the largest slope times the radius of the argument as its radius. Every radius is widened
+by 1e-13 of the magnitudes from which it is computed, more than the rounding errors.
 
 References
 ----------
@@ -23,17 +23,17 @@ _ROUNDING = 1e-13  # relative widening of radii, some hundred units of double pr
 
 @dataclass(frozen=True, eq=False)
 class Disc:
-    """Discs of the complex plane: centres and radii >= 0, infinite or NaN where there is no bound."""
+    """Discs of the complex plane: centres and radii >= 0; the radius is infinite or NaN if there is no bound."""
 
     centre: NDArray[np.complex128]
     radius: Array
 
-    # NumPy leaves operations with arrays to this class.
+    # Makes NumPy arrays defer to the operators of this class.
     __array_ufunc__ = None
 
     @cached_property
     def size(self) -> Array:
-        """Modulus of each centre, without protection from overflow: five times as fast as numpy.abs."""
+        """Modulus of each centre, unprotected from overflow: five times as fast as numpy.abs."""
         with np.errstate(over="ignore", invalid="ignore"):
             return np.asarray(np.sqrt(self.centre.real**2 + self.centre.imag**2))
 
@@ -44,7 +44,7 @@ class Disc:
 
     @property
     def least(self) -> Array:
-        """Least modulus on each disc, 0 where it contains 0."""
+        """Smallest modulus on each disc; 0 if the disc contains 0."""
         return np.maximum(self.size * (1.0 - _ROUNDING) - self.radius, 0.0)
 
     def __add__(self, other: Disc | complex) -> Disc:
@@ -81,7 +81,7 @@ class Disc:
     __radd__, __rmul__ = __add__, __mul__
 
     def inverse(self) -> Disc:
-        """Return discs of 1/z; infinite where a disc holds 0."""
+        """Return discs of 1/z, with an infinite radius for discs that contain 0."""
         size = self.size
         with np.errstate(divide="ignore", invalid="ignore"):
             clear = self.least > 0.0
@@ -90,18 +90,18 @@ class Disc:
             return Disc(np.where(clear, 1.0 / self.centre, 0.0), radius)
 
     def sqrt(self) -> Disc:
-        """Return discs of the root with a positive real part; infinite where a disc reaches the left half plane."""
+        """Return discs of the root with a positive real part; the radius is infinite beyond the right half plane."""
         # In the right half plane the principal root is analytic: certificate, section 14, "Discs".
         right = self.centre.real * (1.0 - _ROUNDING) > self.radius
         root = np.sqrt(np.where(right, self.centre, 1.0))
-        # sqrt(a) - sqrt(b) = (a - b) / (sqrt(a) + sqrt(b)), and both roots are within 45 degrees of the real axis:
-        # their sum is at least as long as the one at the centre.
+        # sqrt(a) - sqrt(b) = (a - b) / (sqrt(a) + sqrt(b)). Both roots are within 45 degrees of the real axis, so
+        # that the modulus of their sum is at least the modulus of the root at the centre.
         radius = np.where(right, self.radius / np.abs(root) + _ROUNDING * np.abs(root), np.inf)
         return Disc(root, radius)
 
 
 def disc(value: Disc | complex | NDArray[np.complex128]) -> Disc:
-    """Return a disc unchanged, and numbers as discs of radius 0."""
+    """Return a disc unchanged, or numbers as discs of radius 0."""
     if isinstance(value, Disc):
         return value
     centre = np.asarray(value, dtype=np.complex128)
@@ -109,15 +109,15 @@ def disc(value: Disc | complex | NDArray[np.complex128]) -> Disc:
 
 
 def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
-    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``, both entire functions of it."""
-    # The derivatives by z^2 are -sinc(z) / 2 and -int_0^1 s^2 sinc(s z) ds / 2, and
+    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``, of which both are entire functions."""
+    # The derivatives by z^2 are -sinc(z) / 2 and -int_0^1 s^2 sinc(s z) ds / 2, with
     # abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z)).
     z = np.sqrt(square.centre)
-    # Near 0 sin(z) / z is 0 over 0 in the limit; two terms of its series are exact to 1e-17 there.
+    # Near 0, sin(z) / z is computed by two terms of its series, exact to 1e-17, to avoid 0 / 0.
     small = np.abs(z) < 1e-4
     safe = np.where(small, 1.0, z)
     sinc = np.where(small, 1.0 - square.centre / 6.0, np.sin(safe) / safe)
-    # abs(Im z) = sqrt((abs(z^2) - Re z^2) / 2), which may be larger by the radius in the root.
+    # abs(Im z) = sqrt((abs(z^2) - Re z^2) / 2); within the disc the square of this is larger by at most the radius.
     height = np.exp(np.sqrt(z.imag**2 + square.radius) * (1.0 + _ROUNDING))
     extent = height * (square.radius + 4.0 * _ROUNDING * (1.0 + np.abs(square.centre)))
     size = np.maximum(np.sqrt(square.least), 1.0)
@@ -126,15 +126,16 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
 
 
 def windings(values: Disc) -> NDArray[np.int_]:
-    """Return the winding numbers around 0 of closed curves covered by discs along the last axis; -1 where unknown."""
-    # Neighbouring discs share a point of the curve, so where none holds 0 the argument changes by less than pi from
-    # one centre to the next. For a function analytic inside the curve this is its number of zeros.
+    """Return the winding numbers around 0 of closed curves covered by discs along the last axis; -1 if unknown."""
+    # Neighbouring discs share a point of the curve. If no disc contains 0, the argument changes by less than pi
+    # between neighbouring centres. For a function that is analytic inside the curve, the result is its number of
+    # zeros.
     clear = np.asarray((values.least > 0.0).all(axis=-1))
     x, y = values.centre.real, values.centre.imag
     with np.errstate(invalid="ignore", over="ignore"):
         after, up = np.roll(x, -1, axis=-1), np.roll(y, -1, axis=-1)
-        onwards = x * up - y * after  # its sign is that of the change of the argument
-        # Crossings of the negative real axis, counted in either direction.
+        onwards = x * up - y * after  # its sign is the sign of the change of the argument
+        # Crossings of the negative real axis, in both directions.
         down = (y >= 0.0) & (up < 0.0) & (onwards > 0.0)
         back = (y < 0.0) & (up >= 0.0) & (onwards < 0.0)
     return np.where(clear, down.sum(axis=-1) - back.sum(axis=-1), -1)

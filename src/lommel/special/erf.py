@@ -1,4 +1,4 @@
-"""Error function on the rays of +-45 degrees, as the closed form needs it, in three ways.
+"""Error function on the rays at +-45 degrees of the complex plane, for the closed form, by three algorithms.
 
 ``erf(e^{-i pi/4} s)`` with real s is a pair of real Fresnel integrals:
 ``int_0^s exp(i tau^2) d tau = (sqrt(pi)/2) e^{i pi/4} erf(e^{-i pi/4} s)`` (DLMF 7.5.8).
@@ -43,9 +43,9 @@ def fresnel_auxiliary(s: ArrayLike) -> NDArray[np.complex128]:
     return np.asarray(HALF * wofz(np.exp(0.25j * math.pi) * np.asarray(s, dtype=np.float64)))
 
 
-_RAY = np.exp(-0.25j * math.pi)
-# The compiled core takes an empty table for evaluations that have none.
-_NOTHING = np.empty(0, dtype=np.complex128)
+_RAY = np.exp(-0.25j * math.pi)  # direction of the ray
+# Empty table, for evaluations without a table in the compiled core.
+_NO_TABLE = np.empty(0, dtype=np.complex128)
 
 
 class Erf(ABC):
@@ -53,12 +53,12 @@ class Erf(ABC):
 
     @abstractmethod
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
-        """Return ``G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau`` for `s` of 0 or more."""
+        """Return ``G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau`` for `s` >= 0."""
 
     @property
     def compiled(self) -> tuple[int, NDArray[np.complex128]]:
-        """Arguments of the compiled core: the number of terms of Eq. (14), and a table; here none of them."""
-        return 0, _NOTHING
+        """Arguments of the compiled core: number of terms of Eq. (14), and table; by default 0 and an empty table."""
+        return 0, _NO_TABLE
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
@@ -78,7 +78,7 @@ def _arguments(s: ArrayLike) -> Array:
 
 @dataclass(frozen=True)
 class FresnelErf(Erf):
-    """Error function to about 1e-13, by the Faddeeva function."""
+    """Error function with an error of about 1e-13, by the Faddeeva function."""
 
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0``."""
@@ -89,8 +89,8 @@ class FresnelErf(Erf):
 class TableErf(Erf):
     """Error function by a lookup table with linear interpolation, as the paper proposes.
 
-    It tabulates ``(s + 2) G(s)`` against ``s / (s + 2)``, which is smooth up to infinite s, unlike erf itself. The
-    error is at most about ``0.6 / samples**2``.
+    The table contains ``(s + 2) G(s)`` as a function of ``s / (s + 2)``, which is smooth up to infinite s, unlike erf
+    itself. The error is at most about ``0.6 / samples**2``.
 
     Parameters
     ----------
@@ -110,12 +110,12 @@ class TableErf(Erf):
 
     @property
     def compiled(self) -> tuple[int, NDArray[np.complex128]]:
-        """The table."""
+        """No terms, and the table."""
         return 0, _table(self.samples)[1]
 
     def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` from the table."""
-        # Times s + 2 the function is smooth and bounded, from 2 G(0) to i / 2, so that linear interpolation suffices.
+        # (s + 2) G(s) is smooth and falls from 2 G(0) to i / 2, so that linear interpolation suffices.
         grid, table = _table(self.samples)
         values = np.interp(s / (s + 2.0), grid, table)
         return np.asarray(values / (s + 2.0))
@@ -123,7 +123,7 @@ class TableErf(Erf):
 
 @lru_cache(maxsize=4)
 def _table(samples: int) -> tuple[Array, NDArray[np.complex128]]:
-    # s from 0 to infinity on [0, 1]; (s + 2) G(s) tends to i / 2.
+    # y = s / (s + 2), from 0 to 1 for s from 0 to infinity; (s + 2) G(s) tends to i / 2.
     y = np.linspace(0.0, 1.0, samples)
     s = 2.0 * y[:-1] / (1.0 - y[:-1])
     return y, np.append((s + 2.0) * fresnel_auxiliary(s), 0.5j)
@@ -133,8 +133,8 @@ def _table(samples: int) -> tuple[Array, NDArray[np.complex128]]:
 class AbramowitzErf(Erf):
     """Error function by the truncated series of the paper's Eq. (14), Abramowitz and Stegun 7.1.29.
 
-    Its terms peak at ``n = 2 |Im z|``, so with N terms it holds only while ``|Im z|`` stays below about
-    ``N/2 - 3``; beyond, it goes over to the real error function and the paper's outer rings appear.
+    The largest term is at ``n = 2 abs(Im z)``: N terms suffice only if ``abs(Im z)`` is below about ``N/2 - 3``.
+    Beyond, the result approaches the real error function, and the outer rings of the paper's figures appear.
 
     Parameters
     ----------
@@ -154,16 +154,16 @@ class AbramowitzErf(Erf):
 
     @property
     def compiled(self) -> tuple[int, NDArray[np.complex128]]:
-        """The number of terms."""
-        return self.terms, _NOTHING
+        """The number of terms, and no table."""
+        return self.terms, _NO_TABLE
 
     def __call__(self, z: ArrayLike) -> NDArray[np.complex128]:
-        """Return Eq. (14) at complex z, with every exponential scaled so that none overflows before its product.
+        """Return Eq. (14) at complex z, with every exponential scaled so that no factor overflows.
 
         Raises
         ------
         OverflowError
-            Where the value itself, about ``exp(Im(z)^2 - Re(z)^2)``, exceeds the range of doubles.
+            If the value itself, about ``exp(Im(z)^2 - Re(z)^2)``, exceeds the range of doubles.
         """
         from scipy.special import erf
 
@@ -173,28 +173,32 @@ class AbramowitzErf(Erf):
             at = at.astype(np.complex128) if numbers else at
         if not numbers or not np.all(np.isfinite(at)):
             raise TypeError(f"z must hold finite numbers, got {validation.shown(z)}")
-        # erf is odd; the formula is used for x >= 0
+        # erf is odd; the formula is used for x >= 0.
         side = np.where(at.real < 0, -1.0, 1.0)
         x, y = side * at.real, side * at.imag
-        # Intermediate products may overflow though the sum does not; the sum itself is tested at the end.
+        # Intermediate products may overflow although the sum does not; the sum itself is checked at the end.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            two = 2.0 * x * y
-            fall = np.exp(-x * x)
-            # (1 - cos 2xy + i sin 2xy) / (2 pi x), whose limit at x = 0 is i y / pi
-            first = np.where(x > 1e-150, (2.0 * np.sin(0.5 * two) ** 2 + 1j * np.sin(two)) / (2.0 * np.pi * x), 0)
-            total = erf(x) + fall * np.where(x > 1e-150, first, 1j * y / np.pi)
-            cos, sin = np.cos(two), np.sin(two)
+            two_xy = 2.0 * x * y
+            decay = np.exp(-x * x)
+            # (1 - cos 2xy + i sin 2xy) / (2 pi x), with the limit i y / pi at x = 0.
+            first = np.where(
+                x > 1e-150,
+                (2.0 * np.sin(0.5 * two_xy) ** 2 + 1j * np.sin(two_xy)) / (2.0 * np.pi * x),
+                0,
+            )
+            total = erf(x) + decay * np.where(x > 1e-150, first, 1j * y / np.pi)
+            cos, sin = np.cos(two_xy), np.sin(two_xy)
             for n in range(1, self.terms + 1):
-                flat = np.exp(-0.25 * n * n - x * x)
-                rise = np.exp(n * np.abs(y) - 0.25 * n * n - x * x)
-                sink = np.exp(-n * np.abs(y) - 0.25 * n * n - x * x)
-                cosh = 0.5 * (rise + sink)
-                sinh = np.sign(y) * 0.5 * (rise - sink)
-                f = 2.0 * x * flat - 2.0 * x * cosh * cos + n * sinh * sin
+                unit = np.exp(-0.25 * n * n - x * x)
+                growing = np.exp(n * np.abs(y) - 0.25 * n * n - x * x)
+                decaying = np.exp(-n * np.abs(y) - 0.25 * n * n - x * x)
+                cosh = 0.5 * (growing + decaying)
+                sinh = np.sign(y) * 0.5 * (growing - decaying)
+                f = 2.0 * x * unit - 2.0 * x * cosh * cos + n * sinh * sin
                 g = 2.0 * x * cosh * sin + n * sinh * cos
                 total = total + 2.0 / np.pi * (f + 1j * g) / (n * n + 4.0 * x * x)
         if not np.all(np.isfinite(total)):
-            raise OverflowError(f"Eq. (14) overflows doubles at z={at[~np.isfinite(total)].flat[0]}")
+            raise OverflowError(f"Eq. (14) overflows doubles at z={at[~np.isfinite(total)].unit[0]}")
         return np.asarray(side * total)
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
@@ -212,15 +216,15 @@ def chirp_moments(
     r"""Return ``int_low^high R^m exp(i (a R^2 + b R)) dR`` for m = 0, 1, 2 (compiled).
 
     The m = 0 moment is the error function of the paper's Eq. (13); the others follow by parts:
-    ``M_1 = [e]/(2ia) - (b/2a) M_0`` and ``M_2 = [R e]/(2ia) - M_0/(2ia) - (b/2a) M_1``. The error function is
-    written through its non-oscillating part G, so that no phase b^2/4a of a distant stationary point appears.
-    Where ``|a| (high - low)^2 < 0.1`` the formulas cancel, and the chirp is a linear wave times powers of its
-    curvature, whose moments follow by parts likewise, exact to rounding.
+    ``M_1 = [e]/(2ia) - (b/2a) M_0`` and ``M_2 = [R e]/(2ia) - M_0/(2ia) - (b/2a) M_1``, with e the integrand for m =
+    0. The error function is expressed by its non-oscillating part G, so that no phase b^2/4a of a distant stationary
+    point appears. For ``abs(a) (high - low)^2 < 0.1`` these formulas cancel: the factor exp(i a R^2) is then expanded
+    in powers of R, and the moments of the linear wave follow by parts, exact to rounding.
 
     Parameters
     ----------
     a : float
-        Curvature of the phase, either sign or zero.
+        Curvature of the phase, positive, negative or zero.
     b, low, high : array_like
         Slope and limits, ``low <= high``, broadcast together.
     erf : Erf, default FresnelErf()
@@ -238,12 +242,12 @@ def chirp_moments(
 def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0, ..., count-1.
 
-    The paper's Eq. (18)-(20) and their continuation: ``T^(2m+2)`` times :func:`unit_moments` of ``alpha T^2``.
+    Paper, Eq. (18)-(20) and further moments: ``T^(2m+2)`` times :func:`unit_moments` of ``alpha T^2``.
 
     Parameters
     ----------
     alpha : float
-        Radians, either sign or zero.
+        Curvature of the phase in radians, positive, negative or zero.
     limit : array_like
         T, >= 0.
     count : int
@@ -261,8 +265,9 @@ def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.compl
 def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1.
 
-    With u = x^2, ``int_0^1 u^m e^{i phase u} du / 2``. By parts, ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``,
-    where the phase exceeds the number of moments; by Gauss-Legendre quadrature below, where that recurrence cancels.
+    With u = x^2, the integral is ``J_m = int_0^1 u^m e^{i phase u} du / 2``. Phases above the number of moments use
+    the recurrence ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``; for smaller phases, where the recurrence would
+    cancel, Gauss-Legendre quadrature is used.
 
     Parameters
     ----------
@@ -274,12 +279,12 @@ def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     -------
     ndarray of complex, shape ``(count,) + phase.shape``
     """
-    turns = np.abs(phase)
+    modulus = np.abs(phase)
     out = np.empty((count, *phase.shape), dtype=np.complex128)
     # The recurrence multiplies errors by m / phase at each step.
-    slow = turns <= max(32.0, 2.0 * count)
+    slow = modulus <= max(32.0, 2.0 * count)
     if np.any(slow):
-        u, w = gauss_legendre(24 + count // 2 + int(turns[slow].max()))
+        u, w = gauss_legendre(24 + count // 2 + int(modulus[slow].max()))
         wave = 0.5 * w * np.exp(1j * phase[slow][:, None] * u)
         for m in range(count):
             out[m, slow] = wave.sum(axis=1)

@@ -1,4 +1,4 @@
-"""Piecewise quadratic approximations of a phase: the paper's Eq. (17), with and without piston."""
+"""Approximation of a phase by piecewise quadratic functions: the paper's Eq. (17), with and without piston."""
 
 from __future__ import annotations
 
@@ -18,7 +18,11 @@ SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
 _SAMPLES = 96  # samples of each segment for the mean error
-_SWEEP, _LEVELS, _TOPS = 31, 3, 24  # values of each coefficient in a finer sweep, finer sweeps, and maxima refined
+_SWEEP, _LEVELS, _MAXIMA = (
+    31,
+    3,
+    24,
+)  # values of a coefficient in each finer sweep; finer sweeps; maxima to be refined
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +36,7 @@ class PiecewiseQuadratic:
     alpha, beta, gamma : ndarray, shape (segments,)
         Radians; gamma is 0 without piston.
     bound : float or None
-        Proven bound on the error of the phase; None where the fit has none.
+        Proven bound on the error of the phase; None if the fit has no bound.
     """
 
     edges: Array
@@ -48,7 +52,7 @@ class PiecewiseQuadratic:
         return np.asarray((self.alpha[i] * at + self.beta[i]) * at + self.gamma[i])
 
     def mse(self, coefficients: Sequence[float]) -> float:
-        """Return the mean of ``|exp(i fit) - exp(i phase)|^2`` over the radius, as the paper reports it.
+        """Return the mean of ``abs(exp(i fit) - exp(i phase))^2`` over the radius, as the paper reports it.
 
         The phase has the `coefficients` of :func:`lommel.special.piecewise.fit_quadratics`.
         """
@@ -61,13 +65,13 @@ def split_edges(segments: int, split: str = "optimal") -> Array:
     r"""Return the edges of segments of [0, 1].
 
     "linear": ``i/S``. "sqrt": ``sqrt(i/S)``. "log": ``log(1 + (e-1) i/S)``. "optimal":
-    ``((i - 0.123) / (S - 0.123))^(3/4)`` for i > 0, which makes the errors of a quartic phase equal: they go like
-    ``rho h^3`` but in the first segment, where they go like ``0.625 h^4``; hence the shift.
+    ``((i - 0.123) / (S - 0.123))^(3/4)`` for i > 0, which equalizes the errors of a quartic phase. Errors are
+    proportional to ``rho h^3``, but to ``0.625 h^4`` in the first segment; hence the shift by 0.123.
 
     Parameters
     ----------
     segments : int
-        S, 1 to 4096.
+        Number S of segments, 1 to 4096.
     split : {"optimal", "linear", "sqrt", "log"}
 
     Returns
@@ -105,18 +109,18 @@ def fit_quadratics(
     coefficients : sequence of float
         c_1 = 2 C_d, c_2 = C_s, ... in radians.
     segments : int, default 5
-        1 to 4096.
+        Number of segments, 1 to 4096.
     split : {"optimal", "linear", "sqrt", "log"}
         See :func:`split_edges`.
     fit : {"interpolation", "least-squares", "sweep"}
-        "interpolation": at the Chebyshev points of each segment, with a proven bound, about ``max|phi'''| h^3 / 192``
-        (without piston, where that is impossible: through value, up to whole turns, and slope in the middle, without
-        a bound). "least-squares": of ``exp(i phase)``, from there. "sweep": the paper's search over alpha and beta,
-        here repeated around the best with finer steps.
+        "interpolation": at the Chebyshev points of each segment, error bound about ``max abs(phi''') h^3 / 192``
+        (without piston, where this is impossible: with the value, up to whole turns, and the slope in the middle;
+        no bound). "least-squares": fit of ``exp(i phase)`` that starts there. "sweep": the paper's search over alpha
+        and beta, repeated with finer steps around the best values.
     piston : bool, default True
-        Whether there is a constant gamma_i, which Eq. (17) leaves out.
+        True if each segment has a constant gamma_i, which Eq. (17) omits.
     sweep : (float, float), optional
-        Largest magnitudes of alpha and beta to search; by default 1.5 times those of the phase itself.
+        Largest moduli of alpha and beta in the search; by default 1.5 times the values for the phase itself.
 
     Returns
     -------
@@ -125,7 +129,7 @@ def fit_quadratics(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the best of a sweep lies on the border of its range.
+        If an argument is out of range, or if the optimum of a sweep lies on the border of its range.
     """
     c = validation.real_array("coefficients", coefficients)
     if c.ndim != 1 or c.size == 0:
@@ -143,20 +147,20 @@ def fit_quadratics(
 def fitted(
     c: Array, segments: int, split: str, fit: str, piston: bool, sweep: tuple[float, float] | None = None
 ) -> tuple[Array, Array]:
-    """Return the edges, and alpha, beta and gamma of each phase of a stack, shape ``(n, segments, 3)``."""
-    edges, each = _through_points(c.shape[-1], segments, split)
-    rows = (c @ each).reshape(len(c), segments, 3) if piston else _osculating(c, edges)
+    """Return the edges, and alpha, beta and gamma of each phase of a stack in each segment, ``(n, segments, 3)``."""
+    edges, coefficients = _interpolation_matrix(c.shape[-1], segments, split)
+    rows = (c @ coefficients).reshape(len(c), segments, 3) if piston else _match_value_and_slope(c, edges)
     if fit != "interpolation":
         for k, (i, (low, high)) in product(range(len(c)), enumerate(pairwise(edges.tolist()))):
             if fit == "least-squares":
                 rows[k, i] = _least_squares(c[k], low, high, rows[k, i], piston)
             else:
-                rows[k, i] = _swept(c[k], low, high, piston, sweep)
+                rows[k, i] = _sweep_coefficients(c[k], low, high, piston, sweep)
     return edges, rows
 
 
 def _derivative(coefficients: ArrayLike, rho: ArrayLike, order: int) -> Array:
-    """Return a derivative of each phase of a stack, coefficients ``(..., terms)``, at all of `rho`."""
+    """Return a derivative by rho of each phase of a stack, coefficients ``(..., terms)``, at all `rho`."""
     c, at = np.asarray(coefficients, dtype=np.float64), np.asarray(rho, dtype=np.float64)
     powers = [2 * k for k in range(1, c.shape[-1] + 1)]
     # (d/drho)^k of rho^p has the factor p! / (p - k)!.
@@ -169,17 +173,17 @@ def _interpolation_error(c: Array, edges: Array) -> Array:
     low, high = edges[:-1], edges[1:]
     # Third divided differences of rho^p are at most C(p, 3) high^(p - 3); of rho^4 the sum is exact.
     difference = np.zeros(low.size)
-    # c_1 rho^2 is itself a quadratic, and has no error.
+    # c_1 rho^2 is itself quadratic, and has no error.
     for k, size in enumerate(c[1:], 2):
         difference += size * (1.5 * (low + high) + high if k == 2 else math.comb(2 * k, 3) * high ** (2 * k - 3))
     return np.asarray((high - low) ** 3 / 32.0 * difference)
 
 
 @lru_cache(maxsize=8)
-def _through_points(terms: int, segments: int, split: str) -> tuple[Array, Array]:
+def _interpolation_matrix(terms: int, segments: int, split: str) -> tuple[Array, Array]:
     """Return the edges, and the coefficients of each segment that interpolate each term at its Chebyshev points."""
     edges = split_edges(segments, split)
-    # Chebyshev points of each segment: the smallest error of a parabola through three points.
+    # Interpolation at Chebyshev points of each segment has the smallest error bound.
     middle, half = 0.5 * (edges[:-1] + edges[1:]), 0.5 * np.diff(edges)
     x = middle + half * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None]
     value = np.moveaxis(_derivative(np.eye(terms), x, 0), -2, 0)
@@ -187,17 +191,17 @@ def _through_points(terms: int, segments: int, split: str) -> tuple[Array, Array
     first = [(value[k + 1] - value[k]) / (x[k + 1] - x[k]) for k in (0, 1)]
     alpha = (first[1] - first[0]) / (x[2] - x[0])
     beta = first[0] - alpha * (x[0] + x[1])
-    each = np.stack([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]], axis=-1).reshape(terms, -1)
-    edges.flags.writeable = each.flags.writeable = False
-    return edges, each
+    coefficients = np.stack([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]], axis=-1).reshape(terms, -1)
+    edges.flags.writeable = coefficients.flags.writeable = False
+    return edges, coefficients
 
 
-def _osculating(c: Array, edges: Array) -> Array:
+def _match_value_and_slope(c: Array, edges: Array) -> Array:
     """Return alpha and beta with the value (modulo 2 pi) and slope of the phase in the middle of each segment."""
     middle = 0.5 * (edges[:-1] + edges[1:])
-    value, slope, bend = (_derivative(c, middle, k) for k in range(3))
-    # The number of whole turns that brings the curvature closest to that of the phase.
-    turns = np.round((slope * middle - value - 0.5 * bend * middle**2) / (2.0 * math.pi))
+    value, slope, curvature = (_derivative(c, middle, k) for k in range(3))
+    # Of all whole turns, choose those with which the curvature is closest to the curvature of the phase.
+    turns = np.round((slope * middle - value - 0.5 * curvature * middle**2) / (2.0 * math.pi))
     alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
     return np.stack([alpha, slope - 2.0 * alpha * middle, np.zeros_like(alpha)], axis=-1)
 
@@ -207,43 +211,43 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
 
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     phase = _derivative(c, rho, 0)
-    # Powers of the distance from the middle of a segment are nearly orthogonal, so that the search converges.
-    free, m = (3, 0.5 * (low + high)) if piston else (2, 0.0)
-    powers = np.vander(rho - m, 3)[:, :free]
+    # With powers of the distance from the middle of a segment, which are nearly orthogonal, the search converges.
+    count, m = (3, 0.5 * (low + high)) if piston else (2, 0.0)
+    powers = np.vander(rho - m, 3)[:, :count]
 
     def residual(p: Array) -> Array:
-        # abs(exp(i fit) - exp(i phase))^2, which whole turns do not change.
-        off = powers @ p - phase
-        return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
+        # Its squares sum to abs(exp(i fit) - exp(i phase))^2, which whole turns do not change.
+        error = powers @ p - phase
+        return np.concatenate([np.cos(error) - 1.0, np.sin(error)])
 
     a, b, g = start
-    first = np.array([a, b + 2 * a * m, g + (a * m + b) * m])[:free]
+    first = np.array([a, b + 2 * a * m, g + (a * m + b) * m])[:count]
     best = least_squares(residual, first, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
-    a, b, g = np.append(best, np.zeros(3 - free))
+    a, b, g = np.append(best, np.zeros(3 - count))
     return np.array([a, b - 2 * a * m, g - (b - a * m) * m])
 
 
-def _swept(c: Array, low: float, high: float, piston: bool, ranges: tuple[float, float] | None) -> Array:
+def _sweep_coefficients(c: Array, low: float, high: float, piston: bool, ranges: tuple[float, float] | None) -> Array:
     from scipy.ndimage import maximum_filter
 
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     wave = np.exp(1j * _derivative(c, rho, 0))
     if ranges is None:
-        # Without a piston alpha also makes up for the constant, up to half a turn.
+        # Without a piston alpha also compensates the constant, up to half a turn.
         spread = 0.0 if piston else math.pi / (0.5 * (low + high)) ** 2
         alpha = 0.75 * float(_derivative(np.abs(c), high, 2)) + spread + 1.0
         beta = 1.5 * float(_derivative(np.abs(c), high, 1)) + 2.0 * alpha * high
     else:
         alpha, beta = (validation.real("sweep", r, above=0.0) for r in ranges)
-    # The first step changes the phase by at most half a radian: over the segment or, without a piston to make up for
-    # a constant, from the axis on.
-    reach = high - low if piston else high
-    counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * reach**2, beta * reach)]
+    # The first step changes the phase by at most half a radian: within the segment or, without a piston to compensate
+    # a constant, from the axis to the end of the segment.
+    extent = high - low if piston else high
+    counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * extent**2, beta * extent)]
     a, b = np.linspace(-alpha, alpha, counts[0]), np.linspace(-beta, beta, counts[1])
 
     def scores(a: Array, b: Array) -> tuple[Array, Array]:
         overlap = np.exp(-1j * np.outer(a, rho**2)) * wave @ np.exp(-1j * np.outer(rho, b)) / _SAMPLES
-        # With a piston the best constant is the angle of the overlap, and the score its modulus.
+        # With a piston, the best constant is the argument of the overlap, and the score is its modulus.
         return (np.abs(overlap) if piston else overlap.real), np.angle(overlap)
 
     score, _ = scores(a, b)
@@ -251,13 +255,13 @@ def _swept(c: Array, low: float, high: float, piston: bool, ranges: tuple[float,
     if i in (0, a.size - 1) or j in (0, b.size - 1):
         raise ValueError(
             f"sweep range excludes the optimum on [{low:.3g}, {high:.3g}]: the best of |alpha| <= {alpha:.3g}, "
-            f"|beta| <= {beta:.3g} lies on its border"
+            f"|beta| <= {beta:.3g} lies on its border; use a larger sweep"
         )
-    # The best of a coarse sweep need not be near the global maximum: the highest local maxima are all refined.
-    tops = np.argwhere((score == maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
-    tops = tops[np.argsort(-score[tuple(tops.T)])][:_TOPS]
+    # The maximum of a coarse sweep need not be near the global maximum: the highest local maxima are all refined.
+    maxima = np.argwhere((score == maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
+    maxima = maxima[np.argsort(-score[tuple(maxima.T)])][:_MAXIMA]
     best, highest = np.zeros(3), -math.inf
-    for i, j in tops:
+    for i, j in maxima:
         x, y = a, b
         for _ in range(_LEVELS):
             x, y = (

@@ -1,4 +1,4 @@
-"""Zernike circle polynomials and their index orders (Noll, ANSI, Fringe)."""
+"""Zernike circle polynomials and their index conventions (Noll, ANSI, Fringe)."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ MAX_DEGREE = 60
 
 
 def check_term(n: object, m: object) -> tuple[int, int]:
-    """Return (n, m) if there is such a polynomial; ValueError names the term otherwise."""
+    """Return (n, m) if there is such a polynomial; otherwise raise ValueError with the term in its message."""
     try:
         degree = validation.integer("n", n, least=0, most=MAX_DEGREE)
         order = validation.integer("m", m, least=-MAX_DEGREE, most=MAX_DEGREE)
     except ValueError as error:
-        # The message of an index alone would not say which term was meant.
+        # The message about one index alone would not contain the whole term.
         raise ValueError(f"there is no Zernike term (n, m) = ({n}, {m}): {error}") from None
     if abs(order) > degree or (degree - order) % 2:
         raise ValueError(f"there is no Zernike term (n, m) = ({n}, {m}): abs(m) must be at most n, and n - m even")
@@ -33,14 +33,14 @@ def check_term(n: object, m: object) -> tuple[int, int]:
 
 
 def term(index: object, order: str) -> tuple[int, int]:
-    """Return (n, m) of a pair ("nm") or of an integer; TypeError or ValueError if there is no such term."""
+    """Return (n, m) from a pair ("nm") or from an integer; TypeError or ValueError if there is no such term."""
     # R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and K. Creath,
     # "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III (Fringe).
     validation.choice("order", order, ORDERS)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
             numbered = isinstance(index, int | np.integer) and not isinstance(index, bool)
-            hint = '; order="noll", "ansi" or "fringe" takes terms by number' if numbered else ""
+            hint = '; for terms by number use order="noll", "ansi" or "fringe"' if numbered else ""
             raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {validation.shown(index)}{hint}')
         return check_term(*index)
     first = 0 if order == "ansi" else 1
@@ -49,20 +49,20 @@ def term(index: object, order: str) -> tuple[int, int]:
         raise TypeError(f'a term in the order "{order}" must be an integer, got {validation.shown(index)}')
     j = validation.integer(f"a Zernike index in the order {order!r}", index, least=first, most=most)
     if order == "ansi":
-        # Degree n begins at n (n + 1) / 2; the inverse of that triangular number in exact integers.
+        # Degree n begins at j = n (n + 1) / 2, which is solved for n in exact integers.
         n = (math.isqrt(8 * j + 1) - 1) // 2
         return n, 2 * j - n * (n + 2)
     if order == "noll":
         n = (math.isqrt(8 * j - 7) - 1) // 2
-        # Noll orders by abs(m) within a degree; the parity of j, not the sign, says cosine or sine.
-        place = j - n * (n + 1) // 2  # 1 .. n + 1 within the degree, abs(m) rising
+        # Within a degree, Noll indices rise with abs(m); even indices are cosines, and odd indices are sines.
+        place = j - n * (n + 1) // 2  # 1 ... n + 1 within the degree
         m = 2 * (place // 2) if n % 2 == 0 else 2 * ((place - 1) // 2) + 1
         return n, m if j % 2 == 0 else -m
     return _FRINGE[j]
 
 
 def index_of(n: int, m: int, order: str) -> Any:
-    """Return the index of (n, m) in an order; the inverse of :func:`term`."""
+    """Return the index of (n, m) in the given order of terms; the inverse of :func:`term`."""
     n, m = check_term(n, m)
     validation.choice("order", order, ORDERS)
     if order == "nm":
@@ -71,21 +71,21 @@ def index_of(n: int, m: int, order: str) -> Any:
         return (n * (n + 2) + m) // 2
     if order == "noll":
         low = n * (n + 1) // 2 + abs(m)
-        # Even indices are cosines, odd ones sines.
+        # Even indices are cosines, odd indices are sines.
         return low + (1 if (m == 0 or (m > 0) == (low % 2 == 1)) else 0)
     if (n, m) not in _FRINGE_INDEX:
         raise ValueError(f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m})')
     return _FRINGE_INDEX[n, m]
 
 
-# Fringe: group g = (n + abs(m)) / 2, in it falling abs(m), cosine before sine; n = 12 is the last term.
+# Fringe: groups g = (n + abs(m)) / 2; within a group abs(m) falls, and cosine precedes sine. Term 37 has n = 12.
 _GROUPS = ((2 * g - m, m) for g in range(6) for m in range(g, -1, -1))
 _FRINGE = dict(enumerate([*((n, s) for n, m in _GROUPS for s in ((m, -m) if m else (0,))), (12, 0)], 1))
-_FRINGE_INDEX = {known: j for j, known in _FRINGE.items()}
+_FRINGE_INDEX = {term: j for j, term in _FRINGE.items()}
 
 
 def rms_factor(n: int, m: int) -> float:
-    """Return the value at the edge of a term normalized to unit rms.
+    """Return the value at the edge of the pupil (rho = 1) of a term normalized to unit rms.
 
     ``Z = sqrt((2 - delta_m0) (n + 1)) R(rho) cos(m theta)`` has unit variance (Noll, Eq. 1).
 
@@ -104,7 +104,7 @@ def rms_factor(n: int, m: int) -> float:
 def name(n: int, m: int) -> str:
     """Return the name of a term: ``"coma x"``, ``"secondary astigmatism 45"``, ``"spherical"``.
 
-    x and y are the cosine and the sine; astigmatism has its axes at 0 and 45 degrees.
+    x and y denote cosine and sine; astigmatism has its axes at 0 and 45 degrees.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def name(n: int, m: int) -> str:
     n, m = check_term(n, m)
     if n <= 2 and m in (0, 1, -1):
         return {(0, 0): "piston", (1, 1): "tilt x", (1, -1): "tilt y", (2, 0): "defocus"}[n, m]
-    # Named by the lowest degree of its kind: spherical from n = 4, coma from n = 3, others from n = abs(m).
+    # Names count from the lowest degree of a kind: spherical from n = 4, coma from n = 3, others from n = abs(m).
     order = abs(m)
     rank = (n - max(order, {0: 4, 1: 3}.get(order, 0))) // 2
     kind = ("spherical", "coma", "astigmatism", "trefoil", "tetrafoil", "pentafoil", "hexafoil")
@@ -133,45 +133,45 @@ def name(n: int, m: int) -> str:
 
 
 def radial(n: int, m: int, rho: Array) -> Array:
-    """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
-    # Only the last polynomial of the recurrence is needed.
+    """Return ``R_n^abs(m)(rho) = rho^abs(m) P_k^(0,abs(m))(2 rho^2 - 1)``, 1 at rho = 1; ``k = (n - abs(m)) / 2``."""
+    # Only the last polynomial of the recurrence is used.
     (highest,) = deque(_jacobi(abs(m), n, rho), maxlen=1)
     return np.asarray(rho ** abs(m) * highest)
 
 
 def radials(m: int, highest: int, rho: Array) -> list[Array]:
-    """Return ``R_n^|m|(rho)`` for ``n = |m|, |m| + 2, ...`` up to `highest`, which is at least ``|m|``."""
+    """Return ``R_n^abs(m)(rho)`` for ``n = abs(m), abs(m) + 2, ...`` up to `highest`, at least ``abs(m)``."""
     outer = rho ** abs(m)
     return [np.asarray(outer * factor) for factor in _jacobi(abs(m), highest, rho)]
 
 
 def _jacobi(m: int, highest: int, rho: Array) -> Iterator[Array]:
-    """Yield ``P_k^(0,m)(2 rho^2 - 1)`` for k = 0, 1, ..., (highest - m) / 2, by their recurrence (DLMF 18.9.1-2)."""
+    """Yield ``P_k^(0,m)(2 rho^2 - 1)`` for k = 0, 1, ..., (highest - m) / 2, by recurrence (DLMF 18.9.1-2)."""
     a, x = float(m), 2.0 * rho * rho - 1.0
-    before, here = np.zeros_like(x), np.ones_like(x)
-    yield here
+    previous, current = np.zeros_like(x), np.ones_like(x)
+    yield current
     for k in range((highest - m) // 2):
         s = 2 * k + a
-        if k == 0:  # where the general factors are 0 over 0 for m = 0
-            before, here = here, 0.5 * ((a + 2.0) * x - a)
+        if k == 0:  # the general factors are 0 / 0 if m = 0
+            previous, current = current, 0.5 * ((a + 2.0) * x - a)
         else:
             scale = 2.0 * (k + 1) * (k + 1 + a) * s
             slope = (s + 1) * (s + 2) * s
             shift = -(s + 1) * a * a
             back = 2.0 * k * (k + a) * (s + 2)
-            before, here = here, ((slope * x + shift) * here - back * before) / scale
-        yield here
+            previous, current = current, ((slope * x + shift) * current - back * previous) / scale
+        yield current
 
 
 def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
-    """Return ``R_n^|m|(rho)`` times ``cos(m theta)``, or ``sin(|m| theta)`` for m < 0; at most 1.
+    """Return ``R_n^abs(m)(rho)`` times ``cos(m theta)`` or, for m < 0, ``sin(abs(m) theta)``; its modulus is <= 1.
 
     Parameters
     ----------
     n, m : int
         A term; m < 0 is a sine.
     rho, theta : ndarray
-        Radius over that of the pupil, and angle in radians; they broadcast.
+        Radius divided by the radius of the pupil, and angle in radians; both broadcast.
 
     Returns
     -------
@@ -183,26 +183,26 @@ def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
 
 
 def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
-    """Return the coefficients over a concentric disk of `radius` (over that of the pupil), constant included."""
+    """Return the coefficients on a concentric disk of `radius`, relative to the pupil radius, constant included."""
     # A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006): ``R_n^m(a rho) = sum_k
     # (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
     at = np.asarray(radius, dtype=np.float64)
-    found: dict[tuple[int, int], Array] = {}
+    results: dict[tuple[int, int], Array] = {}
     for (n, m), c in terms.items():
         # Certificate, section 5: s_jk = R_n^k(eps) - R_n^(k+2)(eps).
         values = [radial(n, k, at) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
         for i, k in enumerate(range(abs(m), n + 1, 2)):
-            found[k, m] = found.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
-    return found
+            results[k, m] = results.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
+    return results
 
 
 def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[int, int], Array]:
-    """Return the coefficients of the function rotated by `angle` from x towards y: ``f(rho, theta - angle)``."""
+    """Return the coefficients of the function rotated by `angle` from x to y: ``f(rho, theta - angle)``."""
     zero = np.zeros(())
     turned: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
-        # a cos m(theta - angle) + b sin m(theta - angle), expanded.
-        # A missing partner counts as zero: rotation mixes cosine and sine of one order.
+        # Expansion of a cos m(theta - angle) + b sin m(theta - angle). Rotation mixes the cosine and the sine of a
+        # term; if one of the two is missing, its coefficient is 0.
         a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
         cosine, sine = np.cos(m * angle), np.sin(m * angle)
         turned[n, m] = np.asarray(a * cosine - b * sine)
@@ -214,7 +214,7 @@ def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[
 def legendre_sum(coefficients: Array, x: Array) -> Array:
     """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., of shape ``a.shape[:-1] + x.shape``."""
     series = _series(coefficients)
-    # Without the value at the centre, P_j(-1): the phase is then 0 on the axis.
+    # The value at the centre, P_j(-1), is subtracted: the phase is 0 on the axis.
     legval = np.polynomial.legendre.legval  # imported lazily by NumPy
     return np.asarray(legval(x, series) - legval(np.full((1,) * x.ndim, -1.0), series))
 
@@ -226,14 +226,14 @@ def legendre_slope(coefficients: Array, x: Array) -> Array:
 
 
 def _series(coefficients: Array) -> Array:
-    """Return the coefficients of P_0, P_1, ... along the first axis, the order of numpy.polynomial."""
+    """Return the coefficients of P_0, P_1, ... along the first axis, as numpy.polynomial requires."""
     return np.insert(np.moveaxis(coefficients, -1, 0), 0, 0.0, axis=0)
 
 
 def edge_of_powers(powers: Array) -> Array:
-    """Return the coefficients of R_2^0, R_4^0, ... from those of t, t^2, ..., t = rho^2: shape ``(..., terms)``."""
+    """Return the coefficients of R_2^0, R_4^0, ... from coefficients of t, t^2, ..., t = rho^2: ``(..., terms)``."""
     if powers.shape[-1] == 2:
-        # 2 t = 1 + P_1 and 6 t^2 = 2 + 3 P_1 + P_2: a rounding each.
+        # 2 t = 1 + P_1 and 6 t^2 = 2 + 3 P_1 + P_2: one or two rounding errors per coefficient.
         edge = np.empty_like(powers)
         edge[..., 0] = 0.5 * (powers[..., 0] + powers[..., 1])
         edge[..., 1] = powers[..., 1] / 6.0
@@ -242,51 +242,51 @@ def edge_of_powers(powers: Array) -> Array:
 
 
 def conversion_error(powers: Array) -> Array:
-    """Bound the sum of the errors of :func:`edge_of_powers`, but for the last rounding of each coefficient."""
-    # On [0, 1] each power is at most 1, and its Legendre coefficients are positive with the sum 1.
+    """Bound the sum of the errors of :func:`edge_of_powers`, except the last rounding of each coefficient."""
+    # On [0, 1] each power is at most 1, and its Legendre coefficients are positive with a sum of 1.
     # (K + 3) u' sum abs(c_k): certificate, "Model error of a wavefront".
     unit = float(np.finfo(np.longdouble).eps)
     return np.asarray((powers.shape[-1] + 3) * unit * np.abs(powers).sum(axis=-1))
 
 
 def powers_of_edge(coefficients: Array) -> Array:
-    """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...; they grow like 5.8^terms."""
+    """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...; moduli grow like 5.8^terms."""
     return (coefficients @ legendre_to_powers(coefficients.shape[-1]).T).astype(np.float64)
 
 
 @lru_cache(maxsize=32)
 def powers_to_legendre(terms: int) -> NDArray[np.longdouble]:
     """Return the matrix ``(terms + 1, terms)`` from powers of t = rho^2 to R_0^0, R_2^0, ..., constant first."""
-    # t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0, in extended precision, for high powers cancel.
+    # t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0; in extended precision, since high powers cancel.
     f = math.factorial
 
-    def share(j: int, k: int) -> tuple[int, int]:
+    def fraction(j: int, k: int) -> tuple[int, int]:
         return ((2 * j + 1) * f(k) ** 2, f(k - j) * f(k + j + 1)) if j <= k else (0, 1)
 
-    return _matrix(share, range(terms + 1), terms)
+    return _matrix(fraction, range(terms + 1), terms)
 
 
 @lru_cache(maxsize=32)
 def legendre_to_powers(terms: int) -> NDArray[np.longdouble]:
     """Return the matrix ``(terms, terms)`` from R_2^0, R_4^0, ... to powers of t = rho^2."""
 
-    def share(k: int, j: int) -> tuple[int, int]:
+    def fraction(k: int, j: int) -> tuple[int, int]:
         return (-1) ** (j + k) * math.comb(j, k) * math.comb(j + k, k), 1
 
-    return _matrix(share, range(1, terms + 1), terms)
+    return _matrix(fraction, range(1, terms + 1), terms)
 
 
-def _matrix(share: Callable[[int, int], tuple[int, int]], rows: range, terms: int) -> NDArray[np.longdouble]:
-    pairs = [[share(row, k) for k in range(1, terms + 1)] for row in rows]
+def _matrix(fraction: Callable[[int, int], tuple[int, int]], rows: range, terms: int) -> NDArray[np.longdouble]:
+    pairs = [[fraction(row, k) for k in range(1, terms + 1)] for row in rows]
     # Quotients of exact integers, rounded once to extended precision.
-    made = np.array([[np.longdouble(over) / np.longdouble(under) for over, under in row] for row in pairs])
-    made.flags.writeable = False
-    return made
+    matrix = np.array([[np.longdouble(over) / np.longdouble(under) for over, under in row] for row in pairs])
+    matrix.flags.writeable = False
+    return matrix
 
 
 @lru_cache(maxsize=64)
 def annular(m: int, highest: int, obscuration: float) -> Array:
-    r"""Return rms coefficients over the disc, by rows, of annular Zernike terms of order `m`, up to n = `highest`.
+    r"""Return rms coefficients over the disc, a row per n, of annular Zernike terms of order `m` up to `highest`.
 
     Annular terms are orthonormal over ``obscuration <= rho <= 1``: V. N. Mahajan, J. Opt. Soc. Am. 71, 75 (1981),
     doi:10.1364/JOSA.71.000075, by QR factors instead of Gram-Schmidt sums. The matrix is upper triangular, with rows
@@ -295,43 +295,43 @@ def annular(m: int, highest: int, obscuration: float) -> Array:
     Raises
     ------
     ValueError
-        If rounding would cost more than seven of sixteen digits.
+        If rounding errors would cost more than seven of sixteen digits.
     """
     orders = range(abs(m), highest + 1, 2)
     low = obscuration * obscuration
-    x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: even polynomials, in rho^2
+    x, w = np.polynomial.legendre.leggauss(orders[-1] + 1)  # exact: the integrands are polynomials of rho^2
     rho = np.sqrt(low + (1.0 - low) * 0.5 * (1.0 + x))
-    # The mean of cos^2 over the azimuth is 1/2; the factors rms_factor are normalised for the disc and include it.
+    # The mean of cos^2 over the azimuth is 1/2, which rms_factor, normalised for the disc, contains.
     weight = np.sqrt((0.5 if m == 0 else 0.25) * w)
     basis = np.stack([rms_factor(n, m) * radial(n, m, rho) * weight for n in orders], axis=1)
-    # R of the QR factors is Gram and Schmidt's triangular matrix.
+    # R of the QR factors is the triangular matrix of Gram-Schmidt orthogonalization.
     factor = np.linalg.qr(basis, mode="r")
-    # Signs of QR are arbitrary: positive diagonal elements make annular terms equal to Zernike's for no obscuration.
+    # QR factors have arbitrary signs: with positive diagonal elements, terms become Zernike's for no obscuration.
     factor *= np.sign(np.diag(factor))[:, None]
     if not float(np.linalg.cond(factor)) < 1e7:
         raise ValueError(
             f"annular Zernike terms of order m = {m} up to n = {orders[-1]} over an obscuration of {obscuration:g} "
-            "are nearly alike over the disc; take a lower degree"
+            "are nearly linearly dependent; use a lower degree"
         )
-    # Columns of the inverse express orthonormal annular terms in terms of the disc: basis = Q R, so Q = basis R^-1.
-    made: Array = np.linalg.inv(factor)
-    made.flags.writeable = False
-    return made
+    # The columns of the inverse express annular terms by terms of the disc: basis = Q R, so that Q = basis R^-1.
+    matrix: Array = np.linalg.inv(factor)
+    matrix.flags.writeable = False
+    return matrix
 
 
 def annular_edge(n: int, m: int, obscuration: float) -> float:
-    """Return the value at the edge, largest over the azimuth, of an annular term of rms 1."""
+    """Return the value of an annular term of rms 1 at the edge of the pupil, largest over the azimuth."""
     orders = range(abs(m), n + 1, 2)
     return float(annular(m, n, obscuration)[:, -1] @ [rms_factor(k, m) for k in orders])
 
 
 def over_disc(terms: Mapping[tuple[int, int], Array], obscuration: float) -> dict[tuple[int, int], Array]:
-    """Return rms coefficients over the disc of annular Zernike terms (rms over the annulus), stacks or numbers."""
+    """Return rms coefficients over the disc from annular Zernike coefficients (rms over the annulus), or stacks."""
     return _by_orders(terms, lambda m, highest: annular(m, highest, obscuration))
 
 
 def over_annulus(terms: Mapping[tuple[int, int], Array], obscuration: float) -> dict[tuple[int, int], Array]:
-    """Return rms coefficients over an annulus of Zernike terms (rms over the disc): inverse of :func:`over_disc`."""
+    """Return rms coefficients over an annulus from Zernike coefficients (rms over the disc): inverse of over_disc."""
 
     def matrix(m: int, highest: int) -> Array:
         return np.asarray(np.linalg.inv(annular(m, highest, obscuration)), dtype=np.float64)
@@ -342,11 +342,11 @@ def over_annulus(terms: Mapping[tuple[int, int], Array], obscuration: float) -> 
 def _by_orders(
     terms: Mapping[tuple[int, int], Array], matrix: Callable[[int, int], Array]
 ) -> dict[tuple[int, int], Array]:
-    found: dict[tuple[int, int], Array] = {}
+    results: dict[tuple[int, int], Array] = {}
     for m in {m for _, m in terms}:
         orders = range(abs(m), max(n for n, k in terms if k == m) + 1, 2)
-        given = [np.asarray(terms.get((n, m), 0.0)) for n in orders]
-        columns = np.stack(np.broadcast_arrays(*given), axis=-1)
+        columns_of_orders = [np.asarray(terms.get((n, m), 0.0)) for n in orders]
+        columns = np.stack(np.broadcast_arrays(*columns_of_orders), axis=-1)
         for n, row in zip(orders, matrix(m, orders[-1]), strict=True):
-            found[n, m] = columns @ row
-    return found
+            results[n, m] = columns @ row
+    return results

@@ -121,5 +121,5 @@ def test_what_depletes_nothing_is_refused(change, said):
 
 def test_fixed_dipoles_are_refused():
     way, emission = sted(5.0)
-    with pytest.raises(ValueError, match=r"emitters that turn freely only, got Dipole\(polar=0.5"):
+    with pytest.raises(ValueError, match=r"freely rotating emitters only, got Dipole\(polar=0.5"):
         lm.psf(replace(emission, emitter=lm.Dipole(0.5, 0.0)), 5, PIXEL, method=way)

@@ -129,7 +129,7 @@ def test_each_plane_has_its_own_axis():
 
 def test_windows_that_the_engine_has_no_way_for_are_refused():
     far = {"at": (90.0, 3.0), "derivatives": ("z",), "integrate": False}
-    with pytest.raises(ValueError, match="in windows up to 63 pixels from each axis; ask for a smaller shape"):
+    with pytest.raises(ValueError, match="in windows up to 63 pixels from each axis; use a smaller shape"):
         images({"emitter": lm.Dipole(0.7, 0.4)}, **far, method=lm.Stratified())
 
 

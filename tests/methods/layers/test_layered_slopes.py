@@ -257,7 +257,7 @@ def test_what_single_precision_stores_is_in_the_bound(emitter, name):
 
 
 def test_what_has_no_derivatives_says_so():
-    with pytest.raises(ValueError, match=r"'z', 'depth', 'wavelength', 'row', 'column' and .* got 'defocus'"):
+    with pytest.raises(ValueError, match=r"'z', 'depth', 'wavelength', 'row', 'column' or .* got 'defocus'"):
         lm.psf(pupil(), 9, PIXEL, derivatives=("defocus",))
     with pytest.raises(ValueError, match="use Stratified"):
         lm.psf(pupil(), 9, PIXEL, method=lm.DebyeWolf(), derivatives=("z",))

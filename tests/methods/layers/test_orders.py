@@ -131,7 +131,7 @@ def test_images_of_more_orders_than_the_engine_has_are_those_of_the_reference():
 def test_vortices_have_no_derivatives():
     pupil = TIRF.pupil(depth=0.2e-6, wavelength=520e-9, emitter=lm.Beam("vortex"))
     for name in ("z", "row"):
-        with pytest.raises(ValueError, match=r"not available of the light of Beam\(polarization='vortex'\)"):
+        with pytest.raises(ValueError, match=r"not available for the light of Beam\(polarization='vortex'\)"):
             lm.psf(pupil, 5, 6.5e-6, derivatives=(name,))
 
 

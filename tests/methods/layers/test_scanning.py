@@ -187,7 +187,7 @@ def test_what_makes_no_method_is_refused(make, said):
 
 def test_pupils_of_others_are_refused():
     excitation, emission = colours()
-    with pytest.raises(ValueError, match="magnification 100, and a pupil of 60"):
+    with pytest.raises(ValueError, match="magnification 100, but a pupil of 60"):
         lm.psf(emission, 9, 6.5e-6, method=Confocal(colours(TIRF, 1e-6)[0]))
     with pytest.raises(ValueError, match="pupils of an objective only"):
         lm.psf(lm.Pupil(lm.Wavefront()), 9, 0.3, method=TwoPhoton())

@@ -263,5 +263,5 @@ def test_the_best_form_of_a_window_is_better_than_any_other_centre(
 def test_the_best_form_of_what_is_no_single_window_is_refused() -> None:
     with pytest.raises(ValueError, match="pupil must be a single one"):
         ClosedForm.best(Pupil(Wavefront([1.0, 2.0])), 9, 0.5)
-    with pytest.raises(TypeError, match="tangent and erf"):
+    with pytest.raises(TypeError, match="tangent or erf"):
         ClosedForm.best(Pupil(Wavefront(1.0)), 9, 0.5, tangent=3.0)

@@ -338,7 +338,7 @@ PLANE = {"depth": 2e-6, "focus": 2e-6, "wavelength": WAVE}
         ({"radius": -1e-6}, r"radius must be finite and >= 0, got -1e-06"),
         ({"radius": 1.0}, r"radius reaches v = .* the limit is 1e\+06, here 0.05.* metres"),
         ({"radius": "a"}, r"radius must hold real numbers, got 'a'"),
-        ({"radius": 5e-3}, r"phases and radii must be smaller: they take .* nodes, more than 20000"),
+        ({"radius": 5e-3}, r"phases and radii must be smaller: they need .* nodes, more than 20000"),
         ({"radius": []}, r"radius, depth and focus must not be empty"),
         ({"tol": 0.0}, r"tol must be >= 1e-14 and < 1, got 0"),
         ({"tol": math.nan}, r"tol must be finite"),

@@ -116,7 +116,7 @@ def test_metres_are_waves_at_the_wavelength():
         ({"terms": {38: 1.0}, "order": "fringe"}, "'fringe' must be from 1 to 37, got 38"),
         ({"terms": {0: 1.0}, "order": "noll"}, "'noll' must be from 1 to 1891, got 0"),
         ({"terms": {7.0: 1.0}, "order": "noll"}, "must be an integer, got 7.0"),
-        ({"terms": {7: 1.0}}, r'a pair \(n, m\), got 7; order="noll", "ansi" or "fringe" takes terms by number$'),
+        ({"terms": {7: 1.0}}, r'a pair \(n, m\), got 7; for terms by number use order="noll", "ansi" or "fringe"$'),
         ({"terms": {"7": 1.0}}, r"must be a pair \(n, m\), got '7'$"),
         ({"terms": [(4, 1.0), (4, 2.0)], "order": "noll"}, r"term 4, \(n, m\) = \(2, 0\), comes twice"),
         ({"terms": [([3, 1], 1.0), ((3, 1), 2.0)]}, r"\(n, m\) = \(3, 1\), comes twice"),

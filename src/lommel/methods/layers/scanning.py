@@ -52,7 +52,7 @@ _BLOCK_VALUES = 2**21  # number of values of all planes and orders that are inte
 class Orders(NamedTuple):
     """Intensity at given radii as azimuthal Fourier orders, for n planes."""
 
-    values: Values  # (n, 2 M + 1, radii), F_-M first; complex, or real where M is 0
+    values: Values  # (n, 2 M + 1, radii), F_-M first; complex, or real if M is 0
     error: Array  # (n,), bound on the error of the intensity at these radii and any azimuth
 
     @property
@@ -143,9 +143,9 @@ class Table(NamedTuple):
     step: float  # spacing of the radii in v
 
     @classmethod
-    def around(cls, radius: Array, error: float, faster: float) -> Table:
-        """Return the table for pixels at `radius`, given the exponential type ``2 faster`` and the error."""
-        step = table_step(error) / faster
+    def around(cls, radius: Array, error: float, stretch: float) -> Table:
+        """Return the table for pixels at `radius`, this error, and intensities of exponential type 2 `stretch`."""
+        step = table_step(error) / stretch
         first, last = (int(np.floor(at / step)) for at in (radius.min(), radius.max()))
         return cls(np.arange(first + 1 - HALF, last + HALF + 1), step)
 
@@ -154,9 +154,9 @@ class Table(NamedTuple):
         """Radii v, rising, at which the intensity has to be computed."""
         return self.step * np.unique(np.abs(self.places))
 
-    def error(self, found: Orders) -> Array:
+    def error(self, orders: Orders) -> Array:
         """Bound the error of pixels, ``(n,)``, without the interpolation error that is passed to :meth:`around`."""
-        return growth() * (found.error + 8.0 * _ROUNDING * found.most)
+        return growth() * (orders.error + 8.0 * _ROUNDING * orders.most)
 
     def painted(self, tabulated: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
         """Interpolate the intensity from :attr:`radii` to pixels, ``(n, pixels)``; `turn` is ``exp(i phi)``."""
@@ -185,12 +185,12 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
     """Base of methods for objectives that compute azimuthal orders; subclasses are dataclasses with a `tol`."""
 
     @abstractmethod
-    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
-        """Return the image intensity at rising v, with an error of about `asked`."""
+    def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
+        """Return the image intensity at rising v, with an error of about `target`."""
 
     @abstractmethod
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
-        """Return the image intensity with aberrations at pixel centres, with an error of about `asked`."""
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
+        """Return the image intensity with aberrations at pixel centres, with an error of about `target`."""
 
     def _aberrated(self, pupil: ObjectivePupil) -> bool:
         """Return whether the emission, excitation or depletion has aberrations."""
@@ -208,12 +208,12 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             )
         at, where = np.unique(np.append(v, _BRIGHT), return_inverse=True)
 
-        def made_of(asked: float) -> tuple[Array, Array]:
-            found = self._orders(pupil, at, asked)
-            return found.mean, found.error
+        def compute(target: float) -> tuple[Array, Array]:
+            orders = self._orders(pupil, at, target)
+            return orders.mean, orders.error
 
-        made = refine_until(made_of, self.tol, start=0.1 * self.tol, floor=_MIN_ERROR, named=self.tol)
-        return made._replace(values=made.values[:, where[: v.size]])
+        intensities = refine_until(compute, self.tol, start=0.1 * self.tol, floor=_MIN_ERROR, named=self.tol)
+        return intensities._replace(values=intensities.values[:, where[: v.size]])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of the pixels if it is radially symmetric, else at every pixel."""
@@ -237,55 +237,57 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             return self._aberrated_samples(pupil, grid, tol, wanted)
         x, y = pupil.v(grid.x), pupil.v(grid.y)[:, None]
         radius, turn = np.hypot(x, y).ravel(), np.exp(1j * np.arctan2(y, x)).ravel()
-        faster, ceiling = self.stretch(pupil), self._ceiling(pupil)
-        # `alone`: images are divided by their own peak, which doubles the relative error; 0.48 leaves a reserve.
-        alone = wanted.scale is None
-        aim = (0.48 if alone else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
-        # Otherwise errors relate to the peak of the plane, which may lie outside of the window: intensities on the
-        # axis and on a bright ring are then a lower bound of the peak.
-        bright = _BRIGHT[:0] if alone else _BRIGHT
+        stretch, ceiling = self.stretch(pupil), self._ceiling(pupil)
+        # Images without a scale are divided by their own peak, which doubles the error; 0.48 leaves a reserve.
+        divided_by_peak = wanted.scale is None
+        allowed = (0.48 if divided_by_peak else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+        # With a scale, errors are relative to the peak of the plane, which may lie outside of the window. Intensities
+        # on the axis and on a bright ring are then a lower bound of the peak.
+        bright = _BRIGHT[:0] if divided_by_peak else _BRIGHT
         latest: list[tuple[Table, Orders]] = []
 
-        def made_of(asked: float) -> tuple[Array, Array]:
-            table = Table.around(radius, 0.25 * asked / ceiling, faster)
+        def compute(target: float) -> tuple[Array, Array]:
+            table = Table.around(radius, 0.25 * target / ceiling, stretch)
             at, where = np.unique(np.append(table.radii, bright), return_inverse=True)
-            orders, count = self._orders(pupil, at, asked), where.size - bright.size
+            orders, count = self._orders(pupil, at, target), where.size - bright.size
             tabulated, on_ring = orders.at(where[:count]), orders.at(where[count:])
             latest[:] = [(table, tabulated)]
-            if alone:
+            if divided_by_peak:
                 values = table.painted(tabulated, radius, turn)
             else:
                 values = np.append(tabulated.samples, on_ring.samples, axis=1)
-            return values, table.error(orders) + 0.25 * asked
+            return values, table.error(orders) + 0.25 * target
 
-        made = refine_until(made_of, aim, start=0.03 * aim, floor=_MIN_ERROR * ceiling, named=self.tol)
+        intensities = refine_until(compute, allowed, start=0.03 * allowed, floor=_MIN_ERROR * ceiling, named=self.tol)
         table, tabulated = latest[0]
-        pixels = made.values if alone else table.painted(tabulated, radius, turn)
+        pixels = intensities.values if divided_by_peak else table.painted(tabulated, radius, turn)
         values = pixels.reshape(-1, *grid.shape)
-        return to_images(made._replace(values=values), grid, wanted)._replace(peak=made.peak)
+        return to_images(intensities._replace(values=values), grid, wanted)._replace(peak=intensities.peak)
 
     def _aberrated_samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return I with aberrations at pixel centres, its error relative to the largest value in the window."""
-        aim = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+        """Return I with aberrations at pixel centres, with an error relative to the largest value in the window."""
+        allowed = (0.48 if wanted.scale is None else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
 
-        def made_of(asked: float) -> tuple[Array, Array]:
-            found = self._pixels(pupil, grid, asked, wanted.threads)
-            return np.maximum(found.values, 0.0), found.error
+        def compute(target: float) -> tuple[Array, Array]:
+            samples = self._pixels(pupil, grid, target, wanted.threads)
+            return np.maximum(samples.values, 0.0), samples.error
 
-        return to_images(refine_until(made_of, aim, start=0.1 * aim, floor=_MIN_ERROR, named=self.tol), grid, wanted)
+        return to_images(
+            refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, named=self.tol), grid, wanted
+        )
 
 
-_MAX_HEIGHTS = 200  # largest number of heights of Gauss's rule over a bead
-_MAX_DIAMETER = 1e-5  # metres
+_MAX_HEIGHTS = 200  # largest number of heights of the Gauss rule over a bead
+_MAX_DIAMETER = 1e-5  # largest diameter of a bead, metres
 
 
 @dataclass(frozen=True)
 class Bead(ProvenMethod):
     r"""A bead uniformly filled with emitters, centred on the emitter of the pupil.
 
-    The ball is integrated over discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D being the mean PSF over a disc of
+    The bead is integrated over discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D being the mean PSF over a disc of
     radius ``R sqrt(1 - u^2)`` at the depth ``d + R u``, with d the depth of its centre and R its radius. The integral
-    is computed by Gauss's rule for the weight ``1 - u^2``, whose number of heights u is proven to suffice.
+    is computed by a Gauss rule for the weight ``1 - u^2``; its number of heights u is proven to suffice.
 
     Parameters
     ----------
@@ -323,17 +325,17 @@ class Bead(ProvenMethod):
             return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {near:g}"
         return super().unsupported(pupil)
 
-    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+    def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
         """Return the image intensity of the bead at rising v."""
         radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
         size = layers.wavenumber * layers.NA * radius
-        heights, stack, share, rule_error = self._planes(pupil, asked)
+        heights, stack, share, rule_error = self._planes(pupil, target)
         depths = stack.depth
         half = heights.size // 2
-        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
+        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), target, highest_order) for u in heights[half:]]
         discs = discs[: -half - 1 : -1] + discs  # the disc at -u has the radius of the disc at u
         places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
-        points = light(stack, places, asked, self.tol)
+        points = light(stack, places, target, self.tol)
         values_at, errors = points.values.reshape(*depths.shape, -1, places.size), points.error.reshape(depths.shape)
         values: Values = np.zeros(1)
         error, first = np.full(depths.shape[1], rule_error), 0
@@ -344,29 +346,29 @@ class Bead(ProvenMethod):
             error += share[k] * (errors[k] * means.gain + means.error)
         return Orders(values, error)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
         """Return the image intensity of the bead at pixel centres."""
         size = 0.5 * self.diameter * pupil.layers.wavenumber * pupil.layers.NA
-        heights, stack, share, rule_error = self._planes(pupil, asked)
+        heights, stack, share, rule_error = self._planes(pupil, target)
         count = math.prod(pupil.shape)
         values, error = np.zeros((count, *grid.shape)), np.full(count, rule_error)
         # The discs at heights u and -u have the same radius, and hence the same filter.
         for k, other in enumerate(range(len(heights) - 1, len(heights) // 2 - 1, -1)):
-            means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), asked)
+            means = disc_filter(grid.step(pupil), size * math.sqrt(1.0 - heights[k] ** 2), target)
             for j in {k, other}:
                 plane = replace(pupil, depth=stack.depth[j].reshape(pupil.shape))
-                one = means.of(light_samples(plane, means.samples(grid), asked / means.gain, threads), threads)
+                one = means.of(light_samples(plane, means.samples(grid), target / means.gain, threads), threads)
                 values += one.times(share[j]).values
                 error += share[j] * one.error
         return SampledLight(values, error)
 
-    def _planes(self, pupil: ObjectivePupil, asked: float) -> tuple[Array, ObjectivePupil, Array, float]:
-        """Return heights, a pupil per height and plane (heights, n), their fractions of the light, the rule's error.
+    def _planes(self, pupil: ObjectivePupil, target: float) -> tuple[Array, ObjectivePupil, Array, float]:
+        """Return heights, a pupil per height and plane (heights, n), fractions of the light, and the rule's error.
 
-        The pupils are without aberrations; the fractions sum to 1 over the heights.
+        The pupils have no aberrations. The fractions have the sum 1 over the heights of each plane.
         """
-        # Gauss's rule for the weight 1 - u^2 over heights in units of the radius.
-        heights, weights, error = _height_rule(self._growth(pupil), asked)
+        # Gauss rule for the weight 1 - u^2 over heights u in units of the radius.
+        heights, weights, error = _height_rule(self._growth(pupil), target)
         depths = np.maximum(pupil.depth.ravel() + 0.5 * self.diameter * heights[:, None], 0.0)
         focus, z = (np.broadcast_to(part.ravel(), depths.shape) for part in (pupil.focus, pupil.z))
         stack = replace(pupil, depth=depths, focus=focus, z=z, aberrations=None)
@@ -386,11 +388,11 @@ class Bead(ProvenMethod):
 
 
 def _height_rule(growth: Array, error: float) -> tuple[Array, Array, float]:
-    """Return heights u, weights of sum 1, and the error bound: at most `error` for up to `_MAX_HEIGHTS`."""
+    """Return heights u, weights of sum 1, and the error bound: at most `error` if `_MAX_HEIGHTS` suffice."""
     from scipy.special import roots_jacobi
 
     nodes = 2
-    # Twice the error: the sum of intensities is divided by a sum of powers, by the same rule.
+    # Factor 2: a sum of intensities is divided by a sum of powers, and the rule contributes an error to both sums.
     while (bound := 2.0 * gauss_error(growth, nodes)) > error and nodes < _MAX_HEIGHTS:
         nodes += 1
     # Gauss-Jacobi with the weight (1 - u)(1 + u), proportional to the area of the disc at the height u.
@@ -398,11 +400,11 @@ def _height_rule(growth: Array, error: float) -> tuple[Array, Array, float]:
     return u, w / w.sum(), bound
 
 
-AIRY = 2.0 * math.pi * 0.61  # ``0.61 lambda / NA``, half an Airy unit, in v
+AIRY = 2.0 * math.pi * 0.61  # radius ``0.61 lambda / NA``, half an Airy unit, in v
 _MAX_PINHOLE = 100.0  # Airy units
 _MAX_SATURATION = 1e4
 _POLYNOMIAL_ERROR = 0.02  # largest error of the polynomial for the depletion, as a fraction of the tolerance
-_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # radii v, offsets; search of the peak
+_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # peak search: radii v, then offsets in v
 
 
 @dataclass(frozen=True)
@@ -454,7 +456,7 @@ class Confocal(ProvenMethod):
         super().__post_init__()
         pupil = _pupil_of("excitation", self.excitation)
         if not (pupil.light.radial or isinstance(pupil.emitter, Beam)):
-            raise ValueError(f"excitation must be the light of a Beam, got that of {pupil.emitter!r}")
+            raise ValueError(f"excitation must be the light of a Beam, got the light of {pupil.emitter!r}")
         object.__setattr__(self, "excitation", _one_plane("excitation", pupil))
         pinhole = validation.real("pinhole", self.pinhole, above=0.0, most=_MAX_PINHOLE, unit="Airy units")
         object.__setattr__(self, "pinhole", pinhole)
@@ -463,8 +465,8 @@ class Confocal(ProvenMethod):
         """Return the reason if the excitation has another magnification or does not excite the emitter, else None."""
         if pupil.magnification != self.excitation.magnification:
             return (
-                f"has an excitation of the magnification {self.excitation.magnification:g}, "
-                f"and a pupil of {pupil.magnification:g}"
+                f"has an excitation of the magnification {self.excitation.magnification:g}, but a pupil of "
+                f"{pupil.magnification:g}: both must be equal"
             )
         if reason := super().unsupported(pupil):
             return reason
@@ -502,45 +504,46 @@ class Confocal(ProvenMethod):
 
     def _absorbed_fraction(self, pupil: ObjectivePupil) -> Array:
         """Return the absorbed power in each plane, divided by the power of the beam."""
-        lit = self._absorbed_excitation(pupil)
-        return lit.power / replace(lit, emitter=self.excitation.emitter).power
+        absorbed = self._absorbed_excitation(pupil)
+        return absorbed.power / replace(absorbed, emitter=self.excitation.emitter).power
 
     def stretch(self, pupil: ObjectivePupil) -> float:
         """Return the exponential type in v of a field whose square is E P: 1 plus that of the excitation field."""
         return 1.0 + pupil.scale / self.excitation.scale
 
-    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+    def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
         """Return the product E P at rising v of the emission."""
-        # The same radius in metres is another v at the wavelength of the excitation.
-        excited = light(self._absorbed_excitation(pupil), pupil.scale / self.excitation.scale * v, asked, self.tol)
-        means = disc_means(v, AIRY * self.pinhole, asked / max(1.0, self._pinhole_area), highest(pupil))
-        seen = light(pupil, means.places, asked, self.tol)
-        passed = Orders(means.of(seen.values), seen.error * means.gain + means.error)
+        # A radius in metres corresponds to another v at the wavelength of the excitation.
+        excited = light(self._absorbed_excitation(pupil), pupil.scale / self.excitation.scale * v, target, self.tol)
+        means = disc_means(v, AIRY * self.pinhole, target / max(1.0, self._pinhole_area), highest(pupil))
+        detected = light(pupil, means.places, target, self.tol)
+        passed = Orders(means.of(detected.values), detected.error * means.gain + means.error)
         return product(
-            excited.times(self._absorbed_fraction(pupil)), passed.times(np.full(len(seen.error), self._pinhole_area))
+            excited.times(self._absorbed_fraction(pupil)),
+            passed.times(np.full(len(detected.error), self._pinhole_area)),
         )
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
         """Return the product E P at pixel centres."""
-        accuracy = asked / max(1.0, self._pinhole_area)
+        accuracy = target / max(1.0, self._pinhole_area)
         means = disc_filter(grid.step(pupil), AIRY * self.pinhole, accuracy)
-        seen = means.of(light_samples(pupil, means.samples(grid), accuracy / means.gain, threads), threads)
-        excited = light_samples(self._absorbed_excitation(pupil), grid, asked, threads).times(
+        detected = means.of(light_samples(pupil, means.samples(grid), accuracy / means.gain, threads), threads)
+        excited = light_samples(self._absorbed_excitation(pupil), grid, target, threads).times(
             self._absorbed_fraction(pupil)
         )
-        return excited.times(seen.times(np.full(len(seen.error), self._pinhole_area)))
+        return excited.times(detected.times(np.full(len(detected.error), self._pinhole_area)))
 
 
 def _one_plane(name: str, pupil: ObjectivePupil) -> ObjectivePupil:
-    """Return the pupil in its first plane; ValueError if the aberrations differ from plane to plane."""
+    """Return the pupil in its first plane; ValueError if each plane has its own aberrations."""
     if pupil.aberrations is not None and pupil.aberrations.shape:
         raise ValueError(f"{name} must have one set of aberrations for all planes, got a stack")
     return pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
 
 
-def _pupil_of(name: str, given: object) -> ObjectivePupil:
-    """Return the given pupil, rebuilt if it is a dictionary; TypeError for anything else."""
-    pupil = ObjectivePupil.from_dict(given) if isinstance(given, dict) else given
+def _pupil_of(name: str, value: object) -> ObjectivePupil:
+    """Return the given pupil, rebuilt if it is a dictionary; TypeError for other types."""
+    pupil = ObjectivePupil.from_dict(value) if isinstance(value, dict) else value
     return cast("ObjectivePupil", validation.instance(name, pupil, ObjectivePupil))
 
 
@@ -577,34 +580,34 @@ class TwoPhoton(ProvenMethod):
         """Return 2, the exponential type of a field whose square is the squared intensity."""
         return 2.0
 
-    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+    def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
         """Return the square of the intensity at rising v."""
-        once = light(pupil, v, asked, self.tol)
-        return product(once, once)
+        intensity = light(pupil, v, target, self.tol)
+        return product(intensity, intensity)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
         """Return the square of the intensity at pixel centres."""
-        once = light_samples(pupil, grid, asked, threads)
-        return once.times(once)
+        intensity = light_samples(pupil, grid, target, threads)
+        return intensity.times(intensity)
 
 
 @dataclass(frozen=True)
 class Sted(Confocal):
     r"""Confocal microscope with stimulated emission depletion (STED).
 
-    ``E(r) P(r) 2^(-s D(r))``: E and P as of :class:`lommel.methods.Confocal`, D the intensity of the depletion beam
+    ``E(r) P(r) 2^(-s D(r))``: E and P as in :class:`lommel.methods.Confocal`, D the intensity of the depletion beam
     in the units of E, and s the saturation. This holds for pulses that are short compared with the lifetime of the
     excited state; s D is the intensity divided by the saturation intensity, which depletes half of the emitters.
 
     Parameters
     ----------
     excitation, pinhole, tol
-        As of :class:`lommel.methods.Confocal`.
+        As for :class:`lommel.methods.Confocal`.
     depletion : ObjectivePupil
         A rotationally symmetric beam that is dark on the axis: ``lm.Beam("vortex")``, in any planes.
     saturation : float
-        The factor s of D, at most 1e4. :func:`lommel.microscopy.sted` takes the saturation at the peak of the beam
-        instead.
+        The factor s of D, at most 1e4. The argument of :func:`lommel.microscopy.sted` is the saturation at the peak
+        of the beam instead.
 
     Raises
     ------
@@ -614,9 +617,9 @@ class Sted(Confocal):
     Notes
     -----
     With ``a = s ln(2) / 2`` the factor is ``exp(-2 a D)``. For D between 0 and 1 its Chebyshev series of degree n has
-    an error of at most ``2 sum_(k > n) exp(-a) I_k(a)``, I_k the modified Bessel functions, and n times the bandwidth
-    of D, so that it can be interpolated with a proven error. n grows like the square root of `saturation`, as does
-    the resolution.
+    an error of at most ``2 sum_(k > n) exp(-a) I_k(a)``, I_k the modified Bessel functions. The bandwidth of the
+    series is n times the bandwidth of D, so that it can be interpolated with a proven error. n grows like the square
+    root of `saturation`, as does the resolution.
 
     References
     ----------
@@ -644,7 +647,7 @@ class Sted(Confocal):
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return the reason if emitters do not rotate freely, or if :class:`Confocal` does not support the pupil."""
         if _fixed_dipole(pupil):
-            return f"supports emitters that turn freely only, got {pupil.emitter!r}"
+            return f"supports freely rotating emitters only, got {pupil.emitter!r}"
         return super().unsupported(pupil)
 
     def stretch(self, pupil: ObjectivePupil) -> float:
@@ -666,15 +669,15 @@ class Sted(Confocal):
         beam = self.depletion
         return replace(pupil, layers=beam.layers, emitter=beam.emitter, aberrations=beam.aberrations)
 
-    def _pixels(self, pupil: ObjectivePupil, grid: Grid, asked: float, threads: int) -> SampledLight:
+    def _pixels(self, pupil: ObjectivePupil, grid: Grid, target: float, threads: int) -> SampledLight:
         """Return the product ``E P 2^(-s D)`` at pixel centres."""
         rate = math.log(2.0) * self.saturation
-        excited = super()._pixels(pupil, grid, asked, threads)
-        depleting = light_samples(self._depletion_pupil(pupil), grid, asked / max(1.0, rate), threads)
+        excited = super()._pixels(pupil, grid, target, threads)
+        depleting = light_samples(self._depletion_pupil(pupil), grid, target / max(1.0, rate), threads)
         undepleted = np.exp(-rate * np.maximum(depleting.values, 0.0))
         return excited.times(SampledLight(undepleted, rate * depleting.error))
 
-    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+    def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
         """Return the product ``E P 2^(-s D)`` at rising v of the emission."""
         beam, excited_type = self.depletion, super().stretch(pupil)
         planes = self._depletion_pupil(pupil)
@@ -682,14 +685,14 @@ class Sted(Confocal):
         finer, ceiling = max(1.0, rate), self._ceiling(pupil)
         # Both factors are band-limited: they are computed at few radii and interpolated to the radii v.
         # A disc mean of radius 0 is an interpolation, from a table as fine as the bandwidth requires.
-        means = disc_means(excited_type * v, 0.0, 0.1 * asked / ceiling, highest(self._absorbed_excitation(pupil)))
-        tabulated = super()._orders(pupil, means.places / excited_type, asked)
+        means = disc_means(excited_type * v, 0.0, 0.1 * target / ceiling, highest(self._absorbed_excitation(pupil)))
+        tabulated = super()._orders(pupil, means.places / excited_type, target)
         excited = Orders(means.of(tabulated.values), tabulated.error * means.gain + ceiling * means.error)
-        means = disc_means(depletion_type * v, 0.0, 0.1 * asked / finer)
-        tabulated = light(planes, means.places, asked / finer, self.tol / finer)
+        means = disc_means(depletion_type * v, 0.0, 0.1 * target / finer)
+        tabulated = light(planes, means.places, target / finer, self.tol / finer)
         depleting = Orders(means.of(tabulated.values), tabulated.error * means.gain + means.error)
         undepleted = np.exp(-rate * depleting.mean)
-        # Twice the polynomial's error: that of the values in the table and that of the interpolated values.
+        # The error of the polynomial counts twice: for values in the table, and for interpolated values.
         error = rate * depleting.error + 2.0 * _POLYNOMIAL_ERROR * self.tol
         return Orders(excited.values * undepleted[:, None], excited.error + excited.most * error)
 
@@ -711,8 +714,8 @@ def crest(pupil: ObjectivePupil) -> float:
 
     The unit is that of E of :class:`lommel.methods.Confocal`; the relative error is about 1e-6.
     """
-    # Each plane wave keeps its transmission by interfaces and films and its decay with depth, but loses the phase psi
-    # of :meth:`lommel.Objective.phase`.
+    # The waves keep their transmission by interfaces and films and their decay with depth; the phase psi of
+    # :meth:`lommel.Objective.phase` is omitted.
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()
@@ -721,8 +724,8 @@ def crest(pupil: ObjectivePupil) -> float:
 
     def intensity(v: Array) -> Array:
         arguments = np.multiply.outer(rule.rho, v)
-        each = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
-        total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in each)
+        components = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
+        total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in components)
         return np.asarray((total / pupil.power[:, None]).max(axis=0))
 
     return float(intensity(_COARSE[intensity(_COARSE).argmax()] + _FINE).max())

@@ -1,4 +1,4 @@
-r"""Derivatives of microscope stacks by stage, depth, wavelength and position, with error bounds.
+r"""Derivatives of microscope stacks by stage, depth, wavelength and position of the axis, with error bounds.
 
 Fields are sums of ``exp(i psi)``, so that derivatives by a parameter in which psi is linear are sums over the same
 angles with a factor ``i dpsi/dx``. Phases are proportional to the wavenumber, and so is v at a position in metres.
@@ -36,11 +36,11 @@ if TYPE_CHECKING:
 
 
 # Fixed dipoles and beams use the engine of :mod:`lommel.methods.layers.stratified`. With a measured wavefront the
-# fields E are sums over circles (:mod:`lommel.methods.layers.debye_rings`); with waves times
-# ``(1 +- i s dpsi/dx) / 2`` they are ``(E +- s G) / 2``, G being the derivative of E, and the difference of their
-# intensities is ``s Re(E conj G)``, half of s times the derivative of ``abs(E)^2``: exactly, for every s.
+# fields E are sums over circles (:mod:`lommel.methods.layers.debye_rings`). Waves times ``(1 +- i s dpsi/dx) / 2``
+# give the fields ``(E +- s G) / 2``, G being the derivative of E. The difference of the two intensities is
+# ``s Re(E conj G)``, exactly s / 2 times the derivative of ``abs(E)^2``, for every s.
 
-Rates = Callable[[ObjectivePupil], Sequence[By]]  # signature: planes -> derivatives of these
+Rates = Callable[[ObjectivePupil], Sequence[By]]  # signature: planes -> derivatives of their images
 
 
 def sampled_slopes(
@@ -53,23 +53,23 @@ def sampled_slopes(
     *,
     moved: bool = False,
 ) -> Images:
-    """Return images and their derivatives; those by Zernike `terms`, from ChordalDebye, come after the others.
+    """Return images and their derivatives; derivatives by Zernike `terms`, from ChordalDebye, follow the others.
 
-    With `moved`, for averages, the last two are those by the row and the column of the axis.
+    With `moved`, which requires pixel averages, the last two derivatives are by the row and the column of the axis.
     """
     by = rates(pupil)
     layers, model = pupil.layers, pupil.light.model
     if isinstance(method, Stratified):
         most = debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())
     else:
-        # Derivatives over their largest factor have transfer functions of at most twice that of I: certificate,
-        # section 15, "Light that depends on the azimuth".
+        # Derivatives divided by their largest factor have OTFs of at most twice the modulus of the OTF of I:
+        # certificate, section 15, "Light that depends on the azimuth".
         most = (*projection.steepest(layers, model), 0.0)
         if any(one.which == engine.BY_WAVENUMBER for one in by):
             most = (*most[:2], debye.steepest(layers, model, pupil.depth.ravel(), pupil.focus.ravel())[2])
             if pupil.aberrations is not None:
                 most = (*most[:2], most[2] + sum(pupil.aberrations.flattened().amplitudes().values()))
-    # Divisors for which transfer functions are at most twice that of the aperture, as the averages assume.
+    # Divisors with which OTFs have at most twice the modulus of the OTF of the aperture, as averages assume.
     sizes = [abs(one.factor) * most[min(one.which, 2)] + 0.5 * _largest(one.own) for one in by]
     sizes += [1.0] * len(terms)
 
@@ -81,7 +81,7 @@ def sampled_slopes(
             return _by_circles(method, pupil, grid, each, most, tol, plain)
         return _by_engine(pupil, grid, each, tol, plain)
 
-    question = wanted._replace(terms=((0, 0),) * len(sizes))  # placeholders, of which only the number counts
+    question = wanted._replace(terms=((0, 0),) * len(sizes))  # placeholders: only their number matters
     if moved:
         made = to_images(pixel_averages(sample, pupil, grid, method.tol, question, gradients=True), question)
         sizes += [-grid.step(pupil)] * 2
@@ -108,9 +108,9 @@ def engine_slopes(
     wanted: Wanted,
     otherwise: Callable[[], Images] | None,
 ) -> Images | None:
-    """Return images and derivatives by the engine, or None if it does not support such windows."""
-    # Derivatives have bounds but no tolerance: if rounding keeps the engine from that of the images, they are
-    # computed with a looser one, and the images come from `otherwise` (or have the looser one, too).
+    """Return images and derivatives by the engine, or None if it does not support the window."""
+    # Derivatives have bounds but no tolerance. If rounding prevents the tolerance of the images, a larger one is used
+    # for the derivatives; the images are then computed by `otherwise` or, if this is None, with the larger tolerance.
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
             return found if looser == 1.0 or otherwise is None else otherwise()._replace(slopes=found.slopes)
@@ -120,14 +120,14 @@ def engine_slopes(
 def _by_engine(
     pupil: ObjectivePupil, grid: Grid, each: Sequence[tuple[By, float]], tol: float, wanted: Wanted
 ) -> Images:
-    """Return samples by Stratified, and derivatives divided by a size each."""
+    """Return samples by Stratified, and derivatives, each divided by its size."""
     by = [one._replace(factor=one.factor / size, own=np.asarray(one.own) / size) for one, size in each]
     way = Stratified(max(tol, Stratified.least_tol))
     found = engine_slopes(pupil, grid, by, way.tol, wanted, lambda: way._samples(pupil, grid, tol, wanted))
     if found is None:
         raise Declined(
-            "derivatives of light that depends on the azimuth are in windows up to "
-            f"{110.0 / grid.step(pupil):.0f} pixels from each axis; ask for a smaller shape, or a larger tol"
+            "derivatives of light that depends on the azimuth are available in windows up to "
+            f"{110.0 / grid.step(pupil):.0f} pixels from each axis; use a smaller shape, or a larger tol"
         )
     return found
 
@@ -141,7 +141,7 @@ def _by_circles(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by DebyeRings, and derivatives divided by a size each; `most` bounds the factors."""
+    """Return samples by DebyeRings, and derivatives, each divided by its size; `most` bounds their factors."""
     made, accuracy = method.refined(pupil, grid, tol, wanted)
     values = np.empty((len(each), *made.values.shape), wanted.dtype)
     error = np.empty((len(each), len(made.values)))
@@ -151,7 +151,7 @@ def _by_circles(
             ringed(pupil, grid, accuracy, Wanted(threads=wanted.threads), Turn(one.which + 1, turn / steep, middle))
             for turn in (1j, -1j)
         )
-        # Twice the difference, over s = 1 / steep: certificate, section 16, "Derivatives".
+        # The derivative is twice the difference divided by s = 1 / steep: certificate, section 16, "Derivatives".
         share = 2.0 * one.factor * steep / size
         own = np.broadcast_to(np.asarray(one.own) / size, made.scale.shape)
         slope = share * (up.values - down.values) * made.scale[:, None, None] + own[:, None, None] * made.values
@@ -171,7 +171,7 @@ def _by_chords(
     tol: float,
     wanted: Wanted,
 ) -> Images:
-    """Return samples by ChordalDebye, and derivatives divided by a size each, those by Zernike terms last."""
+    """Return samples by ChordalDebye, and derivatives, each divided by its size; Zernike terms come last."""
     by = chordal_debye.By(tuple(one.which for one, _ in each), terms)
     made, raw, wrong, largest = method.differentiated(pupil, grid, tol, wanted, by)
     steep = (*projection.steepest(pupil.layers, pupil.light.model), 1.0)
@@ -185,19 +185,19 @@ def _by_chords(
             raw[k] += np.broadcast_to(own, made.scale.shape)[:, None, None] * made.values
             error[k] += np.abs(own) * (made.bound + 1e-12) * made.brightest
             largest[k] += np.abs(own) * (1.0 + 2.0 * made.bound) * made.brightest
-    # Roundings of storing and of the products with the factors above.
+    # Rounding errors of storing and of the products with the factors above.
     error += (storing(wanted.dtype) + 2.0**-48) * largest
     error /= made.brightest
     return made._replace(slopes=Slopes(raw.astype(wanted.dtype, copy=False), error))
 
 
 TERMS_BY_CHORDS = (
-    "derivatives by Zernike terms are those of ChordalDebye, which takes small windows and aberrations; ask for a "
+    "derivatives by Zernike terms are available from ChordalDebye only, for small windows and aberrations; use a "
     "smaller shape"
 )
 LAYERED = (Stratified, DebyeRings, ChordalDebye)  # methods with derivatives
-_AXIS = ("row", "column")
-_OWN = ("z", "depth", "wavelength")
+_AXIS = ("row", "column")  # derivatives by the position of the axis
+_OWN = ("z", "depth", "wavelength")  # other derivatives that only the pupils of objectives have
 
 
 def layered_slopes(
@@ -217,13 +217,14 @@ def layered_slopes(
     if by_engine:
         made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        # The derivative by the wavelength has tilts from finer samples already, which give those by the axis too.
+        # The derivative by the wavelength needs tilts from finer samples, which also yield the derivatives by the
+        # axis.
         moved = axis and grid.integrate and "wavelength" not in kinds
         made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
     else:
         made = with_model_error(method.images(pupil, grid, wanted), pupil, method, normalized=False)
     each: dict[Name, Slope] = {}
-    if made.slopes is not None:  # by the axis or without
+    if made.slopes is not None:  # derivatives by the axis, if present, are last
         each |= zip((*kinds, *terms, *_AXIS), map(Slope, *made.slopes), strict=False)
     grows = "wavelength" in kinds and not by_engine
     if grows or (axis and "row" not in each):
@@ -234,27 +235,27 @@ def layered_slopes(
 def _require_available(
     method: Method, pupil: ObjectivePupil, names: Sequence[Name], named: Mapping[Name, Term]
 ) -> None:
-    """Raise ValueError for derivatives that a method lacks, Declined if another method may have them."""
+    """Raise ValueError for unavailable derivatives, or Declined if another method may have them."""
     if not isinstance(method, LAYERED):
         raise ValueError(
-            f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified, "
+            f"derivatives are not available from {type(method).__name__} for an Objective; use Stratified, "
             "ChordalDebye or, with aberrations, DebyeRings"
         )
     if unknown := [name for name in names if name not in (*_OWN, *_AXIS, *named)]:
         raise ValueError(
-            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' and "
+            "derivatives of the pupils of an Objective are by 'z', 'depth', 'wavelength', 'row', 'column' or "
             f"Zernike terms, got {unknown[0]!r}"
         )
     if named and not isinstance(method, ChordalDebye):
         raise Declined(TERMS_BY_CHORDS)
     if isinstance(method, Stratified) and not is_supported(pupil.light):
         raise ValueError(
-            f"derivatives are not available of the light of {pupil.emitter!r} from Stratified; use "
+            f"derivatives are not available for the light of {pupil.emitter!r} from Stratified; use "
             "method=ChordalDebye(), in small windows"
         )
     if "wavelength" in names and isinstance(method, DebyeRings):
         raise Declined(
-            "derivatives by 'wavelength' are not available from DebyeRings; ask for a window small enough for "
+            "derivatives by 'wavelength' are not available from DebyeRings; use a window small enough for "
             "ChordalDebye, or take differences of the PSFs of pupil.in_light(w)"
         )
 
@@ -262,9 +263,9 @@ def _require_available(
 def _moved(
     method: Method, pupil: ObjectivePupil, grid: Grid, made: Images, wanted: Wanted, at_fixed_v: Slope | None
 ) -> dict[Name, Slope]:
-    """Return the derivatives by the axis and, from that `at_fixed_v`, by the wavelength: certificate, section 12."""
+    """Return derivatives by the axis and, from the one `at_fixed_v`, by the wavelength: certificate, section 12."""
     step = grid.step(pupil)
-    # The part of the phase that the terms leave out changes fields and their gradients by as much.
+    # The phase that the terms omit changes fields and their gradients by at most the same amount.
     left = 4.0 * pupil.left_out[0]
     tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
     found: dict[Name, Slope] = {
@@ -273,7 +274,7 @@ def _moved(
     }
     if at_fixed_v is not None:
         values, off = scaling_derivative(method, pupil, grid, tilts, wanted.threads, _samples)
-        # The left-out phase also grows as the wavelength falls.
+        # The omitted phase also grows as the wavelength falls.
         off = off + 2.0 * pupil.left_out[0]
         of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
         found["wavelength"] = _sum(at_fixed_v, of_place, made, wanted)
@@ -283,7 +284,7 @@ def _moved(
 def _radial(
     method: Method, pupil: ObjectivePupil, grid: Grid, kinds: list[str], by: Sequence[By], wanted: Wanted, axis: bool
 ) -> Images:
-    """Return images and the derivatives that the engine supports in such windows."""
+    """Return images and the derivatives that the engine supports in this window."""
     for asked in ([*by, By(engine.BY_AXIS)], by) if axis else (by,):
         if asked:
             found = engine_slopes(pupil, grid, asked, method.tol, wanted, lambda: method.images(pupil, grid, wanted))
@@ -291,14 +292,14 @@ def _radial(
                 return found
     if kinds:
         raise ValueError(
-            f"derivatives by {kinds[0]!r} are of samples in windows up to {110.0 / grid.step(pupil):.0f} pixels from "
-            "each axis, or of averages in any around their middle pixel; ask for a smaller shape, or a larger tol"
+            f"derivatives by {kinds[0]!r} are available for samples in windows up to {110.0 / grid.step(pupil):.0f} "
+            "pixels from each axis, and for averages around the middle pixel; use a smaller shape, or a larger tol"
         )
     return method.images(pupil, grid, wanted)
 
 
 def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Images:
-    """Return samples with bounds, without insisting on a tolerance that only the reference reaches."""
+    """Return samples with bounds; the engine may use a larger tolerance, to avoid the slow reference method."""
     if isinstance(method, Stratified):
         found = engine_slopes(cast("ObjectivePupil", pupil), grid, (), method.tol, wanted, None)
         if found is not None:
@@ -307,15 +308,15 @@ def _samples(method: Method, pupil: BasePupil, grid: Grid, wanted: Wanted) -> Im
 
 
 def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
-    """Return the derivative of values over their scale, from those of I at fixed power and a fixed pixel in v.
+    """Return the derivative of values, divided by their scale, from derivatives of I at fixed power and pixels in v.
 
-    Values over the light of an emitter `far` from the glass do not depend on the light collected near it.
+    With `far`, values are relative to the light that an emitter far from the glass sends to the objective.
     """
     if name == "z":
         return By(engine.BY_FOCUS)
     model, shares = pupil.light.model, pupil.light.shares
     kind = "depth" if name == "depth" else "wavenumber"
-    # The light by which values are divided depends on depth and wavenumber too.
+    # Values are divided by light that depends on depth and wavenumber, too.
     near, above = debye.power(pupil.layers, pupil.depth.ravel(), model, by=kind)
     if far:
         _, whole = debye.power(pupil.layers, np.zeros(0), model)
@@ -324,20 +325,20 @@ def by_name(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:
         rate = near @ shares / pupil.power
     if name == "depth":
         return By(engine.BY_DEPTH, 1.0, -rate)
-    # By ln k: v grows with k, and the pixel becomes a larger part of the plane, hence -2.
+    # By ln k: v grows with k, and a pixel becomes a larger part of the plane, hence -2.
     return By(
         engine.BY_WAVENUMBER, -1.0 / pupil.wavelength, ((-2.0 if energy or far else 0.0) + rate) / pupil.wavelength
     )
 
 
 def _stored(values: Array, wrong: Array, made: Images, wanted: Wanted) -> Slope:
-    """Return a derivative of the stored images from that of I."""
+    """Return the derivative of the stored images from `values`, the derivative of I, with error bounds `wrong`."""
     scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
-    # Multiplied by the scale of the images.
-    kept = np.empty(values.shape, wanted.dtype)
-    np.multiply(values, scale[:, None, None], out=kept, casting="same_kind")
+    # Derivatives have the scale of the images.
+    stored = np.empty(values.shape, wanted.dtype)
+    np.multiply(values, scale[:, None, None], out=stored, casting="same_kind")
     largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))
-    return Slope(kept, (wrong + (storing(wanted.dtype) + 2.0**-48) * largest) / made.brightest)
+    return Slope(stored, (wrong + (storing(wanted.dtype) + 2.0**-48) * largest) / made.brightest)
 
 
 def _sum(one: Slope, other: Slope, made: Images, wanted: Wanted) -> Slope:
@@ -347,7 +348,7 @@ def _sum(one: Slope, other: Slope, made: Images, wanted: Wanted) -> Slope:
     return Slope(values.astype(wanted.dtype), one.error + other.error + storing(wanted.dtype) * largest)
 
 
-_BY_SERIES = ("z", "depth")  # derivatives that the transpose of ChordalDebye has besides terms and shifts
+_BY_SERIES = ("z", "depth")  # derivatives of the transpose of ChordalDebye, in addition to terms and shifts
 
 
 def layered_gradient(
@@ -361,22 +362,22 @@ def layered_gradient(
     energy: bool,
     far: bool,
 ) -> dict[Name, Array]:
-    """Return the derivatives of sums of `weights`, (n, height, width), times values, by checked names, each (n,).
+    """Return derivatives of ``sum(weights * values)`` by checked names, each (n,), with weights (n, height, width).
 
-    Values are `scale`, (n,), times the intensity, of all light (`energy`) or of that `far` from the glass. ValueError
-    where there are no such derivatives.
+    Values are `scale`, (n,), times the intensity, relative to all light (`energy`) or to light emitted `far` from the
+    glass. Raises ValueError if a derivative is not available.
     """
-    found: dict[Name, Array] = {}
+    results: dict[Name, Array] = {}
     by_term = any(name not in SHIFTS for name in _terms_of(tuple(names)))
     if isinstance(method, LAYERED) and (by_term or not isinstance(method, Stratified)):
-        found = _gradient_by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
-    if others := [name for name in names if name not in found]:
+        results = _gradient_by_chords(method, pupil, grid, names, weights, scale, energy=energy, far=far)
+    if others := [name for name in names if name not in results]:
         wanted = Wanted(scale if far else float(scale[0]))
         each = layered_slopes(method, pupil, grid, others, wanted, energy=energy)[2]
-        found |= {
+        results |= {
             name: np.einsum("nij,nij->n", weights, slope.values) for name, slope in zip(others, each, strict=True)
         }
-    return found
+    return results
 
 
 def _gradient_by_chords(
@@ -390,7 +391,7 @@ def _gradient_by_chords(
     energy: bool,
     far: bool,
 ) -> dict[Name, Array]:
-    """Return the derivatives that the transpose of ChordalDebye has; {} if it declines and circles have them all."""
+    """Return the derivatives that the transpose of ChordalDebye has; {} if it declines and circles have them, too."""
     terms = _terms_of(tuple(names))
     kinds: dict[Name, By] = {
         name: by_name(str(name), pupil, far=far, energy=energy) for name in names if name in _BY_SERIES
@@ -406,18 +407,18 @@ def _gradient_by_chords(
             raise ValueError(TERMS_BY_CHORDS) from None
         return {}
     steep = projection.steepest(pupil.layers, pupil.light.model)
-    found: dict[Name, Array] = {}
+    results: dict[Name, Array] = {}
     for (name, one), raw in zip(kinds.items(), sums[1:], strict=False):
-        found[name] = scale * (one.factor * steep[one.which] * raw + one.own * sums[0])
+        results[name] = scale * (one.factor * steep[one.which] * raw + one.own * sums[0])
     by_term = scale * sums[1 + len(kinds) :]
-    found |= {name: by_term[places[term]] for name, term in terms.items()}
+    results |= {name: by_term[places[term]] for name, term in terms.items()}
     for name in SHIFTS.keys() & terms.keys():
-        found[name] = grid.step(pupil) * found[name]
-    return found
+        results[name] = grid.step(pupil) * results[name]
+    return results
 
 
 @lru_cache(maxsize=64)
 def _terms_of(names: tuple[Name, ...]) -> Mapping[Name, Term]:
-    """Return the Zernike terms of names, tilts for shifts."""
+    """Return the Zernike terms by which the names differentiate: a shift is a tilt."""
     each = {name: name if isinstance(name, tuple) else SHIFTS.get(name) or term_of(name) for name in names}
     return MappingProxyType({name: term for name, term in each.items() if term})

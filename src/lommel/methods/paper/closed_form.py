@@ -1,4 +1,4 @@
-"""The paper's closed-form integral solution (CFIS), Eq. 6-14 and 18-23, and the same refined to a tolerance."""
+"""The paper's closed-form integral solution (CFIS), Eq. 6-14 and 18-23, and its refinement to a tolerance."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from lommel.special.erf import AbramowitzErf, Erf, FresnelErf, chirp_moments, un
 from lommel.special.interpolation import chebyshev_powers
 from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, fitted
 
-_WIDTH, _POINTS = 8.0, 24  # of pieces of U, which is then off by less than 1e-15
-_PAYS = 400  # radii times pieces that are worth it
-# Of the tuned form.
-_TRANSITION, _TERMS = 10.0, 10  # of Hankel's expansion, whose remainder is then below 1e-8 of J0
-_SERIES = 28  # terms of the power series up to there, to rounding
-_KERNEL = 1e-10  # error of a chirp's moments, which lose digits where its curvature is small
+_WIDTH, _POINTS = 8.0, 24  # width (v) and number of points of an interpolation of U with an error below 1e-15
+_MIN_SPARED = 400  # radii to be spared by interpolation, times the number of quadratic phases, to save time
+# Constants of the tuned form.
+_TRANSITION, _TERMS = 10.0, 10  # start, and number of terms, of Hankel's expansion: remainder below 1e-8 of J0
+_SERIES = 28  # number of terms of the power series below the transition, for rounding errors only
+_KERNEL = 1e-10  # error of chirp moments, which lose digits if the curvature of the phase is small
 _MAX_SEGMENTS = 4096
 
 
@@ -39,7 +39,7 @@ class ClosedForm(FieldMethod[Pupil]):
     r"""Piecewise Bessel approximation integrated in closed form: approximate, with the paper's parameters.
 
     Supports every pupil: aberrations beyond defocus by piecewise quadratic phases, an obscuration by the difference
-    of two disks. Errors of 20 to 40 % of the peak are intrinsic to Eq. (8) and (9); no bound is claimed.
+    of two disks. Errors of 20 to 40 % of the peak are intrinsic to Eq. (8) and (9); there is no error bound.
 
     Parameters
     ----------
@@ -48,22 +48,22 @@ class ClosedForm(FieldMethod[Pupil]):
     erf : Erf, default FresnelErf()
         `AbramowitzErf` (Eq. 14), `TableErf` (the lookup table the paper proposes) or `FresnelErf` (exact).
     transition : float, default 1
-        Argument at which the power series (6) gives way to the asymptotic form (7).
+        Argument at which the asymptotic form (7) replaces the power series (6).
     terms : int, default 3
-        Terms of the power series (6), 1 to 60.
+        Number of terms of the power series (6), 1 to 60.
     variant : {"corrected", "printed"}, default "corrected"
         "corrected" keeps the factor ``sqrt(2/pi)`` of Eq. (7) in the outer integral of Eq. (12); "printed"
         drops it, as Eq. (12) is printed and as the paper's own figures were made.
     truncate : float, optional
         Optical coordinate v beyond which the PSF is set to zero, as the paper's section 3 suggests.
     segments : int, default 16
-        Number N of quadratic phases in Eq. (17), where there is more than defocus.
+        Number N of quadratic phases in Eq. (17), for pupils with more than defocus.
     split : {"optimal", "linear", "sqrt", "log"}, default "optimal"
-        Where they meet; see :func:`lommel.special.piecewise.split_edges`.
+        Boundaries between quadratic phases; see :func:`lommel.special.piecewise.split_edges`.
     fit : {"interpolation", "least-squares", "sweep"}, default "interpolation"
-        How they are found; see :func:`lommel.special.piecewise.fit_quadratics`.
+        Fitting method of quadratic phases; see :func:`lommel.special.piecewise.fit_quadratics`.
     piston : bool, default True
-        Whether they have the constants gamma_i, which Eq. (17) leaves out.
+        True if quadratic phases include the constants gamma_i, which Eq. (17) omits.
 
     Raises
     ------
@@ -72,7 +72,7 @@ class ClosedForm(FieldMethod[Pupil]):
 
     Notes
     -----
-    Errata of the printed paper, found against adaptive quadrature of its integrands:
+    Errata of the printed paper, found by comparison with adaptive quadrature of its integrands:
 
     =============  ===========================================  ====================================
     equation       printed                                      correct
@@ -88,8 +88,8 @@ class ClosedForm(FieldMethod[Pupil]):
     Eq. 23         exp(-pi/4), exp(+pi/4)                       exp(-i pi/4), exp(+i pi/4)
     =============  ===========================================  ====================================
 
-    All of (21)-(23) reduce to the chirp moments of :func:`lommel.special.erf.chirp_moments`, whose error
-    function has its argument on the rays of +-45 degrees always.
+    All of (21)-(23) reduce to the chirp moments of :func:`lommel.special.erf.chirp_moments`. The arguments of the
+    error function then always lie on the rays at +-45 degrees.
     """
 
     tangent: float = 100.0
@@ -119,33 +119,35 @@ class ClosedForm(FieldMethod[Pupil]):
 
     @classmethod
     def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, **options: Any) -> ClosedForm:
-        """Return the form with the tangent-line centre and the number of erf terms that serve a window best.
+        """Return the form with the best tangent-line centre, and the best number of erf terms, for a window.
 
-        The centre minimises the mean squared error over the window, against :class:`NijboerZernike`: a scan from 1
-        to four times the largest argument, refined around its best. The error function is Eq. (14) with the fewest
-        terms, in fives, that come within one per cent of that minimum; the exact one where 200 do not.
+        The centre minimizes the mean squared error over the window, relative to :class:`NijboerZernike`: it is
+        searched between 1 and four times the largest argument, and refined around the best value. The error function
+        is Eq. (14) with the fewest terms (5, 10, ...) for an error within 1 % of the minimum, or exact if 200 terms
+        do not suffice.
 
         Parameters
         ----------
         pupil : Pupil
             A single pupil.
         shape, pixel
-            As of :func:`lommel.psf`.
+            As for :func:`lommel.psf`.
         **options
-            Of the form, `tangent` and `erf` excepted.
+            Other options of the form, except `tangent` and `erf`.
         """
         from scipy.optimize import minimize_scalar
 
         if checked(pupil).shape != ():
             raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
         if {"tangent", "erf"} & set(options):
-            raise TypeError("options must not name tangent and erf, which are what is looked for")
+            raise TypeError("options must not include tangent or erf, which this method optimizes")
         grid = Grid(shape, pixel)
         grid.require_reach(pupil)
-        # Every radius of a small window, some of a large one; each weighs the pixels from it to the next.
+        # All radii of a small window, or 600 of a large window; each has the weight of the pixels up to the next
+        # radius.
         count = grid.radii.size
-        chosen = np.unique(np.linspace(0, count - 1, min(count, 600)).astype(int))
-        v, weight = grid.v(pupil)[chosen], np.add.reduceat(grid.multiplicity, chosen)
+        subset = np.unique(np.linspace(0, count - 1, min(count, 600)).astype(int))
+        v, weight = grid.v(pupil)[subset], np.add.reduceat(grid.multiplicity, subset)
         exact = NijboerZernike().profile(pupil, v).values[0]
 
         def error(tangent: float, erf: Erf) -> float:
@@ -154,26 +156,26 @@ class ClosedForm(FieldMethod[Pupil]):
 
         scan = np.geomspace(1.0, 4.0 * max(1.0, float(v[-1])), 48)
         start = int(np.argmin([error(float(t), FresnelErf()) for t in scan]))
-        around = np.log(scan[max(0, start - 1)]), np.log(scan[min(scan.size - 1, start + 1)])
-        found = minimize_scalar(
-            lambda x: error(math.exp(x), FresnelErf()), bounds=around, method="bounded", options={"xatol": 1e-3}
+        bounds = np.log(scan[max(0, start - 1)]), np.log(scan[min(scan.size - 1, start + 1)])
+        optimum = minimize_scalar(
+            lambda x: error(math.exp(x), FresnelErf()), bounds=bounds, method="bounded", options={"xatol": 1e-3}
         )
-        least, tangent = min((error(t, FresnelErf()), t) for t in (math.exp(found.x), float(scan[start])))
+        least, tangent = min((error(t, FresnelErf()), t) for t in (math.exp(optimum.x), float(scan[start])))
         for terms in range(5, 205, 5):
             if error(tangent, AbramowitzErf(terms)) <= 1.01 * least:
                 return cls(tangent=tangent, erf=AbramowitzErf(terms), **options)
         return cls(tangent=tangent, erf=FresnelErf(), **options)
 
     def stretch(self, pupil: Pupil) -> float:
-        """Return 8: the form changes at `transition` and where its pieces meet, and is band-limited nowhere."""
+        """Return 8, a nominal value: jumps at `transition` and between pieces make the form not band-limited."""
         return 8.0
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason where powers of rho do not hold the phase."""
+        """Return the reason if the phase must not be expanded in powers of rho, or None."""
         return powers_cancel(pupil)
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at rising v; no bound is claimed."""
+        """Return U at rising v, without an error bound."""
         return self._fields(pupil, v, 1)
 
     def _threaded_profile(self, pupil: Pupil, v: Array, threads: int) -> Intensities:
@@ -191,18 +193,17 @@ class ClosedForm(FieldMethod[Pupil]):
     def sub_integrals(self, defocus: float, v: Array) -> NDArray[np.complex128]:
         r"""Return the integrals of the appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
 
-        Their shape is ``(terms + 3, len(v))``.
-
-        In rho = R / R_max, so ``alpha = 2 C_d``, ``beta = v`` and ``T = transition / v``, at most 1. The first
-        `terms` are 1, 2, 3 ... of the appendix (Eq. 18-20), with their coefficients from Eq. (6); the last three
-        are 4, 5 and 6 (Eq. 21-23), times ``sqrt(2/pi)`` in the corrected variant.
+        The result has the shape ``(terms + 3, len(v))``. With rho = R / R_max, ``alpha = 2 C_d``, ``beta = v`` and
+        ``T = transition / v``, at most 1. The first `terms` rows are the integrals 1, 2, 3 ... of the appendix (Eq.
+        18-20), with the coefficients of Eq. (6). The last three rows are the integrals 4, 5 and 6 (Eq. 21-23), times
+        ``sqrt(2/pi)`` in the corrected variant.
         """
         alpha = 2.0 * defocus
         with np.errstate(divide="ignore", over="ignore"):
             split = np.minimum(self.transition / v, 1.0)
         k = np.arange(self.terms)[:, None]
         factorials = np.array([math.factorial(k) for k in range(self.terms)], dtype=np.float64)[:, None]
-        # In x = R / T, where the powers of v T, at most the transition, cannot overflow.
+        # Variable x = R / T: the powers of v T, which is at most the transition, cannot overflow.
         moments = split**2 * unit_moments(alpha * split**2, self.terms)
         inner = (-0.25 * (v * split) ** 2) ** k / factorials**2 * moments
         outer = np.zeros((3, v.size), dtype=np.complex128)
@@ -215,13 +216,13 @@ class ClosedForm(FieldMethod[Pupil]):
         return np.concatenate([inner, self._factor * outer])
 
     def _disk(self, coefficients: Array, v: Array, threads: int) -> NDArray[np.complex128]:
-        """Return U of full disks: of one piece where there is only defocus, else over segments (Eq. 17)."""
+        """Return U of full disks: with one segment for defocus alone, otherwise over all segments (Eq. 17)."""
         bent = coefficients[:, 1:].any(axis=1)
         mixed = bool(bent.any())
         if mixed and not bent.all():
             out = np.empty((bent.size, v.size), dtype=np.complex128)
-            for some in (bent, ~bent):
-                out[some] = self._disk(coefficients[some], v, threads)
+            for subset in (bent, ~bent):
+                out[subset] = self._disk(coefficients[subset], v, threads)
             return out
         if mixed:
             edges, rows = fitted(coefficients, self.segments, self.split, self.fit, self.piston)
@@ -234,27 +235,27 @@ class ClosedForm(FieldMethod[Pupil]):
 
         if not isinstance(self.erf, FresnelErf):
             return fields(v)
-        # From here on the transition lies in the first segment, and what it adds to U is a function of 1/v that
-        # hardly varies; all else is of exponential type 1.
+        # For v > `start` the transition lies in the first segment. Its contribution to U varies slowly with 1/v; all
+        # other contributions are of exponential type 1.
         alpha, beta = np.abs(rows[:, 0, :2]).max(axis=0).tolist()
         start = max(16.0, self.transition / edges[1], (8.0 * alpha * self.transition**2) ** (1 / 3))
         start = max(start, math.sqrt(6.0 * beta * self.transition))
-        return interpolated(fields, v, start, _WIDTH, threads, spared=_PAYS // rows[..., 0].size)
+        return interpolated(fields, v, start, _WIDTH, threads, spared=_MIN_SPARED // rows[..., 0].size)
 
     @cached_property
     def _bessel(self) -> tuple[Array, NDArray[np.complex128]]:
-        """Where the asymptotic form (Eq. 7) begins, and with the tangent line (Eq. 9) the quadratic that it is."""
+        """Start of the asymptotic form (Eq. 7), and coefficients of its quadratic, with the tangent line (Eq. 9)."""
         a, b = tangent_line(self.tangent)
         return np.array([self.transition]), self._factor * np.array([[1.0, b, a]], dtype=np.complex128)
 
     @property
     def _factor(self) -> float:
-        """The factor of the outer integral: that of Eq. (7), or none."""
+        """Factor of the outer integral: sqrt(2/pi) of Eq. (7), or 1."""
         return math.sqrt(2.0 / math.pi) if self.variant == "corrected" else 1.0
 
 
 def _phase(edges: Array, rows: Array) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
-    """Return phases as the compiled core takes them, U being twice the sum of all integrals."""
+    """Return phases in the layout of the compiled core, in which U is twice the sum of all integrals."""
     alpha, beta = np.ascontiguousarray(rows[..., 0]), np.ascontiguousarray(rows[..., 1])
     return edges, alpha, beta, 2.0 * np.exp(1j * rows[..., 2])
 
@@ -267,7 +268,7 @@ def interpolated(
     threads: int,
     spared: int = 0,
 ) -> NDArray[np.complex128]:
-    """Return fields at rising `v` by pieces of degree 23 from `start` on, if these spare more radii than `spared`."""
+    """Return fields at rising `v`, interpolated from `start` on if this spares more than `spared` radii."""
     near = int(np.searchsorted(v, start))
     pieces = max(1, math.ceil((v[-1] - start) / width)) if near < v.size else 0
     if pieces * _POINTS + spared >= v.size - near:
@@ -283,7 +284,7 @@ def interpolated(
 
 @lru_cache(maxsize=1)
 def _points() -> tuple[Array, Array, Array]:
-    """Return the Chebyshev points of [0, 1], rising; what turns values there into a series; and that into powers."""
+    """Return the Chebyshev points of [0, 1], rising, and the matrices from values to series and series to powers."""
     angles = np.pi * (np.arange(_POINTS)[::-1] + 0.5) / _POINTS
     to_series = 2.0 / _POINTS * np.cos(angles[:, None] * np.arange(_POINTS))
     to_series[:, 0] *= 0.5
@@ -294,14 +295,13 @@ def _points() -> tuple[Array, Array, Array]:
 class TunedClosedForm(FieldMethod[Pupil]):
     r"""The closed form with all approximations refined to meet a tolerance; slower than the default.
 
-    It shows what the closed form can reach: any practical accuracy, at tens of times the cost of
-    :class:`NijboerZernike` or more.
+    It can reach any practical accuracy, in tens of times the time of :class:`NijboerZernike` or more.
 
     Parameters
     ----------
     tol : float, default 1e-4
-        Bound on ``max|I - I_exact| / max I`` over the window, 1e-6 to 1e-1. :class:`ToleranceError` is raised where
-        it cannot be met: near 1e-6, and for phases of hundreds of radians.
+        Bound on ``max abs(I - I_exact) / max I`` over the window, 1e-6 to 1e-1. :class:`ToleranceError` is raised if
+        `tol` cannot be met: near 1e-6, and for phases of hundreds of radians.
 
     Raises
     ------
@@ -313,27 +313,27 @@ class TunedClosedForm(FieldMethod[Pupil]):
     Eq. (8) with the transition at a = 10 and ten terms of Hankel's expansion (DLMF 10.17.3) instead of one; Eq. (9)
     by quadratics at the Chebyshev points of pieces of a that grow geometrically, instead of one tangent line; Eq.
     (17) by interpolation with the constant gamma_i, on ``R_i = (i/S)^(3/4)``; Eq. (13) by real Fresnel integrals.
-    Each piece is then exact. The pieces are chosen from bounds on their interpolation, ``|f'''| h^3 / 192``, so that
+    Each piece is then exact. The pieces are chosen from bounds on their interpolation, ``abs(f''') h^3 / 192``:
 
     - a relative error delta of ``1/sqrt(a)`` changes U by at most ``1.1 delta / sqrt(10)``,
-    - an error of the phase changes U by at most itself.
+    - a phase error changes U by at most the same amount.
 
-    Roundings (1e-10) are estimated, not proven.
+    Rounding errors (1e-10) are estimated, not bounded.
     """
 
     least_tol = 1e-6
     tol: float = 1e-4
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason where powers of rho do not hold the phase."""
+        """Return the reason if the phase must not be expanded in powers of rho, or None."""
         return powers_cancel(pupil)
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at rising v with the bound on its error."""
+        """Return U at rising v with its error bound."""
         return self._fields(pupil, v, self._error(pupil))
 
     def profile(self, pupil: Pupil, v: Array) -> Intensities:
-        """Return I at rising v; the bound is checked against the peak that was found."""
+        """Return I at rising v; the error bound is relative to the computed peak."""
         error = self._error(pupil)
         for _ in range(4):
             intensity, bound = self._intensities(pupil, v, error)
@@ -346,11 +346,11 @@ class TunedClosedForm(FieldMethod[Pupil]):
         )
 
     def _error(self, pupil: Pupil) -> float:
-        """Return the error in U that serves the tolerance, from the peak on a scan of the rays at a tenth of it."""
+        """Return the error of U that `tol` requires, from the peak of a rough profile out to the outermost ray."""
         phases = float(np.abs(pupil.coefficients()).sum(axis=1).max())
-        reach = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
+        largest_v = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
         rough = 0.05 * pupil.area / (2.0 * phases + 1.0)
-        scan = self._fields(pupil, np.linspace(0.0, reach, 48), rough)
+        scan = self._fields(pupil, np.linspace(0.0, largest_v, 48), rough)
         peak = max(float(np.abs(scan.values).max(axis=1).min()), pupil.area / (2.0 * phases + 1.0))
         return 0.2 * self.tol * peak
 
@@ -362,14 +362,14 @@ class TunedClosedForm(FieldMethod[Pupil]):
         return annulus(disk, pupil, v)
 
     def _intensities(self, pupil: Pupil, v: Array, error: float) -> tuple[Array, Array]:
-        """Return I and the bound on U, through pieces where those are fewer than radii."""
+        """Return I and the error bound of U; U is interpolated if this needs fewer radii."""
         width = 4.0 * (0.1 * error * math.factorial(_POINTS)) ** (1.0 / _POINTS)
         bounds = []
 
         def fields(at: Array) -> NDArray[np.complex128]:
             values, bound = self._fields(pupil, at, error)
             assert bound is not None
-            # The Lebesgue constant of the points, and the error of interpolation.
+            # 3.03: Lebesgue constant of the points. The second term is the error of interpolation.
             bounds.append(
                 bound if at is v else 3.03 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
             )
@@ -380,9 +380,9 @@ class TunedClosedForm(FieldMethod[Pupil]):
 
 
 def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.complex128], float]:
-    """Return U of one full disk and the bound on its error."""
-    # Half for the amplitude: |f'''| h^3 / 192 for f = sqrt(a) on [a, r a] is 0.00196 (r - 1)^3 of it, and the slowly
-    # varying P + iQ adds less than a third.
+    """Return U of one full disk, with its error bound."""
+    # The amplitude uses half of the error. For f = sqrt(a) on [a, r a], |f'''| h^3 / 192 is 0.00196 (r - 1)^3 f; the
+    # slowly varying P + iQ adds less than a third.
     delta = 0.5 * error * math.sqrt(_TRANSITION) / 1.1
     ratio = 1.0 + min(0.6, (delta / 0.0026) ** (1.0 / 3.0))
     amplitude = 1.1 / math.sqrt(_TRANSITION) * 0.0026 * (ratio - 1.0) ** 3
@@ -393,8 +393,8 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
         while True:
             if segments > _MAX_SEGMENTS:
                 raise Declined(
-                    f"aberrations of {strength:.3g} rad take {segments} quadratic phases, more than the limit of "
-                    f"{_MAX_SEGMENTS}"
+                    f"aberrations of {strength:.3g} rad need {segments} quadratic phases, more than the limit of "
+                    f"{_MAX_SEGMENTS}; use a larger tol"
                 )
             fit = fit_quadratics(coefficients.tolist(), segments)
             assert fit.bound is not None
@@ -410,10 +410,10 @@ def _field(coefficients: Array, v: Array, error: float) -> tuple[NDArray[np.comp
     return values, amplitude + fit.bound + 4e-9 + _KERNEL * math.sqrt(pieces)
 
 
-def _hankel_pieces(ratio: float, reach: float) -> tuple[Array, NDArray[np.complex128]]:
-    """Return the starts of geometric pieces of x up to `reach`, and a quadratic for x J0(x) on each."""
-    # It is interpolated, from the terms of Hankel's expansion, at the Chebyshev points of the piece.
-    count = max(1, math.ceil(math.log(max(1.0, reach / _TRANSITION)) / math.log(ratio)))
+def _hankel_pieces(ratio: float, largest_v: float) -> tuple[Array, NDArray[np.complex128]]:
+    """Return starts of geometric pieces of x up to `largest_v`, and quadratics for the amplitude of x J0(x)."""
+    # Each quadratic interpolates values of Hankel's expansion at three Chebyshev points of the piece.
+    count = max(1, math.ceil(math.log(max(1.0, largest_v / _TRANSITION)) / math.log(ratio)))
     starts = np.asarray(_TRANSITION * ratio ** np.arange(count), dtype=np.float64)
     x = starts * (0.5 * (1.0 + ratio) + 0.5 * (ratio - 1.0) * np.cos(np.pi * np.array([5, 3, 1]) / 6)[:, None])
     # P + i Q of order 0 (DLMF 10.17): sum_k (i / x)^k a_k with a_k = prod (-(2j-1)^2) / (8 j).

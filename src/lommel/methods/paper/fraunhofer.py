@@ -1,4 +1,4 @@
-"""The padded FFT of the sampled pupil, which the paper compares with."""
+"""The padded FFT of the sampled pupil, with which the paper compares its method."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_MAX_SIDE = 16384
+_MAX_SIDE = 16384  # largest side of an FFT
 
 
 @dataclass(frozen=True)
 class Fraunhofer(Method[Pupil]):
-    r"""Fast Fourier transform of the pupil on a Cartesian grid, its samples exactly on the requested pixels.
+    r"""Fast Fourier transform of the pupil on a Cartesian grid that contains the requested pixel centres.
 
-    Supports every pupil, as long as no light is aliased into the window. The error is of first order in the sample
+    Supports every pupil, if no light is aliased into the window. The error is of first order in the sample
     spacing (edge of the aperture) and not bounded: typically 1e-3 to 1e-2 of the peak with 256 samples.
 
     Parameters
     ----------
     samples : int, default 256
-        Least number of samples across the diameter of the aperture, 8 to 8192.
+        Smallest number of samples across the diameter of the aperture, 8 to 8192.
     padding : float, default 4
-        Least ratio of the FFT's length to `samples`, at least 1.
+        Smallest ratio of the length of the FFT to `samples`, at least 1.
     edge : {"binary", "grey"}, default "binary"
         "binary": a sample is 1 if its centre is clear, else 0; "grey": it is the clear fraction of its cell.
 
@@ -41,10 +41,10 @@ class Fraunhofer(Method[Pupil]):
 
     Notes
     -----
-    The FFT of M samples spaced delta in rho has the spacing ``2 pi / (M delta)`` in v. delta is chosen so that
-    this is the pixel pitch over an integer, hence the transform lands on the pixel centres without
-    interpolation. Light at v appears again at ``v +- 2 pi / delta``; where the geometric blur would reach the
-    window that way, the call is refused. Averages over pixels multiply the spectrum of the intensity by sincs.
+    The FFT of M samples spaced delta in rho has the spacing ``2 pi / (M delta)`` in v. delta is chosen such that
+    this spacing is the pixel pitch divided by an integer: no interpolation to the pixel centres is needed. Light at v
+    appears again at ``v +- 2 pi / delta``; ValueError is raised if the geometric blur would so reach the window.
+    Averages over pixels multiply the spectrum of the intensity by sincs.
     """
 
     apodized = nonradial = any_aperture = True
@@ -58,7 +58,7 @@ class Fraunhofer(Method[Pupil]):
         validation.choice("edge", self.edge, ("binary", "grey"))
 
     def period(self, pupil: Pupil) -> float:
-        """Return the number of samples: the period of the image of any `pupil`, lambda*N."""
+        """Return the period of the image of any `pupil` in units of lambda*N, the number of samples."""
         return float(self.samples)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -67,24 +67,24 @@ class Fraunhofer(Method[Pupil]):
         Raises
         ------
         ValueError
-            If light would be aliased into the window, or if the transform would exceed 16384 squared.
+            If light would be aliased into the window, or if the FFT would be larger than 16384 x 16384.
         """
         from scipy.fft import fft2
 
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
-        # An axis off the default position is a tilt of the pupil (shift theorem).
-        away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
-        tilt = np.exp(-1j * (away[0] * x[:, None] + away[1] * x))
+        # The FFT has its axis at pixel (height // 2, width // 2). A tilt of the pupil shifts it (shift theorem).
+        shift = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
+        tilt = np.exp(-1j * (shift[0] * x[:, None] + shift[1] * x))
         place = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side
         columns = stride * (np.arange(grid.width) - grid.width // 2) % side
         out = np.empty((math.prod(pupil.shape), *grid.shape))
-        for image, given in zip(out, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
+        for image, pupil_function in zip(out, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
             padded = np.zeros((side, side), dtype=np.complex128)
-            # Added, not assigned: without padding the first and the last sample have the same index.
-            np.add.at(padded, np.ix_(place, place), given * tilt)
+            # Sum, not assignment: without padding the first and the last sample have the same index.
+            np.add.at(padded, np.ix_(place, place), pupil_function * tilt)
             field = fft2(padded, overwrite_x=True)
             field = field if grid.integrate else field[np.ix_(rows, columns)]
             intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
@@ -106,27 +106,27 @@ class Fraunhofer(Method[Pupil]):
         self._layout(pupil, grid)
 
     def _layout(self, pupil: Pupil, grid: Grid) -> tuple[int, int, float]:
-        """Return the FFT samples a pixel, the FFT's side, and the spacing of the pupil samples in rho."""
+        """Return the number of FFT samples per pixel, the side of the FFT, and the sample spacing in rho."""
         from scipy.fft import next_fast_len
 
         step = grid.step(pupil)
-        # The intensity has twice the bandwidth of the field: to be averaged it takes twice the padding.
+        # The intensity has twice the bandwidth of the field, so that averages need twice the padding.
         padding = max(self.padding, 2.0) if grid.integrate else self.padding
         stride = max(1, math.ceil(padding * step / math.pi - 1e-9))
-        per_diameter = stride * math.pi / step  # FFT length over pupil samples for which the pitches match
+        per_diameter = stride * math.pi / step  # FFT length / `samples` at which the FFT spacing fits the pixels
         require_samples(self, self.samples, pupil, grid)
-        wanted = max(self.samples * per_diameter, stride * max(grid.shape))
-        if wanted > _MAX_SIDE:
+        length = max(self.samples * per_diameter, stride * max(grid.shape))
+        if length > _MAX_SIDE:
             raise ValueError(
-                f"Fraunhofer would need an FFT of {wanted:.0f}^2 for {self.samples} samples and pixels of "
+                f"Fraunhofer would need an FFT of {length:.0f}^2 for {self.samples} samples and pixels of "
                 f"{grid.side / pupil.scale:.4g} lambda*N, more than the limit of {_MAX_SIDE}^2"
             )
-        side = int(next_fast_len(math.ceil(wanted)))
+        side = int(next_fast_len(math.ceil(length)))
         return stride, side, 2.0 * math.pi * stride / (side * step)
 
 
 def _averaged(intensity: Array, stride: int) -> Array:
-    """Return averages over squares of `stride` samples around each sample: sincs on the spectrum."""
+    """Return averages over squares of `stride` samples around each sample, by sincs on the spectrum."""
     from scipy.fft import irfft2, rfft2
 
     side = len(intensity)

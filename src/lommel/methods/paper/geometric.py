@@ -1,4 +1,4 @@
-"""The ray-optics limit: blur disk, caustics."""
+"""Geometrical optics: ray densities of blur disks and caustics."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from lommel.optics.aperture.shapes import disk_overlap
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, ray_height
 
-_MAX_CELLS = 2**23
+_MAX_CELLS = 2**23  # largest number of cells of the aperture
 
 
 @dataclass(frozen=True)
 class Geometric(Method[Pupil]):
     r"""Geometrical optics: ray density averaged over each pixel, conserving energy exactly.
 
-    Supports every pupil. A ray through rho meets the sensor at ``v = |dPhi/drho|``: defocus makes a uniform disk
-    of radius ``4 |C_d|``, spherical aberration caustics. Diffraction is neglected: it approximates local averages of
-    the PSF, not its values at points, where the blur is many lambda*N wide.
+    Supports every pupil. A ray through rho meets the sensor at ``v = abs(dPhi/drho)``: defocus makes a uniform disk
+    of radius ``4 abs(C_d)``, spherical aberration caustics. Diffraction is neglected. If the blur is many lambda*N
+    wide, the result approximates local averages of the PSF, but not its point values.
 
     Parameters
     ----------
     rings : int, default 8
-        Number of rings per pixel, 1 to 64: the light of each is spread evenly over its area, and each pixel receives
-        exactly the part of the ring that it covers.
+        Number of concentric rings of the image per pixel, 1 to 64. The light of a ring is spread evenly over the
+        ring, and each pixel receives the fraction of the ring that it covers.
 
     Raises
     ------
@@ -58,13 +58,13 @@ class Geometric(Method[Pupil]):
         edges = np.arange(count + 1) / self.rings
         density = light / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
 
-        # The nearest point of each pixel determines the first ring that can touch it.
+        # The nearest point of each pixel determines the first ring that can overlap the pixel.
         nearest = np.hypot(*(np.maximum(np.abs(part) - 0.5, 0) for part in np.meshgrid(rows, columns, indexing="ij")))
         first = np.floor(nearest * self.rings).astype(np.int64)
         pixel = (columns - 0.5, columns + 0.5, (rows - 0.5)[:, None], (rows + 0.5)[:, None])
         image = np.zeros((stack.shape[0], rows.size, columns.size))
         inside = disk_overlap(first / self.rings, *pixel)
-        # A pixel has a diagonal of sqrt 2, and touches no more rings than that.
+        # The diagonal of a pixel, sqrt(2), limits the number of rings that overlap it.
         for k in range(math.ceil(math.sqrt(2.0) * self.rings) + 1):
             ring = np.minimum(first + k, count - 1)
             covered = disk_overlap((first + k + 1) / self.rings, *pixel)
@@ -72,7 +72,7 @@ class Geometric(Method[Pupil]):
             inside = covered
         if grid.centered:
             image = grid.unfold(image)
-        # Density per pixel area to I: all light is 4 pi tau in v^2.
+        # Convert the density per pixel area to I: the integral of I over the plane in v is 4 pi times pupil.area.
         return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
     def _light(self, terms: Array, obscuration: float, width: float, count: int) -> Array:
@@ -80,19 +80,20 @@ class Geometric(Method[Pupil]):
         rho = np.linspace(obscuration, 1.0, 4097)
         height = ray_height(terms[None], rho)[0]
         steepest = float(np.abs(np.diff(height)).max()) / (rho[1] - rho[0])
-        # Cells of the aperture so fine that the rays of each fall into at most two neighbouring rings (5 % to spare).
+        # Cells of the aperture so small that the rays of a cell fall into at most two neighbouring rings (5 %
+        # margin).
         cells = max(4096, math.ceil(1.05 * steepest * (1.0 - obscuration) / width))
         if cells > _MAX_CELLS:
             raise ValueError(
                 f"Geometric would trace {cells:.3g} rays for a blur this large on pixels this small, "
-                f"more than the limit of {_MAX_CELLS}"
+                f"more than the limit of {_MAX_CELLS}; use larger pixels or fewer rings"
             )
         rho = np.linspace(obscuration, 1.0, cells + 1)
         height = np.abs(ray_height(terms[None], rho)[0]) / width
         energy = np.diff(rho**2) / (1.0 - obscuration**2)
         low, high = np.minimum(height[1:], height[:-1]), np.maximum(height[1:], height[:-1])
         ring = np.floor(low)
-        # Fraction of a cell's light beyond the ring of its lowest ray, for rays spread evenly over the cell.
+        # Fraction of the light of a cell beyond the ring of its lowest ray, if rays are spread evenly over the cell.
         spread = high - low
         past = np.maximum(high - ring - 1.0, 0.0)
         beyond = energy * np.minimum(past / np.where(spread > 0, spread, 1.0), 1.0)

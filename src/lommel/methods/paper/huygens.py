@@ -22,9 +22,9 @@ from lommel.optics.wavefront.wavefront import expansion, path
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_MAX_WAVELETS = 10**11  # sources times points of the image
-_MAX_RADIAL = 20_000
-_MAX_SOURCES = 5 * 10**7
+_MAX_WAVELETS = 10**11  # largest number of sources times points of the image
+_MAX_RADIAL = 20_000  # largest number of radii of sources
+_MAX_SOURCES = 5 * 10**7  # largest number of sources
 _BLOCK = 2**22  # wavelets of one call of the core, well below a second, so that Ctrl+C is not delayed
 
 
@@ -49,8 +49,8 @@ class HuygensFresnel(FieldMethod[Pupil]):
     Parameters
     ----------
     symmetry : bool, default True
-        True: one sum for each distinct radius, over one half of the aperture. False: one sum for every pixel,
-        over the whole aperture, O(n^4) for an n x n image.
+        True: one sum over half of the aperture for each distinct radius. False: one sum over the whole aperture for
+        every pixel, O(n^4) for an n x n image.
     nodes : (int, int), optional
         Number of radial Gauss-Legendre nodes in the squared pupil coordinate, and of azimuthal points over the full
         circle. By default chosen for an error of about 1e-10 of the unaberrated field.
@@ -63,10 +63,10 @@ class HuygensFresnel(FieldMethod[Pupil]):
     Notes
     -----
     Paraxial: ``U(r) = 1/(pi R_max^2) int exp(i Phi) (d/l)^2 exp(i k (l - l_0)) dA``, Rayleigh-Sommerfeld diffraction
-    of the first kind. Here ``l = |(x, y, 0) - (r, 0, d)|`` is the distance from a point of the aperture to a point of
-    the sensor, and l_0 the distance to the sensor on the axis (r = 0). The phase Phi at the distance R from the axis
-    is ``k (sqrt(s^2 + R^2) - s)`` for the object at the distance s, less the same for the object in focus, plus the
-    aberrations. J. W. Goodman, *Introduction to Fourier Optics*, 3rd ed., Eq. (3-41).
+    of the first kind. Here l, ``abs((x, y, 0) - (r, 0, d))``, is the distance from a point of the aperture to a point
+    of the sensor, and l_0 the distance to the sensor on the axis (r = 0). The phase Phi at the distance R from the
+    axis is ``k (sqrt(s^2 + R^2) - s)`` for the object at the distance s, minus this phase for the object in focus,
+    plus the aberrations. J. W. Goodman, *Introduction to Fourier Optics*, 3rd ed., Eq. (3-41).
 
     Aplanatic: ``U(x, y) = 1/pi int exp(i Phi) exp(-i k (R_max / d) (x p + y q)) dp dq`` over the points (p, q) of the
     unit disk. M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 8.8.
@@ -91,7 +91,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
         return None
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at ascending v by sums over one half of the aperture (by symmetry); no error bound is claimed."""
+        """Return U at ascending v by sums over one half of the aperture (by symmetry), without an error bound."""
         radii = v * pupil.scale / math.pi
         return FieldValues(self._sums(pupil, radii, np.zeros_like(radii), half=True), None)
 
@@ -126,8 +126,8 @@ class HuygensFresnel(FieldMethod[Pupil]):
         radial, azimuthal = self.nodes or _nodes(pupil, geometry, largest_v)
         if radial > _MAX_RADIAL or radial * azimuthal > _MAX_SOURCES:
             raise ValueError(
-                f"HuygensFresnel would take {radial:.3g} x {azimuthal:.3g} sources in the aperture, more than the "
-                f"limits of {_MAX_RADIAL} radii and {_MAX_SOURCES:.0g} in all"
+                f"HuygensFresnel would need {radial:.3g} x {azimuthal:.3g} sources in the aperture, more than the "
+                f"limits of {_MAX_RADIAL} radii and {_MAX_SOURCES:.0g} in all; use a smaller window or less defocus"
             )
         wavelets = math.prod(pupil.shape) * x.size * radial * azimuthal // (2 if half else 1)
         if wavelets > _MAX_WAVELETS:
@@ -164,7 +164,7 @@ class HuygensFresnel(FieldMethod[Pupil]):
 def exact_phase(pupil: Pupil, geometry: Geometry, t: Array) -> Array:
     """Return the exact phase in the aperture at ``rho^2 = t``, shape ``(n, t)``, for pupil coordinates rho.
 
-    The phase of the pupil, which contains the approximate defocus, is corrected by exact less approximate defocus.
+    The phase of the pupil contains approximate defocus; the difference from exact defocus is added.
     """
     assert pupil.wavelength is not None
     wavenumber = 2.0 * math.pi / pupil.wavelength
@@ -193,8 +193,8 @@ def _nodes(pupil: Pupil, geometry: Geometry, largest_v: float) -> tuple[int, int
     middle = 0.5 * (t[1:] + t[:-1])
     # Bandwidth of the phase in Chebyshev polynomials of t, plus 10 % for orders beyond the Fresnel approximation.
     bandwidth = 1.1 * float((np.sqrt((middle - low) * (1.0 - middle)) * slope).max() + 0.5 * largest_v)
-    digits = 27.6  # log(1e12)
-    # Half of the bandwidth, as Gauss-Legendre rules are exact to twice their number of nodes, and the transition.
+    digits = 27.6  # natural logarithm of 1e12
+    # Half of the bandwidth, since n Gauss-Legendre nodes are exact to degree 2 n - 1, and a transition.
     radial = 0.5 * bandwidth + 0.587 * digits ** (2 / 3) * bandwidth ** (1 / 3) + 0.2 * digits + 4.0
     radial += 0.5 * pupil.illumination.slope
     # Orders of Bessel functions J_n(v) above v vanish after a transition of width v^(1/3).

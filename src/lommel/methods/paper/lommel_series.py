@@ -15,8 +15,8 @@ from lommel.methods.method import FieldMethod, annulus
 from lommel.optics.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 
-_BLOCK = 2**20  # values of J held at once: 8 MiB
-_SMALL = 1.0  # u = 4 |C_d| below which U_n serves within the geometric image (u > v) too, where V_n cancel
+_BLOCK = 2**20  # values of J in memory at a time: 8 MiB
+_SMALL = 1.0  # largest u = 4 |C_d| for which U_n is used in the geometric image (v < u), where V_n would cancel
 
 
 @dataclass(frozen=True)
@@ -27,10 +27,10 @@ class LommelSeries(FieldMethod[Pupil]):
 
     Notes
     -----
-    With ``u = 4 |C_d|``, ``U_n(u, v) = sum_s (-1)^s (u/v)^(n+2s) J_{n+2s}(v)`` is used in the shadow (u <= v),
-    ``V_n(u, v) = sum_s (-1)^s (v/u)^(n+2s) J_{n+2s}(v)`` in the light, so every ratio is at most 1. Near
-    focus (u <= 1) ``(u/v)^m J_m(v)`` is taken as ``(u/2)^m / m! 0F1(; m+1; -v^2/4)`` throughout the light,
-    where the V form would cancel. Measured error: below 2e-14.
+    With ``u = 4 abs(C_d)``, ``U_n(u, v) = sum_s (-1)^s (u/v)^(n+2s) J_{n+2s}(v)`` is used in the geometric shadow
+    (v >= u) and ``V_n(u, v) = sum_s (-1)^s (v/u)^(n+2s) J_{n+2s}(v)`` in the geometric image (v < u), so that all
+    ratios are at most 1. Near focus (u <= 1), ``(u/v)^m J_m(v)`` is computed in the geometric image, where V_n would
+    cancel, as ``(u/2)^m / m! 0F1(; m+1; -v^2/4)``. Measured error: below 2e-14.
 
     References
     ----------
@@ -39,14 +39,14 @@ class LommelSeries(FieldMethod[Pupil]):
     """
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return the reason where anything but defocus is present."""
+        """Return the reason if the pupil has aberrations other than defocus, or None."""
         w = pupil.wavefront
         if np.any(w.spherical) or any(np.any(c) for c in w.higher):
             return "supports defocus only; this pupil has spherical aberration"
         return None
 
     def evaluate(self, pupil: Pupil, v: Array) -> FieldValues:
-        """Return U at rising v; no bound is claimed."""
+        """Return U at rising v, without an error bound."""
         return annulus(_disk, pupil, v)
 
 
@@ -64,7 +64,7 @@ def _field(u: float, v: Array) -> NDArray[np.complex128]:
     """Return U = C + iS for C_d = u/4 >= 0."""
     out = np.empty(v.size, dtype=np.complex128)
     shadow = v >= max(u, 1e-3)
-    out[~shadow] = _near_focus(u, v[~shadow]) if u <= _SMALL else _light(u, v[~shadow])
+    out[~shadow] = _near_focus(u, v[~shadow]) if u <= _SMALL else _geometric_image(u, v[~shadow])
     out[shadow] = _shadow(u, v[shadow])
     return out
 
@@ -83,7 +83,7 @@ def _shadow(u: float, v: Array) -> NDArray[np.complex128]:
     return out
 
 
-def _light(u: float, v: Array) -> NDArray[np.complex128]:
+def _geometric_image(u: float, v: Array) -> NDArray[np.complex128]:
     """Return the field for v < u by V_0 and V_1."""
     out = np.empty(v.size, dtype=np.complex128)
     c, s = math.cos(0.5 * u), math.sin(0.5 * u)
@@ -105,12 +105,12 @@ def _near_focus(u: float, v: Array) -> NDArray[np.complex128]:
 
 
 def _sums(v: Array, ratio: Array, first: int) -> Iterator[tuple[slice, Array, Array]]:
-    """Yield slices of v and, there, ``sum_s (-1)^s ratio^(n + 2s - first) J_{n+2s}(v)`` for n = first, first + 1."""
+    """Yield slices of v, each with ``sum_s (-1)^s ratio^(n + 2s - first) J_{n+2s}(v)``, n = first and first + 1."""
     if not v.size:
         return
-    reach = float(v.max())
+    largest_v = float(v.max())
     # J_n(v) is negligible for n beyond v + O(v^(1/3)), the width of the Airy transition (DLMF 10.19.8).
-    count = int(reach + 12.0 * (reach + 1.0) ** (1.0 / 3.0)) + 40
+    count = int(largest_v + 12.0 * (largest_v + 1.0) ** (1.0 / 3.0)) + 40
     rows = max(1, _BLOCK // count)
     power = np.arange(count - first)
     sign = np.where(power // 2 % 2 == 0, 1.0, -1.0)

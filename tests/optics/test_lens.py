@@ -306,7 +306,7 @@ def test_the_pupil_of_a_number_is_that_of_an_array_of_one_bit_by_bit(model, aber
 
 
 def test_a_focal_length_in_metres_that_may_be_one_in_mm_is_asked_about():
-    asked = r"^focal_length=50 is 50 metres; for 50 mm give focal_length=50e-3\. Of a telescope give aperture"
+    asked = r"^focal_length=50 is 50 metres; for 50 mm give focal_length=50e-3\. For a telescope give aperture"
     with pytest.warns(UserWarning, match=asked) as seen:
         lm.Lens(focal_length=50, f_number=1.8, focus_distance=2000.0, wavelength=550e-9)
     assert seen[0].filename == __file__

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 OfEach = Callable[[Any], Any]
-"""Signature: array of a stack's shape, or stack of wavefronts -> part of it, or the same in another shape."""
+"""Signature: array of a stack's shape, or stack of wavefronts -> a part of it, or the broadcast array or stack."""
 
 
 @dataclass(frozen=True)
 class Geometry:
-    """Distances of a lens, an object and a sensor, metres, which Huygens' superposition needs beside C_d.
+    """Distances of a lens, an object and a sensor, metres; ``HuygensFresnel`` needs them in addition to C_d.
 
     A paraxial lens is stigmatic for the plane in focus, the conjugate of the sensor:
     ``1/focus_distance = 1/focal_length - 1/sensor_distance``. There is one object distance for each pupil of the
@@ -41,7 +41,7 @@ class Geometry:
 
     @property
     def in_focus(self) -> float:
-        """One over the distance in focus, 1/metres; negative for a point behind the lens."""
+        """Inverse of the distance in focus, 1/metres; negative for a point behind the lens."""
         return 1.0 / self.focal_length - 1.0 / self.sensor_distance
 
     @cached_property
@@ -60,7 +60,7 @@ class Geometry:
         return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
 
     def focused(self) -> Geometry:
-        """Return the geometry of one object in focus, behind the lens where its distance is negative."""
+        """Return the geometry of one object in focus; its distance is negative if it is behind the lens."""
         return replace(self, object_distance=(1.0 / self.in_focus if self.in_focus else math.inf,))
 
     def to_dict(self) -> Json:
@@ -81,10 +81,10 @@ class BasePupil(display.Shown):
     # Not an ABC: isinstance would take a tenth of the time of a small PSF; mypy checks abstract methods anyway.
 
     layered: ClassVar[bool] = False
-    """Whether the light comes through plane layers, as in a microscope."""
+    """True if the light comes through plane layers, as in a microscope."""
 
     one_aperture: ClassVar[bool] = True
-    """Whether all pupils of a stack have the same aperture."""
+    """True if all pupils of a stack have the same aperture."""
 
     if TYPE_CHECKING:  # fields of some subclasses, properties of others
 
@@ -98,15 +98,15 @@ class BasePupil(display.Shown):
 
         @property
         def radial(self) -> bool:
-            """Whether the PSF is rotationally symmetric."""
+            """True if the PSF is rotationally symmetric."""
 
         @property
         def circular(self) -> bool:
-            """Whether the aperture is circular or annular."""
+            """True if the aperture is circular or annular."""
 
         @property
         def aperture(self) -> tuple[object, ...]:
-            """Everything that limits or weights the light."""
+            """All parts of the pupil that limit or weight the light."""
 
     @property
     @abstractmethod
@@ -120,23 +120,23 @@ class BasePupil(display.Shown):
 
     @property
     def within_disc(self) -> bool:
-        """Whether the modulus of the pupil function is known to be at most 1 on the unit disk, and 0 beyond."""
+        """True if the modulus of the pupil function is known to be at most 1 on the unit disk, and 0 beyond."""
         return False
 
     @property
     def likely_strehl(self) -> float:
-        """Estimate of the lowest peak of the stack over that without aberration."""
+        """Estimate of the lowest Strehl ratio of the stack."""
         return 1.0
 
     @property
     @abstractmethod
     def transmission(self) -> float:
-        """Transmitted light over that of the clear, unobscured aperture."""
+        """Transmitted light, divided by the light through the clear, unobscured aperture."""
 
     @property
     @abstractmethod
     def likely_peak(self) -> float:
-        """Estimate of the lowest peak of the stack, where searches for an accuracy begin."""
+        """Estimate of the lowest peak of the stack, with which refinements to a tolerance start."""
 
     @abstractmethod
     def geometric_radius(self) -> NDArray[np.float64]:
@@ -157,20 +157,20 @@ class BasePupil(display.Shown):
         return self._each(lambda part: part[index])
 
     def broadcast(self, shape: tuple[int, ...]) -> Self:
-        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
+        """Return the stack broadcast to `shape`, at most 2^28 pupils; TypeError or ValueError if it is impossible."""
         if self.shape == shape:
             return self
-        wanted = validation.stack_shape(shape, self.shape)
+        target = validation.stack_shape(shape, self.shape)
 
         return self._each(
             lambda part: (
-                np.broadcast_to(part, wanted) if isinstance(part, np.ndarray | np.generic) else part.broadcast(wanted)
+                np.broadcast_to(part, target) if isinstance(part, np.ndarray | np.generic) else part.broadcast(target)
             )
         )
 
     @abstractmethod
     def _each(self, of: OfEach) -> Self:
-        """Return the stack with `of` applied to each array and stack of wavefronts that varies in it."""
+        """Return the stack with `of` applied to each array and each stack of wavefronts that varies in the stack."""
 
     @abstractmethod
     def in_light(self, wavelength: float) -> Self:
@@ -190,7 +190,7 @@ class BasePupil(display.Shown):
 
     @property
     def aberrated(self) -> bool:
-        """Whether a measured wavefront is added to the phase of plane layers."""
+        """True if a measured wavefront is added to the phase of plane layers."""
         return False
 
     @property
@@ -200,7 +200,7 @@ class BasePupil(display.Shown):
 
     @property
     def collected(self) -> NDArray[np.float64]:
-        """Collected light over that of an emitter far from the glass; ValueError for a lens."""
+        """Collected light, divided by that of an emitter far from the glass; ValueError for a lens."""
         raise ValueError('normalize="emitted" is for the pupils of an Objective; for a lens use "energy"')
 
     @property
@@ -228,13 +228,13 @@ class BasePupil(display.Shown):
 
     @property
     def cutoff(self) -> float:
-        """Spatial frequency from which no contrast passes, ``1 / (lambda N)``: cycles per metre, or 1."""
+        """Spatial frequency above which the OTF is 0, ``1 / (lambda N)``: cycles per metre, or 1."""
         return 1.0 / self.scale
 
     def v(self, radius: ArrayLike) -> NDArray[np.float64]:
         """Return the optical coordinate ``v = pi radius / (lambda N)`` of each `radius` on the sensor.
 
-        TypeError or ValueError if these are not real and finite.
+        TypeError or ValueError if `radius` is not real and finite.
         """
         at = validation.real_array("radius", radius)
         with np.errstate(over="ignore"):
@@ -242,8 +242,8 @@ class BasePupil(display.Shown):
 
 
 def not_a_pupil(thing: object) -> TypeError:
-    """Return the error for an argument that is not a pupil, with the hint of a class that makes or has one."""
-    # Lens, Objective and PSF say how to get from them to a pupil.
+    """Return the exception for an argument that is not a pupil, with a hint of how to get a pupil from it."""
+    # Lens, Objective and PSF have the text `pupil_hint`.
     hint = getattr(type(thing), "pupil_hint", None) or validation.shown(thing)
     if isinstance(thing, list | tuple) and thing and isinstance(thing[0], BasePupil):
         hint += ": a stack is one Pupil of a Wavefront whose coefficients are arrays"
@@ -251,14 +251,14 @@ def not_a_pupil(thing: object) -> TypeError:
 
 
 def imaged(pupil: object) -> BasePupil:
-    """Return `pupil` if it is one, of a lens or of an objective; TypeError otherwise."""
+    """Return `pupil` if it is the pupil of a lens or of an objective; TypeError otherwise."""
     if isinstance(pupil, BasePupil):
         return pupil
     raise not_a_pupil(pupil)
 
 
 def object_distances(value: float | ArrayLike) -> float | NDArray[np.float64]:
-    """Return distances of objects as floats, one as a float of Python, or raise TypeError or ValueError."""
+    """Return checked object distances, an array or (from a float) a Python float; TypeError or ValueError."""
     if isinstance(value, float) and value >= 1e-150:
         return float(value)
     distance = validation.array("object_distance", value)
@@ -268,7 +268,7 @@ def object_distances(value: float | ArrayLike) -> float | NDArray[np.float64]:
         distance = np.array(distance, dtype=np.float64)
     if distance.size == 0:
         raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
-    bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
-    if bad.any():
-        raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
+    invalid = ~(distance >= 1e-150)  # smaller distances have squared inverses that overflow
+    if invalid.any():
+        raise ValueError(f"object_distance must be > 0 metres, got {distance[invalid].flat[0]}")
     return distance

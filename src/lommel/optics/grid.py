@@ -1,4 +1,4 @@
-"""Pixels, and the optical coordinate of their centres."""
+"""Grids of pixels, and the optical coordinate of the pixel centres."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ class Grid(EqualByContent):
     pixel : float or (float, float)
         Pixel pitch, or the pitches of rows and columns: metres if the pupil has a wavelength, else units of lambda*N.
     center : (float, float) or (array_like, array_like), optional
-        Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
-        pixel ``(height // 2, width // 2)``. Arrays, which broadcast, have an axis for each pupil of a stack.
+        Row and column of the optical axis in pixels, 0 being the centre of the first pixel; by default the centre of
+        pixel ``(height // 2, width // 2)``. Arrays, which broadcast, are the axes of the pupils of a stack.
     integrate : bool, default False
-        Whether values are pixel-integrated or point-sampled at the pixel centres.
+        True: values are pixel-integrated. False: they are point-sampled at the pixel centres.
     fill : float or (float, float), default 1
-        Fill factor: the active fraction of the area of a pixel, around its centre; or those of height and width.
-        Above 0 and at most 1.
+        Fill factor: active fraction of the area of a pixel, around its centre, or active fractions of its height and
+        width. Above 0 and at most 1.
 
     Raises
     ------
@@ -46,9 +46,9 @@ class Grid(EqualByContent):
     Attributes
     ----------
     center : (float, float) or (ndarray, ndarray)
-        Read-only arrays of one shape where there are several.
+        Read-only arrays of equal shape if there are several axes.
     stack : tuple of int
-        Shape of these arrays; ``()`` for one axis for all pupils.
+        Shape of these arrays; ``()`` if all pupils have one axis.
     """
 
     height: int
@@ -78,23 +78,23 @@ class Grid(EqualByContent):
         if fill != (1.0, 1.0) and not integrate:
             raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; average over them")
         stack = () if isinstance(center[0], float) else center[0].shape
-        # As object.__setattr__ of a frozen dataclass would, but all at once.
+        # Like object.__setattr__ for each field of a frozen dataclass, but in one step, which is faster.
         vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
         vars(self)["fill"] = fill
 
     def _content(self) -> tuple[object, ...]:
-        # Arrays have no hash; their bytes have.
+        # Arrays are not hashable, but their bytes are.
         center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center
         return self.height, self.width, self.pixel, self.integrate, self.stack, center, self.fill
 
     def __getitem__(self, index: Index) -> Grid:
-        """Return the pixels around some of several axes, indexed as an array of their shape."""
+        """Return the grid around a part of several axes, indexed as an array of the shape `stack`."""
         if not self.stack:
             raise TypeError("a grid around one axis cannot be indexed")
         return self._around(*(np.asarray(part)[index] for part in self.center))
 
     def broadcast(self, shape: tuple[int, ...]) -> Grid:
-        """Return the pixels around the axes broadcast to `shape`."""
+        """Return the grid around the axes broadcast to `shape`."""
         if self.stack == shape:
             return self
         return self._around(*(np.broadcast_to(part, shape) for part in self.center))
@@ -104,7 +104,7 @@ class Grid(EqualByContent):
 
     @property
     def axes(self) -> Array:
-        """The axis of each pupil, shape (n, 2) with row and column; of shape (1, 2) if all have one."""
+        """Row and column of the axis of each pupil, shape (n, 2), or (1, 2) if all pupils have one axis."""
         return np.stack([np.ravel(part) for part in self.center], axis=1)
 
     @property
@@ -115,7 +115,7 @@ class Grid(EqualByContent):
         return float(row), float(column)
 
     def require_one_axis(self) -> None:
-        """Raise ValueError where each pupil has an axis of its own."""
+        """Raise ValueError if each pupil has its own axis."""
         if self.stack:
             raise ValueError(
                 f"center must be one (row, column) for this method, got arrays of shape {self.stack}; compute each "
@@ -124,7 +124,7 @@ class Grid(EqualByContent):
 
     @property
     def sampled(self) -> Grid:
-        """The same pixels, with a fill factor of 1, as samples of their centres."""
+        """The same pixels, point-sampled at their centres."""
         # The fields are checked already.
         grid = object.__new__(Grid)
         vars(grid).update(self._fields() | {"integrate": False})
@@ -135,12 +135,12 @@ class Grid(EqualByContent):
 
     @property
     def square(self) -> bool:
-        """Whether pixels are square with a fill factor of 1, as methods take them."""
+        """True if pixels are square with a fill factor of 1, as methods require."""
         return isinstance(self.pixel, float) and not self.partly
 
     @property
     def partly(self) -> bool:
-        """Whether the fill factor is below 1."""
+        """True if the fill factor is below 1."""
         return self.fill != (1.0, 1.0)
 
     @property
@@ -161,17 +161,17 @@ class Grid(EqualByContent):
 
     @property
     def symmetric(self) -> bool:
-        """Whether pixels are point-sampled and centered, so that equal distances have equal values."""
+        """True if pixels are point-sampled and centered, so that values at equal distances are equal."""
         return not self.integrate and self.centered
 
     @property
     def centered(self) -> bool:
-        """Whether the axis is at the default position."""
+        """True if the axis is at the default position."""
         return not self.stack and self.center == (self.height // 2, self.width // 2)
 
     @property
     def mirrored(self) -> bool:
-        """Whether the one axis is in the window, in the middle of a pixel or between two, along both sides."""
+        """True if one axis is in the window and, along both sides, at a pixel centre or midway between two."""
         return not self.stack and all(
             0.0 <= c <= side - 1 and 2.0 * c % 1.0 == 0.0 for c, side in zip(self.axis, self.shape, strict=True)
         )
@@ -192,7 +192,7 @@ class Grid(EqualByContent):
         return self._positions(0)
 
     def positions(self, stack: tuple[int, ...]) -> tuple[Array, Array]:
-        """Return x and y of each of a flattened `stack` of images, shapes ``(n, width)`` and ``(n, height)``."""
+        """Return x and y for each image of a flattened `stack`, shapes ``(n, width)`` and ``(n, height)``."""
         count = math.prod(stack)
         x, y = (np.broadcast_to(part, (*stack, part.shape[-1])).reshape(count, -1) for part in (self.x, self.y))
         return x, y
@@ -217,7 +217,7 @@ class Grid(EqualByContent):
         return math.pi * self.side / pupil.scale
 
     def cell(self, pupil: BasePupil) -> float:
-        """Return the area of a pixel in v^2 of a `pupil`, that between active parts included."""
+        """Return the area of a pixel in v^2 of a `pupil`, with its inactive part."""
         if isinstance(self.pixel, float):
             return self.step(pupil) ** 2
         down, across = self.pixel
@@ -225,17 +225,17 @@ class Grid(EqualByContent):
 
     @property
     def side(self) -> float:
-        """Pitch of square pixels; ValueError for others, which no method takes by itself."""
+        """Pitch of square pixels; ValueError for rectangular pixels, which methods do not support."""
         if not isinstance(self.pixel, float):
             raise ValueError(f"pixel must be one number for a Method, got {self.named}; lommel.psf takes two")
         return self.pixel
 
     def reach(self, pupil: BasePupil) -> float:
-        """Return the largest distance from the axis, or what it is at most, in v of a `pupil`."""
+        """Return a bound on the distance of the pixels from the axis, in v of a `pupil`."""
         return self._farthest * math.pi * max(self.pitch) / pupil.scale
 
     def require_reach(self, pupil: BasePupil) -> None:
-        """Raise ValueError if pixels are beyond the largest radius that is computed for a `pupil`."""
+        """Raise ValueError if pixels are beyond the largest radius that can be computed for a `pupil`."""
         v = self.reach(pupil)
         if not v <= validation.MAX_REACH:
             center = (
@@ -246,19 +246,19 @@ class Grid(EqualByContent):
 
     @cached_property
     def _farthest(self) -> float:
-        """Distance of the farthest point of a pixel from the axis, in pixels."""
-        # Averages reach to the corners of pixels.
+        """Largest distance of a point of a pixel from the axis, in pixels."""
+        # Averages extend to the corners of pixels.
         half = 0.5 if self.integrate else 0.0
         sides = zip(self._far_center, self.shape, strict=True)
         return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
 
     @cached_property
     def _far_center(self) -> tuple[float, float]:
-        """The one of several centres with the farthest pixel."""
+        """The centre with the farthest pixel, of several centres."""
         if not self.stack:
             return self.axis
         (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)
-        # The farthest corner of a window from each axis.
+        # Distance of the farthest corner of the window from each axis.
         away = np.hypot(np.abs(row - far_row) + far_row, np.abs(column - far_column) + far_column)
         return self[np.unravel_index(int(away.argmax()), self.stack)].axis
 
@@ -267,13 +267,13 @@ class Grid(EqualByContent):
         return math.pi / pupil.scale * self.radii
 
     def unfold(self, quadrant: NDArray[_Number]) -> NDArray[_Number]:
-        """Return images from a `quadrant` of each, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis on."""
+        """Return images from one quadrant each, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis outwards."""
         rows = np.abs(np.arange(self.height) - self.height // 2)
         columns = np.abs(np.arange(self.width) - self.width // 2)
         return quadrant[..., rows[:, None], columns]
 
     def paint(self, values: Array, scale: Array, out: NDArray[np.float32] | Array, threads: int = 0) -> None:
-        """Write images times `scale` into `out`, from `values` at the distinct radii, ``(n, radii)``, or images."""
+        """Write images times `scale` to `out`; `values` are images, or at the distinct radii ``(n, radii)``."""
         if values.ndim == 3:
             out[:] = values * scale[:, None, None]
         else:
@@ -282,7 +282,7 @@ class Grid(EqualByContent):
 
 @lru_cache(maxsize=8)
 def _quadrant(height: int, width: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    # Squares of distances are whole numbers, so that equal distances are equal exactly.
+    # Squared distances are integers, so that equal distances are exactly equal.
     squares, index = engine.distinct_radii(height // 2, width // 2)
     squares.flags.writeable = index.flags.writeable = False
     return squares, index

@@ -41,7 +41,7 @@ def aperture(focal_length: float, f_number: float | None, aperture_diameter: flo
 
 
 def sensor(focal_length: float, focus_distance: float | None, sensor_distance: float | None) -> float:
-    """Return the sensor distance, metres, from at most one of it and the object distance in focus."""
+    """Return the sensor distance, metres, from the object distance in focus (by default infinity) or as given."""
     if focus_distance is not None and sensor_distance is not None:
         raise ValueError(
             "give at most one of focus_distance and sensor_distance, "
@@ -60,8 +60,8 @@ def sensor(focal_length: float, focus_distance: float | None, sensor_distance: f
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
-_LONG = 1.0  # metres; photographic lenses as long as this are mirrors with an obscuration
-_VISIBLE = (380e-9, 780e-9)
+_LONG = 1.0  # metres; longer photographic lenses are mirrors with an obscuration
+_VISIBLE = (380e-9, 780e-9)  # metres
 _OF_PUPIL = ("obscuration", "wavelength", "spider", "vignetting", "mask", "stop")
 _Numbers = float | NDArray[np.float64]
 
@@ -73,20 +73,20 @@ class Lens(display.Shown):
     Parameters
     ----------
     focal_length : float
-        Metres, positive.
+        Focal length, metres; positive.
     f_number, aperture_diameter : float
-        Exactly one: focal length over diameter, or the diameter in metres.
+        Exactly one: focal length divided by aperture diameter, or the aperture diameter in metres.
     focus_distance, sensor_distance : float
         At most one: the object distance in focus (default infinity; must exceed the focal length), or the
         distance of the sensor behind the lens.
     wavelength : float
-        Metres.
+        Wavelength, metres.
     obscuration : float, default 0
-        Central obscuration over aperture radius.
+        Radius of the central obscuration divided by the radius of the aperture.
     aberrations : Wavefront, default none
-        Added to the defocus of every object distance.
+        Wavefront that is added to the defocus of every object distance.
     spider, vignetting, mask, stop : optional
-        Aperture, as of :class:`lommel.Pupil`; phases of segments at the wavelength of the lens.
+        Aperture, as for :class:`lommel.Pupil`; phases of segments at the wavelength of the lens.
     model : {"paraxial", "aplanatic"}, default "paraxial"
         "paraxial": spheres are approximated by parabolas (the paper's Eq. 1-3). "aplanatic": the exact path
         difference between reference spheres of a lens that obeys Abbe's sine condition: rays reach the axial point of
@@ -99,10 +99,10 @@ class Lens(display.Shown):
         point, where the sine of the angle is rho times ``aperture radius / focus distance`` (the object is displaced,
         as in microscopes).
     apodization : float, Apodization or "aplanatic", default 0
-        Amplitude across the pupil, as of :class:`lommel.Pupil`. "aplanatic", for an aplanatic lens only, is
+        Amplitude across the pupil, as for :class:`lommel.Pupil`. "aplanatic", for an aplanatic lens only, is
         ``cos(theta)^(-1/2)``, theta being the angle of the model: the amplitude ``cos(theta)^(1/2)`` of an evenly lit
         entrance pupil on the reference sphere, divided by ``cos(theta)`` of the solid angle (Richards and Wolf 1959,
-        scalar part, doi:10.1098/rspa.1959.0200). Isotropic emission has the same.
+        scalar part, doi:10.1098/rspa.1959.0200). Isotropic emission has the same amplitude.
     colour : Colour, optional
         Axial and lateral colour: how focal length and size of the image change with the wavelength.
 
@@ -113,9 +113,9 @@ class Lens(display.Shown):
 
     Notes
     -----
-    ``dataclasses.replace(lens, aberrations=wavefront)`` is the same lens with another wavefront; so with any other
-    argument, but ``aperture_diameter`` and ``sensor_distance`` in place of `f_number` and `focus_distance`, for which
-    there are :meth:`stopped` and :meth:`focused`.
+    ``dataclasses.replace(lens, aberrations=wavefront)`` is the same lens with another wavefront. Other arguments are
+    replaced likewise, except `f_number` and `focus_distance`: replace ``aperture_diameter`` and ``sensor_distance``,
+    or use :meth:`stopped` and :meth:`focused`.
 
     Warns
     -----
@@ -197,18 +197,18 @@ class Lens(display.Shown):
             colour=colour,
         )
         validation.optional("colour", colour, Colour)
-        # Shapes that leave nothing clear are refused here, not at the first pupil.
+        # Shapes that leave nothing clear raise ValueError here, not at the first pupil.
         Pupil(obscuration=self.obscuration, spider=spider, vignetting=vignetting, mask=mask, stop=stop)
         visible = _VISIBLE[0] <= self.wavelength <= _VISIBLE[1]
         if f > _LONG and f_number is not None and visible and not self.obscuration:
             warnings.warn(
-                f"focal_length={f:g} is {f:g} metres; for {f:g} mm give focal_length={f:g}e-3. Of a telescope give "
+                f"focal_length={f:g} is {f:g} metres; for {f:g} mm give focal_length={f:g}e-3. For a telescope give "
                 "aperture_diameter instead of f_number",
                 stacklevel=2,
             )
         if model == "aplanatic":
-            self.phase(0.0)  # refuses a rim that the sine condition excludes
-        self.pupil_colour  # noqa: B018 (refuse a wavelength beyond the table now)
+            self.phase(0.0)  # ValueError if the sine condition excludes the rim
+        self.pupil_colour  # noqa: B018 (ValueError now for a wavelength beyond the table)
 
     def __repr__(self) -> str:
         focus = self.focus_distance
@@ -225,18 +225,18 @@ class Lens(display.Shown):
 
     @property
     def f_number(self) -> float:
-        """Focal length over aperture diameter, as engraved on the lens."""
+        """Focal length divided by aperture diameter, as engraved on the lens."""
         return self.focal_length / self.aperture_diameter
 
     @property
     def working_f_number(self) -> float:
-        """Sensor distance over aperture diameter: the N of lambda*N."""
+        """Sensor distance divided by aperture diameter: the N of lambda*N."""
         return self.sensor_distance / self.aperture_diameter
 
     @property
     def focus_distance(self) -> float:
-        """Object distance in focus, metres; infinite or negative where the sensor is at or inside the focal plane."""
-        # A sensor in the focal plane to rounding: infinity, not 1e16 metres.
+        """Object distance in focus, metres; infinite or negative if the sensor is at or inside the focal plane."""
+        # A sensor in the focal plane, up to rounding errors, has infinity in focus, not 1e16 metres.
         vergence = 1.0 / self.focal_length - 1.0 / self.sensor_distance
         return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
 
@@ -246,19 +246,19 @@ class Lens(display.Shown):
         TypeError or ValueError unless the distance is a number above the focal length.
         """
         s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
-        moved: dict[str, Any] = {"focus_distance": s, "sensor_distance": None}
-        return replace(self, **moved)
+        changes: dict[str, Any] = {"focus_distance": s, "sensor_distance": None}
+        return replace(self, **changes)
 
     def stopped(self, f_number: float) -> Lens:
         """Return the lens stopped down to another f-number, as engraved, with the sensor in place.
 
-        Wavefront and amplitude are those of the central part of the aperture; obscuration and vanes keep their size,
-        larger over the smaller radius.
+        The wavefront and the amplitude are restricted to the central part of the aperture. Obscuration and vanes keep
+        their size, which is larger relative to the smaller radius.
 
         Parameters
         ----------
         f_number : float
-            Focal length over aperture diameter.
+            Focal length divided by aperture diameter.
 
         Raises
         ------
@@ -270,13 +270,13 @@ class Lens(display.Shown):
         ratio = stop / self.f_number
         if self.vignetting or self.mask or self.stop:
             raise ValueError(
-                "f_number of a lens with vignetting, a mask or a stop of another shape cannot change, for these are "
-                "stated over the radius of the aperture: make a lens with those of the other f-number"
+                "f_number of a lens with vignetting, a mask or a stop of another shape cannot change, since these "
+                "are relative to the radius of the aperture; make a lens with the parts for the other f-number"
             )
         light, flat = self.apodization, not self.aberrations.edge.any()
         shaped = isinstance(light, Apodization) and not light.uniform
-        for there, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
-            if there and ratio < 1.0 - 1e-9:
+        for present, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
+            if present and ratio < 1.0 - 1e-9:
                 raise ValueError(
                     f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its {what} known, "
                     f"got f/{stop:g}"
@@ -284,13 +284,13 @@ class Lens(display.Shown):
         if isinstance(light, Apodization):
             light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
         elif isinstance(light, float):
-            # exp(-g rho^2) in metres is the same; over a radius smaller by 1 / ratio, g is smaller by its square.
+            # exp(-g rho^2) stays the same in metres: if the radius is divided by `ratio`, g is divided by its square.
             light = light / ratio**2
         return replace(
             self,
             aperture_diameter=aperture(self.focal_length, stop, None),
             apodization=light,
-            # The same metres over a smaller radius.
+            # The same size in metres, relative to a smaller radius.
             obscuration=self.obscuration * ratio,
             aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
             spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
@@ -316,15 +316,15 @@ class Lens(display.Shown):
         )
 
     def defocus(self, object_distance: ArrayLike | None = None) -> NDArray[np.float64]:
-        """Return the defocus coefficient C_d of objects, radians, by default of one in focus.
+        """Return the defocus coefficient C_d of objects, radians, by default of an object in focus.
 
         ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, for an object at the distance s). Positive
-        where the sensor, at d, lies between the lens and the image. Paraxial, without the aberrations of the lens.
+        if the sensor, at d, lies between the lens and the image. Paraxial, without the aberrations of the lens.
 
         Parameters
         ----------
         object_distance : array_like, optional
-            Metres from the lens, may be infinite.
+            Object distances, metres from the lens; may be infinite.
 
         Returns
         -------
@@ -334,7 +334,7 @@ class Lens(display.Shown):
         Raises
         ------
         TypeError, ValueError
-            If a distance is not above 0; without one, if no object is in focus.
+            If a distance is not above 0, or if none is given and no object is in focus.
         """
         return np.asarray(self._defocus(self._object_distance(object_distance)))
 
@@ -369,9 +369,9 @@ class Lens(display.Shown):
         return wavefront.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
     def phase_rate(self, reach: float) -> float:
-        """Return a bound on the range of Im phase across the pupil per Im C_d, for ``|C_d|`` up to `reach` radians.
+        """Return a bound on the range of Im phase across the pupil per Im C_d, for abs(C_d) up to `reach` radians.
 
-        2 for a paraxial lens, slightly more for an aplanatic one, infinite where no bound is known.
+        2 for a paraxial lens, slightly more for an aplanatic lens, infinite if no bound is known.
         """
         if self.model == "paraxial":
             return 2.0
@@ -384,7 +384,7 @@ class Lens(display.Shown):
         """Amplitude across the pupil."""
         if not isinstance(self.apodization, str):
             return illumination(self.apodization)
-        # (cos theta)^(-1/2) of the sine condition, sin theta = rho R_max / d on the reference sphere.
+        # (cos theta)^(-1/2) with the sine condition sin theta = rho R_max / d on the reference sphere.
         return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
 
     @cached_property
@@ -398,12 +398,12 @@ class Lens(display.Shown):
         Parameters
         ----------
         object_distance : array_like, optional
-            Metres from the lens, may be infinite. By default the distance in focus.
+            Object distances, metres from the lens; may be infinite. By default the distance in focus.
 
         Raises
         ------
         TypeError, ValueError
-            If a distance is not above 0 or does not broadcast with the aberrations; without one, if none is in focus.
+            If a distance is not above 0 or does not broadcast with the aberrations, or if there is none in focus.
         """
         s = self._object_distance(object_distance)
         wavefront = self._phase(self._defocus(s))
@@ -445,7 +445,7 @@ class Lens(display.Shown):
             value = focus = self.focus_distance
             if focus < 0.0:
                 raise ValueError(
-                    "object_distance must be given: no object is in focus, for the sensor at "
+                    "object_distance must be given: no object is in focus, since the sensor at "
                     f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
                 )
         return object_distances(value)

@@ -53,10 +53,10 @@ class Pupil(BasePupil):
     vignetting : Ellipse or CatEye, optional
         Vignetting by a second edge.
     mask : Mask, optional
-        Amplitude transmission and phase, sampled over the aperture. The pupil function is then that of its samples.
+        Amplitude transmission and phase, sampled over the aperture; these samples then represent the pupil function.
     stop : Shape or Segments, optional
         Clear region within the unit disc, by default all of it: a shape, or segments with phases, whose path
-        differences are independent of wavelength. See ``lommel.telescopes`` for those of telescopes.
+        differences are independent of wavelength. See ``lommel.telescopes`` for the apertures of telescopes.
     colour : PupilColour, optional
         Change of wavefront and distances with the wavelength, set by a :class:`lommel.Lens` with colour.
 
@@ -91,7 +91,7 @@ class Pupil(BasePupil):
     colour: PupilColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
-    # Fields are faster than properties, and read several times in a PSF that takes microseconds.
+    # Fields, not properties, for speed: a PSF takes microseconds and reads them several times.
     radial: bool = field(init=False, repr=False, compare=False)
     aperture: tuple[object, ...] = field(init=False, repr=False, compare=False)
 
@@ -100,8 +100,8 @@ class Pupil(BasePupil):
         validation.optional("geometry", self.geometry, Geometry)
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         light = illumination(self.apodization)
-        kept = light if isinstance(self.apodization, Apodization) else light.slope
-        vars(self).update(obscuration=eps, illumination=light, apodization=kept)
+        parameters = light if isinstance(self.apodization, Apodization) else light.slope
+        vars(self).update(obscuration=eps, illumination=light, apodization=parameters)
         if (self.wavelength is None) != (self.f_number is None):
             raise ValueError(
                 "wavelength and f_number must be given together (sensor in metres) or not at all "
@@ -117,7 +117,7 @@ class Pupil(BasePupil):
             return
         from lommel.optics.aperture.mask import Mask
 
-        validation.optional("mask", self.mask, Mask)  # Opening checks the others
+        validation.optional("mask", self.mask, Mask)  # Opening checks the other parts
         if self.area < 1e-12:
             parts = {name: part for name in _PARTS[:4] if (part := getattr(self, name)) is not None}
             listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
@@ -231,11 +231,11 @@ class Pupil(BasePupil):
         """
         wavelength = validation.wavelength(wavelength)
         if self.wavelength is None:
-            raise ValueError("wavelength and f_number of the pupil must be given, to see it in other light; got None")
+            raise ValueError("wavelength and f_number of the pupil must be given to change the wavelength, got None")
         if self.phase_mask and wavelength != self.wavelength:
             raise ValueError(
-                "mask must be real to see the pupil in other light: phases of a complex one are those at one "
-                "wavelength; add images of pupils with the mask for each"
+                "mask must be real to change the wavelength of the pupil: phases of a complex mask are those at one "
+                "wavelength; add images of pupils with a mask for each wavelength"
             )
         wavefront, geometry = same_path(self.wavefront, self.wavelength, wavelength), self.geometry
         if self.colour is not None:
@@ -293,7 +293,7 @@ class Pupil(BasePupil):
         return out
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return the largest distance of a ray from the axis on the sensor, from ``max |grad phase|``."""
+        """Return the largest distance of a ray from the axis on the sensor, from ``max abs(grad phase)``."""
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
             blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
@@ -323,7 +323,7 @@ class Pupil(BasePupil):
     def _longest_gradient(
         self, x: Array, y: Array, tip: float | Array = 0.0, tilt: float | Array = 0.0
     ) -> NDArray[np.float64]:
-        """Return ``max |grad Phi|`` over points, shape (n,), by central differences, with the slopes of segments."""
+        """Return ``max abs(grad Phi)`` over points, (n,), by central differences, with the slopes of segments."""
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
@@ -333,7 +333,7 @@ class Pupil(BasePupil):
         return np.asarray(np.hypot(across + tip, down + tilt).max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
-        """Return a copy with another `wavefront`, `geometry` and optionally `wavelength`; TypeError."""
+        """Return a copy with these attributes; TypeError if `wavefront` is not a Wavefront."""
         validation.instance("wavefront", wavefront, Wavefront)
         return changed(
             self,
@@ -351,7 +351,7 @@ class Pupil(BasePupil):
         if self.phase_mask:
             mask = self.mask
             assert mask is not None
-            # Rounded moduli may exceed 1.
+            # Moduli may exceed 1 by a rounding error.
             pupil = replace(pupil, mask=type(mask)(np.minimum(np.abs(mask.values), 1.0), mask.squares))
         return pupil
 
@@ -396,14 +396,14 @@ def _variances(terms: tuple[tuple[int, int], ...]) -> Array:
 
 @lru_cache(maxsize=8)
 def _samples(opening: Opening, mask: Mask) -> Rule:
-    """Return the cells of a mask inside the aperture; weights are amplitude times covered area over pi."""
+    """Return the cells of a mask inside the aperture; weights are amplitude times covered area / pi."""
     from lommel.optics.aperture.mask import cell_centers
     from lommel.optics.aperture.opening import Rule
 
     at = cell_centers(mask.side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
     # Amplitude times covered area: certificate, section 18, "The light of a mask".
-    weight = np.abs(mask.values) * np.where(part > 1e-9, part, 0.0)  # less is rounding
+    weight = np.abs(mask.values) * np.where(part > 1e-9, part, 0.0)  # smaller fractions are rounding errors
     rows, columns = np.nonzero(weight)
     return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
 
@@ -419,7 +419,7 @@ def _sampled_rows(opening: Opening, mask: Mask) -> RowRule:
 
 @lru_cache(maxsize=64)
 def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
-    """Return ``(1/pi) int (T A)^power dx dy``, T: amplitude of the mask, A: of the light; ``int T`` at power 0."""
+    """Return ``(1/pi) int (T A)^power dx dy`` for amplitudes T of the mask and A of the light; power 0: ``int T``."""
     if mask is None:
         from lommel.optics.aperture.opening import degree_needed
 
@@ -427,7 +427,7 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
-        # The amplitude of a cell is that of the mask times the covered fraction; power applies to the product.
+        # The amplitude of a cell is the one of the mask times the covered fraction; power applies to the product.
         weight = weight * (0.25 * math.pi * mask.side**2 * weight) ** (max(power, 1.0) - 1.0)
     return float(weight @ light.at(x * x + y * y, power))
 
@@ -446,7 +446,7 @@ def checked(pupil: object) -> Pupil:
 
 @dataclass(frozen=True)
 class FieldPupil(BasePupil):
-    """A stack of pupils with equal scale and different apertures, flattened in C order; `places` is its shape."""
+    """Pupils with equal scale and different apertures, flattened in C order; `places` is the shape of the stack."""
 
     pupils: tuple[Pupil, ...]
     places: tuple[int, ...]
@@ -459,7 +459,7 @@ class FieldPupil(BasePupil):
             validation.instance("pupils", pupil, Pupil)
         scales = {(pupil.shape, pupil.wavelength, pupil.f_number) for pupil in self.pupils}
         if len(self.pupils) != math.prod(self.places) or len(scales) != 1 or scales.pop()[0] != ():
-            raise ValueError(f"pupils must be single, of one scale, and as many as the shape {self.places} holds")
+            raise ValueError(f"pupils must be single pupils of one scale, one for each place of shape {self.places}")
         for name in ("wavelength", "f_number", "illumination"):
             object.__setattr__(self, name, getattr(self.pupils[0], name))
 

@@ -198,7 +198,7 @@ class AbramowitzErf(Erf):
                 g = 2.0 * x * cosh * sin + n * sinh * cos
                 total = total + 2.0 / np.pi * (f + 1j * g) / (n * n + 4.0 * x * x)
         if not np.all(np.isfinite(total)):
-            raise OverflowError(f"Eq. (14) overflows doubles at z={at[~np.isfinite(total)].unit[0]}")
+            raise OverflowError(f"Eq. (14) overflows doubles at z={at[~np.isfinite(total)].flat[0]}")
         return np.asarray(side * total)
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:

@@ -95,7 +95,7 @@ def test_in_other_light_the_period_is_in_proportion():
     pupil = Pupil(mask=ONES, wavelength=500e-9, f_number=4.0)
     white = lm.psf(pupil, 9, 1e-6, method=lm.Polychromatic([400e-9, 500e-9]))
     assert white.encircled_energy(16 * 0.79 * 2e-6) < 1.0
-    with pytest.raises(ValueError, match=r"repeats, here every 25\.6 lambda"):
+    with pytest.raises(ValueError, match=r"repeats every 25\.6 lambda"):
         white.encircled_energy(16 * 0.81 * 2e-6)
 
 

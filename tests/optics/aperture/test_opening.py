@@ -210,7 +210,7 @@ def test_astigmatism_in_the_middle_is_a_bessel_function():
 
 
 def test_a_degree_beyond_the_limit_is_refused():
-    with pytest.raises(ValueError, match=f"polynomials of a degree over {MAX_DEGREE}"):
+    with pytest.raises(ValueError, match=f"polynomials of a degree above {MAX_DEGREE}"):
         degree_needed([(4, 1e9)], 1.0, lm.Apodization(), 1e-6)
 
 

@@ -307,20 +307,20 @@ def test_segments_have_phases_about_their_centres():
         (lambda: Disc(1.0, 0.5), TypeError, r"center must be a pair \(x, y\), got 0.5"),
         (lambda: Ellipse(0.5, 0.5, 0.0, (0, math.inf)), ValueError, r"center\[1\] must be finite"),
         (lambda: Polygon(((0, 0), (1, 0))), ValueError, "corners must be 3 to 256 pairs"),
-        (lambda: Polygon(((0, 0), (1, 0), (2, 0))), ValueError, "corners must be those of a convex polygon"),
+        (lambda: Polygon(((0, 0), (1, 0), (2, 0))), ValueError, "corners must be the corners of a convex polygon"),
         (lambda: Polygon(((0, 0), (1, 1), (2, 2))), ValueError, "convex polygon, not on a line"),
-        (lambda: Polygon(((0, 0), (1, 0), (0.2, 0.2), (0, 1))), ValueError, "corners must be those of a convex"),
-        (lambda: Polygon(((0, 0), (1, 1), (1, 0), (0, 1))), ValueError, "corners must be those of a convex polygon"),
-        (lambda: Polygon(((0, 0), (1, 0), (1, 0), (0, 1))), ValueError, "corners must be those of a convex polygon"),
+        (lambda: Polygon(((0, 0), (1, 0), (0.2, 0.2), (0, 1))), ValueError, "corners must be the corners of a convex"),
+        (lambda: Polygon(((0, 0), (1, 1), (1, 0), (0, 1))), ValueError, "corners must be the corners of a convex polygon"),
+        (lambda: Polygon(((0, 0), (1, 0), (1, 0), (0, 1))), ValueError, "corners must be the corners of a convex polygon"),
         (lambda: Polygon(tuple((math.cos(4 * k), math.sin(4 * k)) for k in range(5))), ValueError, "convex polygon"),
         (lambda: Polygon(((0, 0), (1, math.nan), (0, 1))), ValueError, "corners must be finite, got nan"),
         (lambda: Polygon(((0, 0), (2e3, 0), (0, 1))), ValueError, "corners must be within 1000 radii"),
-        (lambda: Polygon.strip((0, 0), (0, 0), 0.1), ValueError, "end must be apart from start"),
+        (lambda: Polygon.strip((0, 0), (0, 0), 0.1), ValueError, "end must differ from start"),
         (lambda: Segments(()), ValueError, "shapes must be 1 to 4096 shapes"),
         (lambda: Segments((Disc(), 3)), TypeError, r"shapes\[1\] must be a shape"),
-        (lambda: Segments((Disc(),), piston=(1.0, 2.0)), ValueError, r"piston must be one number a segment, 1"),
+        (lambda: Segments((Disc(),), piston=(1.0, 2.0)), ValueError, r"piston must have one number for each of 1 segments"),
         (lambda: Segments((Disc(),), tip=(math.nan,)), ValueError, "tip must be finite, got nan"),
-        (lambda: Segments.hexagonal(2, 0.5), ValueError, "gap must leave something of the segments"),
+        (lambda: Segments.hexagonal(2, 0.5), ValueError, "gap must leave some area of the segments"),
         (lambda: Segments.hexagonal(8, 0.4), ValueError, "gap must .* rings=8 it must be below 0.125, got 0.4"),
         (lambda: Segments.hexagonal(2, -0.01), ValueError, "gap must be >= 0, got -0.01"),
         (lambda: Segments.hexagonal(1).phased([1.0, 2.0]), ValueError, "piston must be a number, or one for"),
@@ -347,7 +347,9 @@ def test_parts_wholly_beyond_the_rim_are_refused():
         r"must be made of parts that reach the aperture, got Disc\(radius=0.3, center=\(1.8, 0.0\)\) wholly beyond"
     )
     for stop in (Disc() - metres, Disc(0.5) | metres, Disc() - (Disc(0.2) | metres)):
-        with pytest.raises(ValueError, match=f"stop {words} its rim; lengths are over the radius of the aperture"):
+        with pytest.raises(
+            ValueError, match=f"stop {words} its rim; lengths are divided by the radius of the aperture"
+        ):
             Pupil(stop=stop)
     with pytest.raises(ValueError, match=f"other {words}"):
         Segments.hexagonal(2) - metres
@@ -368,7 +370,9 @@ def test_parts_far_around_the_aperture_are_refused():
         Disc(0.5) | metres,
         Polygon.strip((-0.5, 0.0), (0.5, 0.0), 0.1) & metres,
     ):
-        with pytest.raises(ValueError, match=f"stop must be made of parts with {words} lengths are over the radius"):
+        with pytest.raises(
+            ValueError, match=f"stop must be made of parts with {words} lengths are divided by the radius"
+        ):
             Pupil(stop=stop)
     with pytest.raises(ValueError, match=f"other .* {words}"):
         Segments.hexagonal(2) - metres

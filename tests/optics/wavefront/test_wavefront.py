@@ -391,5 +391,5 @@ def test_annular_terms_may_be_a_stack_and_have_limits():
     np.testing.assert_allclose(stack.to_zernike(order="noll", unit="waves", obscuration=0.5)[7], [0.1, 0.2])
     with pytest.raises(ValueError, match="obscuration must be"):
         Wavefront.zernike({(2, 0): 1.0}, obscuration=1.0)
-    with pytest.raises(ValueError, match=r"order m = 0 up to n = 60 over an obscuration of 0\.9 are nearly linearly dependent"):
+    with pytest.raises(ValueError, match=r"order m = 0 up to n = 60 over an .* are nearly linearly"):
         Wavefront.zernike({(60, 0): 1.0}, obscuration=0.9)

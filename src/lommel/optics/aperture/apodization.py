@@ -6,7 +6,7 @@ at the rim of the pupil (rho = 1),
 
 ``(1 - s^2 t) (1 + q)^2 = 1 - 2 q x + q^2,  log(1 - 2 q x + q^2) = -2 sum_(k>=1) q^k T_k(x) / k .``
 
-The remainder of the logarithm of the amplitude after the term K is at most ``|p| q^(K+1) / ((K+1) (1 - q))``.
+The remainder of the logarithm of the amplitude after the term K is at most ``abs(p) q^(K+1) / ((K+1) (1 - q))``.
 
 References
 ----------
@@ -72,8 +72,8 @@ class Apodization:
         if len(powers) > _MAX_POWERS:
             raise ValueError(f"powers must be at most {_MAX_POWERS}, got {len(powers)}")
         largest = max(map(abs, powers), default=0.0)
-        # Powers above 1e11 would need Chebyshev coefficients above the limit. They are refused without computing
-        # these, which might overflow.
+        # Powers above 1e11 have Chebyshev coefficients above the limit. These are not computed, since they might
+        # overflow.
         exponent = np.array([0.0 if largest > 1e11 else _constant(powers), *powers])
         size = largest if largest > 1e11 else float(np.abs(_chebyshev(exponent, 0.0)).sum())
         if not size <= _MAX_EXPONENT * (1.0 + 1e-12):
@@ -90,7 +90,7 @@ class Apodization:
 
     @classmethod
     def cosine(cls, sine: float, power: float) -> Apodization:
-        """Return ``cos(theta)^power`` over its largest value, ``sin(theta) = sine * rho``, `sine` from 0 to below 1.
+        """Return ``cos(theta)^power`` divided by its maximum, ``sin(theta) = sine * rho``, `sine` 0 to below 1.
 
         The exponent is a series in rho^2 of at most ten terms; `error` bounds its truncation and rounding. TypeError
         or ValueError if the sine or the `power` is out of range.
@@ -107,7 +107,7 @@ class Apodization:
         # Series of log(1 - 2 q x + q^2) and its tail: certificate, section 5, "An amplitude".
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
-        # As many terms as rounding can hold, ten at most.
+        # The fewest terms with a truncation error below rounding errors, ten at most.
         degree = 1 + next((i for i in range(_MAX_POWERS) if tails[i] <= _ROUNDING * abs(series[0])), _MAX_POWERS - 1)
         # Coefficients of t^j in T_k(2t - 1): integers, exact.
         rows = [Chebyshev.basis(i, domain=[0.0, 1.0]).convert(kind=Polynomial).coef for i in range(degree + 1)]
@@ -119,7 +119,7 @@ class Apodization:
 
     @classmethod
     def zernike(cls, terms: Mapping[int, float]) -> Apodization:
-        """Return ``exp(sum of terms[n] (n + 1)^(1/2) R_n^0(rho))`` over its largest value.
+        """Return ``exp(sum of terms[n] (n + 1)^(1/2) R_n^0(rho))`` divided by its maximum.
 
         Parameters
         ----------
@@ -154,16 +154,16 @@ class Apodization:
 
     @property
     def uniform(self) -> bool:
-        """Whether the amplitude is 1 everywhere."""
+        """True if the amplitude is 1 everywhere."""
         return not self.powers
 
     @property
     def slope(self) -> float:
-        """Bound on the derivative of the exponent with respect to t, from which quadratures choose their nodes."""
+        """Bound on the derivative of the exponent with respect to t; determines numbers of quadrature nodes."""
         return float(sum(k * abs(g) for k, g in enumerate(self.powers, 1)))
 
     def value(self, rho: ArrayLike) -> Array:
-        """Return the amplitude at `rho`, radii over that of the aperture; ValueError unless these are from 0 to 1."""
+        """Return the amplitude at `rho`, radii divided by the aperture radius; ValueError unless from 0 to 1."""
         at = validation.real_array("rho", rho, least=0.0, most=1.0)
         return self.at(at * at)
 
@@ -190,9 +190,9 @@ class Apodization:
         return area if g < 1e-12 else math.exp(-g * low) * -math.expm1(-g * area) / g
 
     def growth(self, cosh: Array, low: float = 0.0) -> Array:
-        """Return a bound on ``log |amplitude|`` for complex t in Bernstein ellipses with foci `low` and 1.
+        """Return a bound on ``log(abs(amplitude))`` for complex t in Bernstein ellipses with foci `low` and 1.
 
-        `cosh` are the major semi-axes of the ellipses over half of the distance between the foci.
+        `cosh` are the major semi-axes of the ellipses, divided by half of the distance between the foci.
         """
         # For a Chebyshev series a_k of the exponent: |T_k| <= T_k(cosh) on the ellipse, so that the log amplitude is
         # at most -a_0 + sum of |a_k| T_k(cosh) over k >= 1.

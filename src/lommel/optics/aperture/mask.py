@@ -1,4 +1,4 @@
-"""Masks: transmission sampled over the square around the aperture."""
+"""Masks: complex transmission sampled over the square around the aperture."""
 
 from __future__ import annotations
 
@@ -19,20 +19,21 @@ from lommel.base.cached import EqualByContent
 
 # 8192^2 complex cells take 1 GiB.
 MAX_SIDE = 8192
-_MOST_POINTS = 64  # sample points along each side of a cell
-_BAND = 2**24  # points evaluated at a time
-_OF_PHASES = "those of a map of phases in radians are np.exp(1j * phase)"
+_MOST_POINTS = 64  # largest number of sample points along each side of a cell
+_BAND = 2**24  # largest number of points evaluated at a time
+_OF_PHASES = "for a map of phases in radians give np.exp(1j * phase)"
 
 
 @dataclass(frozen=True, eq=False)
 class Mask(EqualByContent):
     """Transmission sampled over the square around the aperture: apodizers, phase plates, phase screens, modulators.
 
-    The amplitude of a cell is its value times the part of it inside the aperture. As samples of a function (the
-    default) images are sums over the samples. These repeat every `side` lambda*N along x and y, and one period around
-    the axis holds all light: windows and circles that reach beyond it are refused, and halos of seeing. As `squares`
-    the pupil function is constant on each cell, with the phase that the wavefront has in its middle: the same sums
-    times ``sinc(v_x / side) sinc(v_y / side)``, for every window. Either is exact, and has an error bound.
+    The amplitude of a cell is its value times the fraction of the cell inside the aperture. By default the values are
+    samples of a function, and images are sums over the samples. These images repeat every `side` lambda*N along x and
+    y, and one period around the axis contains all light: windows, circles and halos of seeing beyond it raise
+    ValueError. With `squares` the pupil function is constant on each cell, with the phase of the wavefront at its
+    centre: the field is the same sum times ``sinc(v_x / side) sinc(v_y / side)``, in every window. Both images are
+    exact, with an error bound.
 
     Parameters
     ----------
@@ -41,13 +42,13 @@ class Mask(EqualByContent):
         [-1, 1]: real, 0 to 1, or complex, of modulus at most 1; a phase map is ``exp(1j * phase)``. Rows rise with y,
         columns with x. side is 2 to 8192.
     squares : bool, default False
-        Whether values are those of square cells, as of a spatial light modulator, rather than samples.
+        True: values of square cells, as of a spatial light modulator. False: samples of a function.
 
     Raises
     ------
     TypeError, ValueError
-        If the array is not square, holds anything but numbers of modulus at most 1, or zeros only; negative ones must
-        be given as complex.
+        If the array is not square, has values other than numbers of modulus at most 1, or has zeros only. Negative
+        values must be complex.
 
     Examples
     --------
@@ -83,14 +84,14 @@ class Mask(EqualByContent):
             self._keep(np.ascontiguousarray(real) + 0.0)
 
     def _keep(self, values: Values) -> None:
-        """Keep values of the right shape, finite and not negative, without a copy."""
+        """Store values of the right shape, finite and not negative, without a copy."""
         most = float(np.abs(values).max())
         if most > 1.0 + (1e-12 if values.dtype.kind == "c" else 0.0):  # moduli of rounded cosine and sine exceed 1
             raise ValueError(f"values must have a modulus from 0 to 1, got {most:.15g}; {_OF_PHASES}")
         if most == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
         values.flags.writeable = False
-        # Masks are keys of caches: comparing a digest is as good as comparing gigabytes.
+        # Masks are keys of caches: digests are compared instead of gigabytes of values.
         digest = hashlib.sha256(repr((values.shape, values.dtype.kind, self.squares)).encode())
         digest.update(values.data)
         vars(self).update(values=values, _digest=digest.digest())
@@ -104,53 +105,53 @@ class Mask(EqualByContent):
         Parameters
         ----------
         function : callable
-            Takes x of shape (1, n) and y of shape (n, 1), and returns transmissions or booleans.
+            Function of x, shape (1, n), and y, shape (n, 1), that returns transmissions or booleans.
         side : int
-            Cells along each side of the square, 2 to 8192.
+            Number of cells along each side of the square, 2 to 8192.
         squares : bool, default False
-            As of :class:`Mask`.
+            As for :class:`Mask`.
         oversample : int, default 1
-            Each cell is the mean of so many points along each side, 1 to 64: its centre alone by default. Cells that
-            an edge crosses are then partly clear, which brings the PSF closer to that of the shape. Fractions of the
-            light (``normalize="energy"``) do not gain: light is the square of the mean amplitude of a cell, as it is
-            of those that the rim of the aperture crosses.
+            Number of points along each side of a cell, 1 to 64, over which the function is averaged; by default the
+            centre only. Cells that an edge crosses are then partly clear, which brings the PSF closer to the exact
+            PSF of the shape. Fractions of the light (``normalize="energy"``) do not improve: the light of a cell is
+            the square of its mean amplitude, also if the rim of the aperture crosses the cell.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or the function returns something else.
+            If an argument is out of range, or if the function returns other values.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
-        times = validation.integer("oversample", oversample, least=1, most=_MOST_POINTS)
+        points = validation.integer("oversample", oversample, least=1, most=_MOST_POINTS)
         validation.function("function", function)
-        at = cell_centers(n * times)
-        # A band of rows at a time: all points at once would take gigabytes.
-        band = max(1, _BAND // (n * times * times))
+        at = cell_centers(n * points)
+        # One band of rows at a time: all points together would need gigabytes.
+        band = max(1, _BAND // (n * points * points))
         rows = []
         for start in range(0, n, band):
-            part = at[start * times : (start + band) * times]
-            found = validation.array("function", function(at[None, :], part[:, None]))
+            part = at[start * points : (start + band) * points]
+            returned = validation.array("function", function(at[None, :], part[:, None]))
             try:
-                whole = np.broadcast_to(found, (len(part), n * times))
+                whole = np.broadcast_to(returned, (len(part), n * points))
             except ValueError:
                 raise ValueError(
-                    f"function must return a number, or values of the shape ({len(part)}, {n * times}) that x and y "
-                    f"broadcast to, got shape {found.shape}"
+                    f"function must return a number, or values of the shape ({len(part)}, {n * points}) that x and y "
+                    f"broadcast to, got shape {returned.shape}"
                 ) from None
-            if times > 1:
-                whole = whole.reshape(-1, times, n, times).mean(axis=(1, 3))
+            if points > 1:
+                whole = whole.reshape(-1, points, n, points).mean(axis=(1, 3))
             rows.append(whole)
         return cls(np.concatenate(rows), squares)
 
     @property
     def side(self) -> int:
-        """Samples along each side."""
+        """Number of samples along each side."""
         return len(self.values)
 
     def at(self, x: Array, y: Array) -> Values:
-        """Return the transmission of the cell that each point (`x`, `y`) lies in, 0 outside of the square.
+        """Return the transmission of the cell that contains each point (`x`, `y`), 0 outside of the square.
 
-        TypeError or ValueError if these are not real and finite.
+        TypeError or ValueError if coordinates are not real and finite.
         """
         # Clipped: coordinates far outside would overflow the conversion to integers.
         x, y = (np.clip(validation.real_array(name, part), -2.0, 2.0) for name, part in (("x", x), ("y", y)))
@@ -170,7 +171,7 @@ class Mask(EqualByContent):
         return f"Mask(<{self.side} x {self.side} {kind}, mean {self.values.mean():.4g}>)"
 
     def to_dict(self) -> Json:
-        """Return the values in plain types: little-endian float64, complex ones as pairs, deflated, as base64."""
+        """Return plain types: values as little-endian float64 (complex: pairs), deflated, in base64."""
         given = {"complex": True} if self.values.dtype.kind == "c" else {}
         data = zlib.compress(self.values.astype("<c16" if given else "<f8").tobytes(), 6)
         kept = {"side": self.side, "values": base64.b64encode(data).decode("ascii"), **given}
@@ -178,10 +179,10 @@ class Mask(EqualByContent):
 
     @classmethod
     def from_dict(cls, description: Json) -> Mask:
-        """Rebuild a mask from a `description` by :meth:`to_dict`; KeyError, TypeError or ValueError if it is none."""
+        """Rebuild a mask from a `description` by :meth:`to_dict`; KeyError, TypeError or ValueError if invalid."""
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
         packed = base64.b64decode(description["values"], validate=True)
-        # Unpacked in place: with a copy beside it a small file would take a gigabyte.
+        # Decompressed in place: a second copy might need another gigabyte.
         kind = np.complex128 if validation.truth("complex", description.get("complex", False)) else np.float64
         values, unpack, at = np.empty((side, side), kind), zlib.decompressobj(), 0
         place = values.data.cast("B")
@@ -196,11 +197,11 @@ class Mask(EqualByContent):
             values = values.byteswap()
         if not np.isfinite(values).all() or (kind is np.float64 and not values.min() >= 0.0):
             raise ValueError("values must be finite, and >= 0 unless they are complex")
-        made = object.__new__(cls)
-        vars(made)["squares"] = validation.truth("squares", description.get("squares", False))
+        mask = object.__new__(cls)
+        vars(mask)["squares"] = validation.truth("squares", description.get("squares", False))
         values += 0.0  # no -0
-        made._keep(values)
-        return made
+        mask._keep(values)
+        return mask
 
 
 def cell_centers(side: int) -> Array:

@@ -1,8 +1,8 @@
-r"""The clear part of an aperture, and quadrature over it with a proven error.
+r"""The clear region of an aperture, and quadrature over it with a proven error bound.
 
-An aperture is a disc less an obscuration and vanes, within vignetting and other shapes. Lines of constant y cut it in
-intervals; Gauss-Legendre rules along these, and across them between the places where edges meet, converge
-geometrically (`cpp/include/lommel/aperture`). All weights are positive and all nodes where light passes.
+An aperture is a disc minus an obscuration and vanes, limited by vignetting and other shapes. Lines of constant y cut
+the aperture into intervals. Gauss-Legendre rules along the intervals, and across them between the intersections of
+edges, converge geometrically (`cpp/include/lommel/aperture`). All weights are positive, and all nodes are clear.
 """
 
 from __future__ import annotations
@@ -34,19 +34,19 @@ from lommel.optics.aperture.shapes import (
 )
 
 _EXACT = 1e-14  # relative error of rules for measures
-_APART = 1e-10  # area over pi up to which segments may overlap, by rounding
+_OVERLAP = 1e-10  # largest overlap of segments (area / pi) that is taken for a rounding error
 _STEP = 16  # degrees are rounded up to multiples of this, so that similar requests share nodes
 MAX_DEGREE = 2**12
 """Highest degree of a quadrature rule."""
 
 
 class Rule(NamedTuple):
-    """Nodes and weights of ``(1/pi) int dx dy`` over a clear aperture; the weights sum to its area over pi.
+    """Nodes and weights of ``(1/pi) int dx dy`` over a clear aperture; the sum of the weights is its area / pi.
 
     Parameters
     ----------
     x, y : ndarray, shape (n,)
-        In units of the radius of the pupil.
+        Nodes, in units of the radius of the pupil.
     weight : ndarray, shape (n,)
     """
 
@@ -55,7 +55,7 @@ class Rule(NamedTuple):
     weight: Array
 
 
-# Sizes of the complex neighbourhood: each proves a bound, the best is taken.
+# Sizes b of the complex neighbourhood: each gives a bound, and the smallest bound is used.
 _B = np.geomspace(1e-3, 4.0, 192)
 
 
@@ -74,24 +74,24 @@ def degree_needed(
     terms of degree n_j and amplitude W_j at the edge is bounded by
     ``M(b) = exp(sum_j W_j sinh(n_j b) + v sinh(b) + a(cosh 2 b))``, b > 0 the size of the complex neighbourhood and
     a the growth of the amplitude A, :meth:`lommel.Apodization.growth`. A rule with positive weights that is exact to
-    the degree E errs in U by at most ``2 sum_{n > E} (n + 1)^1.5 M(b) (1 + e^{-2 b}) e^{-n b}``; the best b is taken.
-    One that is exact but for a relative error adds that, and the product of both.
+    degree E has an error of U of at most ``2 sum_{n > E} (n + 1)^1.5 M(b) (1 + e^{-2 b}) e^{-n b}``; the best b is
+    used. A relative error of the rule itself adds this error, and the product of both errors.
 
     Parameters
     ----------
     terms : iterable of (int, float)
-        Degree n_j and amplitude W_j in radians of each Zernike term; of cosine and sine together the root of the
-        sum of squares.
+        Degree n_j and amplitude W_j in radians of each Zernike term; for a cosine and a sine together, the amplitude
+        is the root of the sum of squares.
     v : float
-        The largest ``|v|`` of the image.
+        Largest abs(v) of the image.
     light : Apodization
-        The amplitude.
+        Amplitude across the pupil.
     error : float
         Largest error of U, relative to U(0) = 1 of the unaberrated disc.
     power : float, default 1
         Power of the amplitude.
     radius : float, default 1
-        Radius of the disc around the axis of the amplitude that holds the unit disc of the integrand.
+        Radius of the disc around the axis of the amplitude that contains the unit disc of the integrand.
 
     Returns
     -------
@@ -100,7 +100,7 @@ def degree_needed(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or no degree up to the largest suffices.
+        If an argument is out of range, or if no degree up to `MAX_DEGREE` suffices.
     """
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
@@ -112,7 +112,7 @@ def degree_needed(
         with np.errstate(over="ignore"):  # phases so large that no degree suffices
             growth = growth + amplitude * np.sinh(np.minimum(n * _B, 700.0))
 
-    def holds(degree: int) -> bool:
+    def suffices(degree: int) -> bool:
         # Sum of (n + 1)^(3/2) exp(-n b) from degree + 1 on: a geometric series with this ratio bounds it.
         ratio = (1.0 + 1.0 / (degree + 2)) ** 1.5 * np.exp(-_B)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -121,23 +121,23 @@ def degree_needed(
         return bool(bound.min() <= math.log(error))
 
     # Powers of two first, then bisection: the bound falls with the degree.
-    high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if holds(2**k)), None)
+    high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if suffices(2**k)), None)
     if high is None:
         raise ValueError(
-            f"aberrations and a window of v = {v:.4g} this large take polynomials of a degree over {MAX_DEGREE}; "
-            "a window of fewer or smaller pixels, or less aberration, takes fewer"
+            f"aberrations and a window of v = {v:.4g} this large need polynomials of a degree above {MAX_DEGREE}; "
+            "use fewer or smaller pixels, or smaller aberrations"
         )
-    return bisect_left(range(high), True, lo=high // 2 + 1, key=holds)
+    return bisect_left(range(high), True, lo=high // 2 + 1, key=suffices)
 
 
 @dataclass(frozen=True)
 class Opening:
-    """The region where light passes: the unit disc less obscuration and vanes, within vignetting and a stop.
+    """The clear region: the unit disc minus obscuration and vanes, limited by vignetting and a stop.
 
     Parameters
     ----------
     obscuration : float, default 0
-        Radius of the central obscuration divided by that of the pupil, 0 to below 1.
+        Radius of the central obscuration divided by the radius of the pupil, 0 to below 1.
     spider : Spider, optional
     vignetting : Ellipse or CatEye, optional
     stop : Shape or Segments, optional
@@ -166,7 +166,7 @@ class Opening:
 
     @property
     def circular(self) -> bool:
-        """Whether it is a disc or an annulus."""
+        """True if the region is a disc or an annulus."""
         return self.spider is None and self.vignetting is None and self.stop is None
 
     @property
@@ -176,7 +176,7 @@ class Opening:
         return tuple(self._within(stop) for stop in stops)
 
     def _within(self, stop: Shape | None) -> Shape:
-        # Everything outside of the unit disc is blocked, whatever the parts are.
+        # The unit disc limits all apertures, whatever their other parts are.
         clear: Shape = Disc() if stop is None else Disc() & stop
         if self.vignetting is not None:
             clear = clear & self.vignetting
@@ -190,31 +190,34 @@ class Opening:
         return self.stop.phases if isinstance(self.stop, Segments) else np.zeros((1, 3))
 
     def phase(self, x: Array, y: Array) -> Array | float:
-        """Return the phase of the segments at points (`x`, `y`), radians; 0 where there are none."""
+        """Return the phase of the segments at points (`x`, `y`), radians; 0 without segments."""
         return self.tilted(x, y)[0] if isinstance(self.stop, Segments) else 0.0
 
     def tilted(self, x: Array, y: Array) -> Array:
         """Return the phase of the segments at points (`x`, `y`), and its slopes along x and y, shape ``(3, ...)``.
 
-        Between segments, that of the nearest one.
+        Points between segments have the phase of the nearest segment.
         """
-        which, best = np.zeros((2, *np.broadcast_shapes(x.shape, y.shape)))
+        index, largest_margin = np.zeros((2, *np.broadcast_shapes(x.shape, y.shape)))
         # The margin of the nearest segment is the largest: positive inside, minus the distance outside.
         if isinstance(self.stop, Segments):
-            best -= np.inf
+            largest_margin -= np.inf
             for i, part in enumerate(self.stop.shapes):
                 margin = part.margin(x, y)
-                which, best = np.where(margin > best, i, which), np.maximum(margin, best)
-        return _phased(self.phases[which.astype(np.intp)], x, y)
+                index, largest_margin = (
+                    np.where(margin > largest_margin, i, index),
+                    np.maximum(margin, largest_margin),
+                )
+        return _phased(self.phases[index.astype(np.intp)], x, y)
 
     def tilted_nodes(self, degree: int) -> Array:
-        """Return the same at the nodes of the rule to a `degree`, :meth:`rule`, shape (3, nodes)."""
+        """Return :meth:`tilted` at the nodes of the :meth:`rule` for a `degree`, shape (3, nodes)."""
         nodes = [rule.nodes for rule in _exact_rows(self, degree)]
         x, y, _ = np.concatenate(nodes, axis=1)
         return _phased(np.repeat(self.phases, [part.shape[1] for part in nodes], axis=0), x, y)
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return the signed margin at (`x`, `y`), positive where light passes, slope at most 1; or a ValueError."""
+        """Return the signed margin at (`x`, `y`): positive in the clear region, slope at most 1; or ValueError."""
         return self._margin(validation.real_array("x", x), validation.real_array("y", y))
 
     def _margin(self, x: Array, y: Array) -> Array:
@@ -228,7 +231,7 @@ class Opening:
     def coverage(self, x: Array, y: Array, half: float) -> Array:
         """Return the clear fraction of square cells with centres (`x`, `y`) and side twice `half`.
 
-        Exact but for rounding. TypeError or ValueError if an argument is not real and finite, or `half` not above 0.
+        Exact up to rounding. TypeError or ValueError if an argument is not real and finite, or `half` not above 0.
         """
         x, y = validation.real_array("x", x), validation.real_array("y", y)
         half = validation.real("half", half, above=0.0)
@@ -241,15 +244,15 @@ class Opening:
         return np.asarray(sum(parts)).reshape(across.shape)
 
     def rule(self, degree: int) -> Rule:
-        """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if that is too large.
+        """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if it is too large.
 
-        Off by at most 1e-14 of the clear area over pi for polynomials that are at most 1 on the unit disc, and by
-        rounding.
+        For polynomials of modulus at most 1 on the unit disc the error is at most 1e-14 of the clear area / pi, plus
+        rounding errors.
         """
         return _nodes(self, validation.integer("degree", degree, least=0, most=4 * MAX_DEGREE))
 
     def rows(self, degree: int, error: float) -> tuple[engine.RowRule, ...]:
-        """Return the rule of each region, off by at most `error` for polynomials at most 1 on the unit disc.
+        """Return the rule of each region, with this error at most for polynomials of modulus 1 on the unit disc.
 
         `degree` is rounded up to a multiple of 16, `error` down to a power of ten.
         """
@@ -266,14 +269,14 @@ def _raster(opening: Opening) -> Array:
     x, y = np.concatenate([*lines, np.stack(_nodes(opening, 64)[:2], axis=-1)]).T
     clear = opening.margin(x, y) >= -1e-9
     x, y = x[clear], y[clear]
-    found = np.stack([x, y, *(opening.tilted(x, y)[1:] if opening.phases.any() else np.zeros((2, x.size)))])
-    found.flags.writeable = False
-    return found
+    points = np.stack([x, y, *(opening.tilted(x, y)[1:] if opening.phases.any() else np.zeros((2, x.size)))])
+    points.flags.writeable = False
+    return points
 
 
 def _phased(phases: Array, x: Array, y: Array) -> Array:
-    still, tip, tilt = np.moveaxis(phases, -1, 0)
-    return np.stack([still + tip * x + tilt * y, tip, tilt])
+    piston, tip, tilt = np.moveaxis(phases, -1, 0)
+    return np.stack([piston + tip * x + tilt * y, tip, tilt])
 
 
 @lru_cache(maxsize=32)
@@ -283,9 +286,9 @@ def _rows(opening: Opening, degree: int, power: int) -> tuple[engine.RowRule, ..
 
 
 def _exact_rows(opening: Opening, degree: int) -> tuple[engine.RowRule, ...]:
-    """Return rules with errors of at most `_EXACT` of the clear area over pi."""
+    """Return rules with errors of at most `_EXACT` of the clear area / pi."""
     rules = opening.rows(degree, _EXACT)
-    # The error is absolute; for a small opening it is asked again relative to its area.
+    # The error is absolute. For a small opening the rules are computed again, with an error relative to the area.
     area = sum(rule.weight for rule in rules)
     return opening.rows(degree, _EXACT * area) if 0.0 < area < 0.1 else rules
 
@@ -299,21 +302,21 @@ def _require_reach(stop: Shape) -> None:
 def _require_apart(shapes: tuple[Shape, ...]) -> None:
     """Raise ValueError if segments overlap, or have no point within the rim."""
     for i, part in enumerate(shapes):
-        if not listed(Disc() & part).rule(0, _APART).weight > 0.0:
+        if not listed(Disc() & part).rule(0, _OVERLAP).weight > 0.0:
             raise ValueError(
                 "segments must have points within the unit disc; leave out "
                 f"shapes[{i}] = {validation.shown(part)}, which has none"
             )
-    # Outlines are points on edges: an arc bulges between two of 48 points by less than a hundredth of its size.
+    # Outlines are points on edges: an arc extends beyond the box of 48 points by less than a hundredth of its size.
     boxes = np.array([[f(np.concatenate(part.outline(48)), axis=0) for f in (np.min, np.max)] for part in shapes])
     wide = 0.01 * (boxes[:, 1] - boxes[:, 0])
     low, high = boxes[:, 0] - wide, boxes[:, 1] + wide
-    # Only pairs whose boxes meet: the intersection of each pair is a quadrature.
+    # Only pairs whose boxes meet: a pair takes a quadrature over the intersection.
     for i, part in enumerate(shapes):
         near = np.all((low[i] <= high[:i]) & (low[:i] <= high[i]), axis=-1)
         for j in np.flatnonzero(near):
-            common = listed(Disc() & part & shapes[j]).rule(0, _APART).weight
-            if common > _APART:
+            common = listed(Disc() & part & shapes[j]).rule(0, _OVERLAP).weight
+            if common > _OVERLAP:
                 raise ValueError(
                     f"segments must not overlap, got shapes[{j}] and shapes[{i}] with an area of "
                     f"{common * math.pi:.3g} in common"

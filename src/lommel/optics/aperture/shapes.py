@@ -1,7 +1,7 @@
-"""Shapes that apertures are made of: ellipses, convex polygons, and their unions, intersections and differences.
+"""Shapes of apertures: ellipses, convex polygons, and their unions, intersections and differences.
 
-Lengths are over the radius of the aperture; x rises with the columns of the image, y with the rows, angles are from x
-to y. `margin` of a shape is positive inside and changes by at most the distance between two points.
+Lengths are divided by the radius of the aperture. x increases with the columns of the image and y with the rows;
+angles are measured from x to y. The `margin` of a shape is positive inside, and its slope is at most 1.
 """
 
 from __future__ import annotations
@@ -22,20 +22,20 @@ from lommel.base.cached import cached_property
 from lommel.core import engine
 
 MAX_VANES = 64
-_FAR = 1000.0
-_FARTHEST = _FAR + 1.0  # of a centre, so that a disc of the largest radius may still reach the aperture
+_FAR = 1000.0  # largest radius, semi-axis or coordinate of a shape
+_FARTHEST = _FAR + 1.0  # largest coordinate of a centre: a disc of the largest radius may still reach the aperture
 _MOST_CORNERS = 256
 _MOST_SEGMENTS = 4096
-_AT_ONCE = 2**24  # cells times parts
-_LEAST = 1e-10  # error of areas over pi
-_BOTH, _EITHER, _WITHOUT = -1, -2, -3  # codes of the compiled core for and, or, and not
-_PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # more than any aperture
+_AT_ONCE = 2**24  # largest number of cells times parts in memory at a time
+_LEAST = 1e-10  # error of areas / pi
+_BOTH, _EITHER, _WITHOUT = -1, -2, -3  # codes of the compiled core for intersection, union and difference
+_PLANE = np.array([[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]])  # square that contains every aperture
 _Part = TypeVar("_Part")
 _STEPS = {"&": _BOTH, "|": _EITHER, "-": _WITHOUT}
 
 
 class Shape:
-    """A region of the pupil plane; ``a | b`` is a union of two, ``a & b`` what they share, ``a - b`` a without b."""
+    """A region of the pupil plane; ``a | b`` is a union, ``a & b`` an intersection, ``a - b`` a difference."""
 
     def __or__(self, other: Shape) -> Shape:
         return Combined("|", self, shape("other", other))
@@ -51,7 +51,7 @@ class Shape:
         raise NotImplementedError
 
     def outline(self, points: int) -> list[Array]:
-        """Return about so many `points` (x, y) along the edge of each part, shape (points, 2)."""
+        """Return about this number of `points` (x, y) along the edge of each part, shape (points, 2)."""
         raise NotImplementedError
 
     def to_dict(self) -> Json:
@@ -66,11 +66,11 @@ class Shape:
         return tuple(parts)
 
     def moved(self, x: float, y: float) -> Shape:
-        """Return the shape moved by (`x`, `y`); TypeError or ValueError if they are not finite."""
+        """Return the shape shifted by (`x`, `y`); TypeError or ValueError if they are not finite."""
         return self._moved(validation.real("x", x), validation.real("y", y))
 
     def turned(self, angle: float) -> Shape:
-        """Return the shape turned about the axis by an `angle`, radians from x to y; TypeError or ValueError."""
+        """Return the shape rotated about the axis by an `angle`, radians from x to y; TypeError or ValueError."""
         return self._turned(validation.real("angle", angle))
 
     def _moved(self, x: float, y: float) -> Shape:
@@ -80,37 +80,37 @@ class Shape:
         raise NotImplementedError
 
     def _listed(self, parts: list[Shape], steps: list[int]) -> None:
-        """Append the ellipses and polygons of the shape, and the steps that combine them, in postfix order."""
+        """Append the ellipses and polygons of the shape to `parts`, and the postfix operations to `steps`."""
         steps.append(len(parts))
         parts.append(self)
 
 
 def shape(name: str, value: object) -> Shape:
-    """Return `value` if it is a shape; TypeError that names it otherwise."""
+    """Return `value` if it is a shape; otherwise raise TypeError with the `name` of the argument."""
     if isinstance(value, Shape):
         return value
     raise TypeError(
-        f"{name} must be a shape (Disc, Ellipse, Polygon, or some combined), got {validation.shown(value)}"
+        f"{name} must be a shape (Disc, Ellipse, Polygon, or a combination), got {validation.shown(value)}"
     )
 
 
 class Listed(NamedTuple):
     """A region in the layout of the compiled core; see :func:`lommel.core.engine.row_rule`."""
 
-    ellipses: Array  # x, y, semi-axes, angle
+    ellipses: Array  # x, y, semi-axes, angle of each ellipse
     polygons: tuple[Array, ...]  # corners of each part; empty for an ellipse
-    steps: tuple[int, ...]
+    steps: tuple[int, ...]  # postfix order: index of a part, or code of an operation
 
     def rule(self, degree: int, error: float) -> engine.RowRule:
-        """Return a rule off by at most `error` for polynomials of a `degree` that are at most 1 on the unit disc."""
+        """Return a rule with this error for polynomials of a `degree` with modulus at most 1 on the unit disc."""
         return engine.row_rule(self.ellipses, self.polygons, self.steps, degree, error)
 
     def mapped(self, matrix: Array, shift: Array) -> Listed:
-        """Return the region of ``matrix @ point + shift``; the matrix does not mirror."""
+        """Return the image of the region under ``matrix @ point + shift``; the matrix must not mirror."""
         x, y, a, b, angle = self.ellipses.T
         turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]).transpose(2, 0, 1)
-        # Singular values and left singular vectors of a matrix are the semi-axes and axes of its image of the unit
-        # circle.
+        # The image of the unit circle under a matrix has the singular values as semi-axes, and the left singular
+        # vectors as axes.
         axes, sizes, _ = np.linalg.svd(matrix @ turn * np.stack([a, b], axis=-1)[:, None, :])
         places = np.stack([x, y], axis=-1) @ matrix.T + shift
         ellipses = np.column_stack([places, sizes, np.arctan2(axes[:, 1, 0], axes[:, 0, 0])])
@@ -126,8 +126,8 @@ class Listed(NamedTuple):
         either: Callable[[_Part, _Part], _Part],
         without: Callable[[_Part, _Part], _Part],
     ) -> _Part:
-        """Return a value of each part, combined as the region is."""
-        # Postfix order: operands first, then the operation on the last two.
+        """Return the values of the parts, combined by these operations as the parts are combined to the region."""
+        # Postfix order: operands first, then the operation on the last two operands.
         by, stack = {_BOTH: both, _EITHER: either, _WITHOUT: without}, []
         for step in self.steps:
             if step >= 0:
@@ -138,7 +138,7 @@ class Listed(NamedTuple):
         return stack.pop()
 
     def reduced(self, pattern: Sequence[int]) -> Listed:
-        """Return the region for cells where each part is _NONE, _CUT or _FULL, composed of the cut parts only."""
+        """Return the region for cells with this coverage by each part (see _NONE), composed of cut parts only."""
         stack: list[int | list[int]] = []
         for step in self.steps:
             if step >= 0:
@@ -146,9 +146,9 @@ class Listed(NamedTuple):
                 continue
             second, first = stack.pop(), stack.pop()
             if step == _WITHOUT and isinstance(second, int):
-                # a - b = a and not b: a constant b turns into its complement.
+                # a - b = a and not b: a constant b is replaced by its complement.
                 second, step = _FULL - second, _BOTH
-            # A constant operand may decide alone: a union with everything, an intersection with nothing.
+            # A constant operand may determine the result: a union with everything, an intersection with nothing.
             decides = _FULL if step == _EITHER else _NONE
             if decides in (first, second):
                 stack.append(decides)
@@ -157,8 +157,8 @@ class Listed(NamedTuple):
             elif isinstance(first, int) and step != _WITHOUT:
                 stack.append(second)
             else:
-                # Only "everything minus a cut part" still needs a first operand: the plane, added as one more
-                # polygon.
+                # Only the difference of "everything" and a cut part still needs its first operand: the plane, as one
+                # more polygon.
                 stack.append([*([len(pattern)] if isinstance(first, int) else first), *second, step])
         steps = cast("list[int]", stack.pop())
         used = sorted({step for step in steps if step >= 0})
@@ -180,12 +180,13 @@ class Listed(NamedTuple):
         )
 
 
-# Coverage of a cell by a part, ordered so that an intersection is the minimum and a union the maximum.
+# Coverage of a cell by a part: none, cut by an edge, or full. An intersection is the minimum, and a union the
+# maximum.
 _NONE, _CUT, _FULL = 0, 1, 2
 
 
 def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
-    """Return the fraction of square cells that a region covers, exact but for rounding.
+    """Return the fraction of square cells that a region covers, exact up to rounding.
 
     Parameters
     ----------
@@ -193,33 +194,35 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
     x, y : ndarray, shape (n,)
         Centres of the cells.
     half : float
-        Half of their side.
+        Half of the side of the cells.
     """
     parts: list[Shape] = []
     region._listed(parts, [])
-    # Bands of cells bound the memory.
+    # Computation in bands of cells limits the memory.
     if x.size * len(parts) > _AT_ONCE and x.size > 1:
         pieces = -(-x.size * len(parts) // _AT_ONCE)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
-    whole, near = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
-    # A cell whose centre is farther from an edge than its corners is not crossed by it.
+    whole, corner_distance = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
+    # An edge does not cross a cell if it is farther from its centre than the corners of the cell.
     margins = (part.margin(x, y) for part in parts)
-    known = np.array([np.where(m > near, _FULL, np.where(m < -near, _NONE, _CUT)) for m in margins], np.int8)
-    state = whole.combined(list(known), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
-    found: Array = np.where(state == _FULL, 1.0, 0.0)
+    coverage = np.array(
+        [np.where(m > corner_distance, _FULL, np.where(m < -corner_distance, _NONE, _CUT)) for m in margins], np.int8
+    )
+    state = whole.combined(list(coverage), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
+    fraction: Array = np.where(state == _FULL, 1.0, 0.0)
     cut = np.flatnonzero(state == _CUT)
     if not cut.size:
-        return found
-    # Cells crossed by the same edges share one reduced region.
-    patterns, which = np.unique(known[:, cut], axis=1, return_inverse=True)
+        return fraction
+    # Cells with equal coverage by each part share one reduced region.
+    patterns, index = np.unique(coverage[:, cut], axis=1, return_inverse=True)
     square = half * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
     for k, pattern in enumerate(patterns.T):
         left = whole.reduced(pattern.tolist())
-        for i in cut[which == k]:
+        for i in cut[index == k]:
             cell = Listed(np.zeros((0, 5)), (np.add(square, (x[i], y[i])),), (0,))
-            found[i] = (cell & left).rule(0, 1e-17).weight * math.pi / (4.0 * half * half)
-    return np.asarray(np.clip(found, 0.0, 1.0))
+            fraction[i] = (cell & left).rule(0, 1e-17).weight * math.pi / (4.0 * half * half)
+    return np.asarray(np.clip(fraction, 0.0, 1.0))
 
 
 def listed(region: Shape) -> Listed:
@@ -264,7 +267,7 @@ class Combined(Shape):
         return np.asarray(np.maximum(a, b) if self.kind == "|" else np.minimum(a, b if self.kind == "&" else -b))
 
     def outline(self, points: int) -> list[Array]:
-        """Return points along the edges of both."""
+        """Return points along the edges of both shapes."""
         return self.first.outline(points) + self.second.outline(points)
 
     def _moved(self, x: float, y: float) -> Shape:
@@ -274,7 +277,7 @@ class Combined(Shape):
         return Combined(self.kind, self.first._turned(angle), self.second._turned(angle))
 
     def to_dict(self) -> Json:
-        """Return both in plain types."""
+        """Return both shapes in plain types."""
         return {"name": self.kind, "first": self.first.to_dict(), "second": self.second.to_dict()}
 
     def _listed(self, parts: list[Shape], steps: list[int]) -> None:
@@ -285,16 +288,16 @@ class Combined(Shape):
 
 @dataclass(frozen=True)
 class Ellipse(Shape):
-    """Ellipse: as `vignetting` of a pupil a simple model of vignetting towards the edge of the field.
+    """Ellipse; as `vignetting` of a pupil, a simple model of vignetting towards the edge of the field.
 
     Parameters
     ----------
     a, b : float
-        Semi-axes over the radius of the aperture, above 0, at most 1000.
+        Semi-axes divided by the radius of the aperture, above 0, at most 1000.
     angle : float, default 0
         Direction of the semi-axis a, radians from x to y.
     center : (float, float), default (0, 0)
-        Centre (x, y) over the radius of the aperture.
+        Centre (x, y) divided by the radius of the aperture.
 
     Raises
     ------
@@ -316,7 +319,7 @@ class Ellipse(Shape):
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a lower bound on the distance of points (`x`, `y`) from the edge; negative outside the ellipse."""
-        # Scaled to the unit circle distances grow by at most 1 / min(a, b): a lower bound on the true distance.
+        # Scaling to the unit circle multiplies distances by at most 1 / min(a, b), hence a lower bound.
         c, s, x, y = math.cos(self.angle), math.sin(self.angle), x - self.center[0], y - self.center[1]
         scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
         return np.asarray(min(self.a, self.b) * (1.0 - scaled))
@@ -341,14 +344,14 @@ class Ellipse(Shape):
 
 @dataclass(frozen=True)
 class Disc(Shape):
-    """Disc.
+    """Disc, with any centre.
 
     Parameters
     ----------
     radius : float, default 1
-        Over the radius of the aperture; above 0, at most 1000.
+        Radius divided by the radius of the aperture; above 0, at most 1000.
     center : (float, float), default (0, 0)
-        Centre (x, y) over the radius of the aperture.
+        Centre (x, y) divided by the radius of the aperture.
 
     Raises
     ------
@@ -385,17 +388,17 @@ class Disc(Shape):
 
 @dataclass(frozen=True)
 class Polygon(Shape):
-    """Convex polygon; others are unions or differences of convex ones.
+    """Convex polygon; other polygons are unions or differences of convex polygons.
 
     Parameters
     ----------
     corners : sequence of (float, float)
-        Corners (x, y) over the radius of the aperture, in either sense of rotation; 3 to 256 of them.
+        Corners (x, y) divided by the radius of the aperture, in either sense of rotation; 3 to 256 corners.
 
     Raises
     ------
     TypeError, ValueError
-        If they are no such numbers, lie on a line or are not convex.
+        If corners are not such numbers, lie on a line or are not convex.
 
     Examples
     --------
@@ -418,25 +421,30 @@ class Polygon(Shape):
         after = np.roll(edge, -1, axis=0)
         turn = edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0]
         length = np.hypot(*edge.T)
-        # Corners on a straight side turn by rounding only.
+        # At corners on a straight side, `turn` is a rounding error.
         flat = 1e-12 * length * np.roll(length, -1)
-        way = math.copysign(1.0, turn.sum())
-        # A convex polygon turns one way, and once around.
-        around = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
+        direction = math.copysign(1.0, turn.sum())
+        # A convex polygon turns in one direction, and once around.
+        total_turn = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
         line = np.all(np.abs(turn) <= flat)
-        if length.min() < 1e-12 or line or np.any(way * turn < -flat) or abs(abs(around) - 2.0 * math.pi) > 1e-6:
+        if (
+            length.min() < 1e-12
+            or line
+            or np.any(direction * turn < -flat)
+            or abs(abs(total_turn) - 2.0 * math.pi) > 1e-6
+        ):
             raise ValueError(
-                "corners must be those of a convex polygon, not on a line, in order and each once; "
-                f"join convex ones by |, got {validation.shown(self.corners)}"
+                "corners must be the corners of a convex polygon, not on a line, in order and without repetition; "
+                f"join convex polygons by |, got {validation.shown(self.corners)}"
             )
-        # Stored counter-clockwise, which margin() relies on.
-        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(way)]))
+        # Stored counter-clockwise, as margin() requires.
+        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(direction)]))
 
     @classmethod
     def regular(
         cls, sides: int, radius: float, center: tuple[float, float] = (0.0, 0.0), angle: float = 0.0
     ) -> Polygon:
-        """Return a regular polygon of `sides` corners, the first at an `angle`, `radius` from its `center`.
+        """Return a regular polygon of `sides` corners at the distance `radius` from `center`; `angle`: first corner.
 
         TypeError or ValueError if an argument is out of range.
         """
@@ -450,30 +458,30 @@ class Polygon(Shape):
     def strip(cls, start: tuple[float, float], end: tuple[float, float], width: float) -> Polygon:
         """Return the rectangle of a `width` around the line from `start` to `end`, as of a vane.
 
-        TypeError or ValueError if these are no points apart, or the width is not above 0.
+        TypeError or ValueError if the points are invalid or too close, or the width is not above 0.
         """
         (x, y), (u, v) = _point("start", start), _point("end", end)
         length, size = math.hypot(u - x, v - y), validation.real("width", width, above=0.0, most=_FAR)
         if length < 1e-9:
-            raise ValueError(f"end must be apart from start, got {start} and {end}")
+            raise ValueError(f"end must differ from start, got {start} and {end}")
         p, q = 0.5 * size * (y - v) / length, 0.5 * size * (u - x) / length
         return cls(((x + p, y + q), (x - p, y - q), (u - p, v - q), (u + p, v + q)))
 
     @classmethod
     def half_plane(cls, angle: float, offset: float = 0.0) -> Polygon:
-        """Return, of the aperture, the points whose distance from the axis towards `angle` is at most `offset`.
+        """Return the points of the aperture whose distance from the axis towards `angle` is at most `offset`.
 
-        ``half_plane(0.0, 0.2)`` is the side of x <= 0.2, and passes its light as a `stop`: the knife comes from large
-        x. TypeError or ValueError if `offset` is not from -2 to 2.
+        ``half_plane(0.0, 0.2)`` as a `stop` transmits x <= 0.2: a knife edge that enters from large x. TypeError or
+        ValueError if `offset` is not from -2 to 2.
         """
         turn, at = validation.real("angle", angle), validation.real("offset", offset, least=-2.0, most=2.0)
-        # Four units are beyond the aperture for every offset, so that only one side of the square crosses it.
+        # A square of half-width 4 extends beyond the aperture for every offset: only one of its sides crosses it.
         corners = ((at, -4.0), (at, 4.0), (-4.0, 4.0), (-4.0, -4.0))
         return cls(tuple(_rotated(corner, turn) for corner in corners))
 
     @property
     def center(self) -> tuple[float, float]:
-        """The mean of the corners."""
+        """Mean of the corners."""
         x, y = np.mean(self.corners, axis=0)
         return float(x), float(y)
 
@@ -482,12 +490,12 @@ class Polygon(Shape):
         least = np.full(np.broadcast_shapes(np.shape(x), np.shape(y)), np.inf)
         for (px, py), (qx, qy) in zip(self.corners, (*self.corners[1:], self.corners[0]), strict=True):
             length = math.hypot(qx - px, qy - py)
-            # Signed distance to the line of each side; the least is that to the polygon, inside.
+            # Signed distance to the line of each side; inside, the smallest is the distance to the polygon.
             np.minimum(least, ((qx - px) / length) * (y - py) - ((qy - py) / length) * (x - px), out=least)
         return least
 
     def outline(self, points: int) -> list[Array]:
-        """Return points along the edge, the corners among them."""
+        """Return points along the edge, including the corners."""
         at = np.array(self.corners)
         t = np.linspace(0.0, 1.0, max(2, points // len(at)), endpoint=False)[:, None, None]
         return [(at + t * (np.roll(at, -1, axis=0) - at)).reshape(-1, 2)]
@@ -507,18 +515,18 @@ class Polygon(Shape):
 class Spider(Shape):
     """Straight vanes from the axis to the edge of the aperture, as of the spider of a secondary mirror.
 
-    All have one width and start at the axis. For others, such as vanes that miss the axis or differ in width,
-    subtract :meth:`lommel.Polygon.strip` from a stop: ``Pupil(stop=Disc() - Polygon.strip((0.1, 0), (2, 1), 0.01))``.
+    All vanes have one width and start at the axis. For other vanes, which miss the axis or differ in width, subtract
+    :meth:`lommel.Polygon.strip` from a stop: ``Pupil(stop=Disc() - Polygon.strip((0.1, 0), (2, 1), 0.01))``.
 
-    A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite ones make a
-    bar across the aperture. Where vanes overlap, near the axis, light is blocked once.
+    A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite vanes make a
+    bar across the aperture. Vanes may overlap near the axis.
 
     Parameters
     ----------
     width : float
         Width of each vane divided by the radius of the aperture, above 0 and below 2.
     angles : sequence of float
-        Direction of each vane, radians from x (columns) to y (rows); 1 to 64 of them.
+        Direction of each vane, radians from x (columns) to y (rows); 1 to 64 vanes.
 
     Raises
     ------
@@ -546,7 +554,7 @@ class Spider(Shape):
 
     @classmethod
     def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
-        """Return `count` vanes of a `width` at equal angles from `first`, radians; TypeError or ValueError."""
+        """Return `count` vanes of equal `width` at equal angles from `first`, radians; TypeError or ValueError."""
         number = validation.integer("count", count, least=1, most=MAX_VANES)
         start = validation.real("first", first)
         return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
@@ -591,14 +599,14 @@ class Spider(Shape):
 
 @dataclass(frozen=True)
 class CatEye(Shape):
-    """Cat's-eye vignetting: the overlap of the aperture with a second circle, as at the edge of the field.
+    """Cat's-eye vignetting: the intersection of the aperture with a second circle, as at the edge of the field.
 
     Parameters
     ----------
     shift : (float, float)
-        Centre (x, y) of the second circle, over the radius of the aperture.
+        Centre (x, y) of the second circle, divided by the radius of the aperture.
     radius : float, default 1
-        Radius of the second circle relative to that of the aperture; above 0, at most 1000.
+        Radius of the second circle divided by the radius of the aperture; above 0, at most 1000.
 
     Raises
     ------
@@ -617,7 +625,7 @@ class CatEye(Shape):
         radius = validation.real("radius", self.radius, above=0.0, below=1000.0 + 1e-9)
         if math.hypot(x, y) >= 1.0 + radius:
             raise ValueError(
-                f"shift must be shorter than 1 + radius = {1.0 + radius:g}, or the circles do not overlap, "
+                f"shift must be shorter than 1 + radius = {1.0 + radius:g}, since the circles must overlap, "
                 f"got {validation.shown(self.shift)}"
             )
         vars(self).update(shift=(x, y), radius=radius)
@@ -636,7 +644,7 @@ class CatEye(Shape):
         return self.disc.outline(points)
 
     def _moved(self, x: float, y: float) -> Shape:
-        return self.disc._moved(x, y)  # not a cat's eye, whose circle must overlap the aperture
+        return self.disc._moved(x, y)  # a Disc, since the circle of a cat's eye must overlap the aperture
 
     def _turned(self, angle: float) -> Shape:
         return CatEye(_rotated(self.shift, angle), self.radius)
@@ -651,24 +659,24 @@ class CatEye(Shape):
 
 @dataclass(frozen=True)
 class Segments:
-    """Segments of a mirror, each a shape with a phase of its own.
+    """Segments of a mirror, each a shape with its own phase.
 
-    ``segments - a`` are the segments without the shape a, such as the vanes in front of them; ``segments & a`` what
-    lies within it. Segments of which nothing is left are dropped with their phases.
+    ``segments - a`` are the segments without the shape a, such as the vanes in front of them; ``segments & a`` are
+    the parts within it. Segments that vanish are dropped with their phases.
 
     Parameters
     ----------
     shapes : sequence of Shape
-        The segments, 1 to 4096 of them. A :class:`Pupil` refuses segments that overlap, or lie wholly beyond its rim;
-        what of a segment is beyond the rim passes no light.
+        The segments, 1 to 4096 shapes. A :class:`Pupil` raises ValueError for segments that overlap or lie wholly
+        beyond its rim; parts of a segment beyond the rim transmit no light.
     piston, tip, tilt : sequence of float, optional
-        Phase of each segment, radians: constant, and its change along x and along y, a radius of the aperture further
-        (2 pi are a wavelength of path); the slopes about the segment's centre. 0 by default.
+        Phase of each segment in radians (2 pi are a wavelength of path): at the centre of the segment, and its slopes
+        along x and y per radius of the aperture. 0 by default.
 
     Raises
     ------
     TypeError, ValueError
-        If they are not such shapes and finite numbers.
+        If arguments are not such shapes and finite numbers.
 
     Examples
     --------
@@ -689,26 +697,26 @@ class Segments:
         for name in ("piston", "tip", "tilt"):
             given = validation.real_array(name, getattr(self, name))
             if given.size and given.shape != (len(shapes),):
-                raise ValueError(f"{name} must be one number a segment, {len(shapes)}, got shape {given.shape}")
+                raise ValueError(f"{name} must have one number for each of {len(shapes)} segments, got {given.shape}")
             vars(self)[name] = tuple(given.tolist()) if given.size else (0.0,) * len(shapes)
 
     @classmethod
     def hexagonal(cls, rings: int, gap: float = 0.0, *, middle: bool = False, angle: float = 0.0) -> Segments:
-        """Return equal hexagons in `rings` around the axis, the farthest corners on the rim of the aperture.
+        """Return equal hexagons in `rings` around the axis, with the farthest corners on the rim of the aperture.
 
-        Their order is by columns of rising x, and by rising y within a column, all before they are turned; it is that
-        of `shapes`, :attr:`centers` and the phases.
+        The order of `shapes`, :attr:`centers` and phases is by columns of increasing x, and by increasing y within a
+        column, before the rotation by `angle`.
 
         Parameters
         ----------
         rings : int
-            1 to 32: 6 hexagons, 18, 36, ...; of JWST 2, of Keck 3.
+            Number of rings, 1 to 32, of 6, 12, 18, ... hexagons; 2 for JWST, 3 for Keck.
         gap : float, default 0
-            Between neighbours, over the radius of the aperture.
+            Gap between neighbours, divided by the radius of the aperture.
         middle : bool, default False
-            Whether there is one on the axis.
+            True for a hexagon on the axis.
         angle : float, default 0
-            By which all are turned, radians from x to y. At 0 sides are parallel to x.
+            Rotation of all hexagons, radians from x to y. At 0 some sides are parallel to x.
 
         Returns
         -------
@@ -717,11 +725,12 @@ class Segments:
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or the gap leaves no segment.
+            If an argument is out of range, or if the gap leaves no segment.
         """
         count, between = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
         inner, turn = validation.truth("middle", middle), validation.real("angle", angle)
-        # In units of the spacing: hexagons with the inner radius (1 - gap) / 2, centres a e_1 + b e_2 of a lattice.
+        # Centres a e_1 + b e_2 of a lattice, in units of its spacing, in which hexagons have the inner radius
+        # (1 - gap) / 2.
         places = [
             (a * math.sqrt(0.75), b + 0.5 * a)
             for a in range(-count, count + 1)
@@ -733,13 +742,13 @@ class Segments:
             size = (pitch - between) / math.sqrt(3.0)
             return [Polygon.regular(6, size, (pitch * x, pitch * y)) for x, y in places]
 
-        # The farthest corner belongs to a hexagon at a corner of the outer ring; its pitch is found by bisection.
+        # The farthest corner belongs to a hexagon at a corner of the outer ring; bisection determines the pitch.
         far = max(places, key=lambda place: math.hypot(*place))
         low, high = between, 2.0
         most = 1.0 / math.hypot(*far)
         if between > (1.0 - 1e-9) * most:
             raise ValueError(
-                f"gap must leave something of the segments: with rings={count} it must be below {most:.4g}, "
+                f"gap must leave some area of the segments: with rings={count} it must be below {most:.4g}, "
                 f"got {between:g}"
             )
         for _ in range(80):
@@ -757,9 +766,9 @@ class Segments:
 
     @cached_property
     def centers(self) -> Array:
-        """Centre (x, y) of each segment, in their order, which slopes are about, shape (n, 2): the mean of its edge.
+        """Centre (x, y) of each segment, to which slopes refer, shape (n, 2): the mean of points on its edge.
 
-        What is taken from a segment, such as a vane, does not move its centre.
+        Subtraction of a shape from a segment, such as a vane, does not move its centre.
         """
         return np.array([np.concatenate(_whole(part).outline(48)).mean(axis=0) for part in self.shapes])
 
@@ -767,13 +776,13 @@ class Segments:
     def phases(self) -> Array:
         """Phase of each segment extrapolated to the axis, and its slopes along x and y, radians, shape (n, 3)."""
         tip, tilt, at = np.array(self.tip), np.array(self.tilt), self.centers
-        # Slopes are about the centre of each segment, phases are stored as linear functions about the axis.
+        # Slopes refer to the centre of each segment; phases are stored as linear functions about the axis.
         return np.stack([np.array(self.piston) - tip * at[:, 0] - tilt * at[:, 1], tip, tilt], axis=-1)
 
     def phased(
         self, piston: ArrayLike = 0.0, tip: ArrayLike = 0.0, tilt: ArrayLike = 0.0, *, unit: str = "radians"
     ) -> Segments:
-        """Return the same segments with another `piston`, `tip` and `tilt`, numbers or one a segment.
+        """Return the segments with other `piston`, `tip` and `tilt`: numbers, or one number for each segment.
 
         The `unit` is "radians" or "waves". TypeError or ValueError if they are not finite, or not as many.
         """
@@ -801,15 +810,15 @@ class Segments:
         return self._cut(shape("other", other), _within)
 
     def _cut(self, other: Shape, by: Callable[[Shape, Shape], Shape | None]) -> Segments:
-        """Return what remains of the segments, without those that vanish."""
+        """Return the remaining parts of the segments, without segments that vanish."""
         require_reach("other", other)
         left = [by(part, other) for part in self.shapes]
-        # Margins recognise some of the vanished segments, their areas the others.
+        # Margins identify some of the vanished segments, and areas identify the others.
         whole = zip(left, self.shapes, strict=True)
         left = [None if part is not one and part is not None and not _clear(part) else part for part, one in whole]
         kept = [i for i, part in enumerate(left) if part is not None]
         if not kept:
-            raise ValueError(f"other must leave something of the segments, got {validation.shown(other)}")
+            raise ValueError(f"other must leave some area of the segments, got {validation.shown(other)}")
         phases = ([part[i] for i in kept] for part in (self.piston, self.tip, self.tilt))
         return Segments(tuple(part for part in left if part is not None), *map(tuple, phases))
 
@@ -827,47 +836,47 @@ class Segments:
 
 
 def _clear(part: Shape) -> bool:
-    """Return whether a part has points within the rim of the aperture."""
+    """Return whether a part has points inside the rim of the aperture."""
     return listed(Disc() & part).rule(0, _LEAST).weight > 0.0
 
 
-_AROUND = 1.5  # radius up to which parts may hold all of the aperture
+_AROUND = 1.5  # largest margin at the axis of a part: its edge may then be near the rim of the aperture
 
 
 def require_reach(name: str, region: Shape) -> None:
-    """Raise ValueError if a part of a region, or its edges, lie far beyond the rim of the aperture."""
+    """Raise ValueError if the edge of a part, or the part itself, lies far beyond the rim of the aperture."""
     middle = np.zeros(1)
     for part in region.parts:
         if part.margin(middle, middle)[0] > _AROUND:
             raise ValueError(
                 f"{name} must be made of parts with edges across the aperture or near its rim, got "
-                f"{validation.shown(part)} far around all of it; lengths are over the radius of the aperture"
+                f"{validation.shown(part)} far around all of it; lengths are divided by the radius of the aperture"
             )
         edge = np.concatenate(part.outline(48))
         if not (edge**2).sum(axis=1).min() < 1.0 and not _clear(part):
             raise ValueError(
                 f"{name} must be made of parts that reach the aperture, got {validation.shown(part)} wholly beyond "
-                "its rim; lengths are over the radius of the aperture"
+                "its rim; lengths are divided by the radius of the aperture"
             )
 
 
 def _whole(part: Shape) -> Shape:
-    """Return a shape before others were taken from it."""
+    """Return a shape before intersections with, and subtractions of, other shapes."""
     return _whole(part.first) if isinstance(part, Combined) and part.kind != "|" else part
 
 
 def _nearest(part: Shape, other: Shape) -> tuple[float, float]:
-    """Return bounds on the margin of `other` over all of a `part`: below which and above which it is nowhere."""
+    """Return a lower and an upper bound on the margin of `other` at all points of a `part`."""
     edge = np.concatenate(_whole(part).outline(48))
     x, y = edge.mean(axis=0)
-    # All of the part lies within this circle; between points of its edge that may bulge as an arc does.
+    # The circle contains the whole part, with 2 % for arcs between points of its edge.
     radius = float(np.hypot(edge[:, 0] - x, edge[:, 1] - y).max()) * 1.02
-    there = float(other.margin(np.array([x]), np.array([y]))[0])
-    return there - radius, there + radius
+    margin = float(other.margin(np.array([x]), np.array([y]))[0])
+    return margin - radius, margin + radius
 
 
 def _without(part: Shape, other: Shape) -> Shape | None:
-    """Return a part without another shape, the same object where they are apart; None where nothing is left."""
+    """Return a part minus another shape: the same object if they do not overlap, None if no area is left."""
     if isinstance(other, Combined) and other.kind == "|":
         left = _without(part, other.first)
         return None if left is None else _without(left, other.second)
@@ -876,7 +885,7 @@ def _without(part: Shape, other: Shape) -> Shape | None:
 
 
 def _within(part: Shape, other: Shape) -> Shape | None:
-    """Return what a part has within another shape, the same object where that is all; None where it is nothing."""
+    """Return a part within another shape: the same object if it is entirely inside, None if it is outside."""
     least, most = _nearest(part, other)
     return None if most < 0.0 else part if least > 0.0 else part & other
 
@@ -891,7 +900,7 @@ _KINDS: dict[str, Callable[..., Shape]] = {
 
 
 def shape_from_dict(description: Json, depth: int = 0) -> Shape | Segments:
-    """Rebuild what `to_dict` of a shape or of segments describes; KeyError, TypeError or ValueError if neither."""
+    """Rebuild a shape or segments from a `description` by `to_dict`; KeyError, TypeError or ValueError if invalid."""
     parts = dict(description)
     name = validation.choice("name", parts.pop("name", None), (*_KINDS, *_STEPS, "Segments"))
     if depth > 64:
@@ -908,7 +917,7 @@ def shape_from_dict(description: Json, depth: int = 0) -> Shape | Segments:
 def disk_overlap(radius: ArrayLike, left: ArrayLike, right: ArrayLike, low: ArrayLike, high: ArrayLike) -> Array:
     """Return the area of ``[left, right] x [low, high]`` inside a disk around the origin.
 
-    Elementary geometry, exact to rounding: inclusion and exclusion of rectangles with one corner at the centre.
+    Exact to rounding, by inclusion and exclusion of rectangles with one corner at the centre.
 
     Parameters
     ----------
@@ -920,7 +929,7 @@ def disk_overlap(radius: ArrayLike, left: ArrayLike, right: ArrayLike, low: Arra
     Returns
     -------
     ndarray
-        Area, of the shape that all broadcast to.
+        Area, with the shape to which all arguments broadcast.
     """
     r = np.asarray(radius, dtype=np.float64)
     x0, x1, y0, y1 = (np.asarray(e, dtype=np.float64) for e in (left, right, low, high))
@@ -929,10 +938,10 @@ def disk_overlap(radius: ArrayLike, left: ArrayLike, right: ArrayLike, low: Arra
 
 def _corner(r: Array, x: Array, y: Array) -> Array:
     """Return the area of the disk within the rectangle from the origin to (x, y), signed like x y."""
-    # A disk that holds the whole rectangle may be smaller, lest squares overflow.
+    # A disk that contains the rectangle is replaced by a smaller one, so that squares do not overflow.
     r = np.minimum(r, 2.0 * (np.abs(x) + np.abs(y)))
     a, b = np.minimum(np.abs(x), r), np.minimum(np.abs(y), r)
-    # The circle leaves the rectangle's far side at this x; from there on it is the boundary.
+    # Beyond this x the circle, not the far side of the rectangle, is the boundary.
     leaves = np.minimum(a, np.sqrt((r - b) * (r + b)))
     area = leaves * b + _under_arc(r, a) - _under_arc(r, leaves)
     return np.asarray(np.sign(x) * np.sign(y) * area)
@@ -941,5 +950,5 @@ def _corner(r: Array, x: Array, y: Array) -> Array:
 def _under_arc(r: Array, x: Array) -> Array:
     """Return ``int_0^x sqrt(r^2 - s^2) ds``."""
     height = np.sqrt((r - x) * (r + x))
-    # The angle by its tangent: near x = r its sine would lose half the digits.
+    # By its tangent, since near x = r its sine would lose half the digits of the angle.
     return np.asarray(0.5 * (x * height + r * r * np.arctan2(x, height)))

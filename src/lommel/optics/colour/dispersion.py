@@ -1,4 +1,4 @@
-"""Axial and lateral colour of a lens: its focal length and image size over the wavelength."""
+"""Axial and lateral colour of a lens: focal length and image size as functions of the wavelength."""
 
 from __future__ import annotations
 
@@ -23,21 +23,22 @@ class Colour:
     Parameters
     ----------
     wavelengths : sequence of float, shape (n,)
-        Metres, rising, at least two. Interpolation is by cubic splines (not-a-knot), without extrapolation.
+        Wavelengths, metres, rising, at least two. Interpolation is by cubic splines (not-a-knot), without
+        extrapolation.
     focus_shift : sequence of float, shape (n,), optional
-        Axial colour, metres: change of the focal length at each wavelength. Only differences from the wavelength of
-        the lens count.
+        Axial colour, metres: change of the focal length at each wavelength. Only the difference from the value at the
+        wavelength of the lens matters.
     lateral : array_like, shape (n,) or (heights, n), optional
-        Lateral colour, metres: radial shift of the image, away from the axis, at each wavelength. Only differences
-        from the wavelength of the pupil count.
+        Lateral colour, metres: radial shift of the image, away from the axis, at each wavelength. Only the difference
+        from the value at the wavelength of the pupil matters.
     heights : float or sequence of float, optional
-        Image heights of `lateral`, metres, rising from above 0. With one the shift is proportional to the height,
-        with more an odd cubic spline.
+        Image heights of `lateral`, metres, rising from above 0. With one height the shift is proportional to the
+        height, with several it is an odd cubic spline.
 
     Raises
     ------
     TypeError, ValueError
-        If these are not numbers, do not rise, or differ in length.
+        If arguments are not numbers, do not rise, or differ in length.
 
     Notes
     -----
@@ -95,11 +96,11 @@ class Colour:
         Parameters
         ----------
         focal_length : float
-            Metres, at the first of the wavelengths.
+            Focal length at the first wavelength, metres.
         wavelengths : array_like, shape (n,)
-            Metres, rising.
+            Wavelengths, metres, rising.
         indices : array_like, shape (n,)
-            Refractive indices, above 1.
+            Refractive index of the glass at each wavelength, above 1.
 
         Raises
         ------
@@ -113,7 +114,7 @@ class Colour:
         return cls(wavelengths, f * ((index[0] - 1.0) / (index - 1.0) - 1.0))
 
     def shift(self, wavelength: float) -> float:
-        """Return the change of the focal length at a `wavelength`, metres; ValueError or TypeError elsewhere."""
+        """Return the change of the focal length at a `wavelength`, metres; TypeError or ValueError off the table."""
         return float(_between(self._known(wavelength), self.wavelengths, self.focus_shift))
 
     def shift_across(self, height: ArrayLike, wavelength: float) -> Array:
@@ -121,7 +122,7 @@ class Colour:
 
         TypeError or ValueError beyond the table.
         """
-        h, known = validation.real_array("height", height, least=0.0), self._known(wavelength)
+        h, wave = validation.real_array("height", height, least=0.0), self._known(wavelength)
         if not self.heights:
             return np.zeros(h.shape)
         if h.size and h.max() > self.heights[-1] * (1.0 + 1e-9):
@@ -129,11 +130,11 @@ class Colour:
                 f"lateral colour is known up to {self.heights[-1]:g} m from the axis, got {h.max():g} m; give "
                 "larger heights"
             )
-        here = [float(_between(known, self.wavelengths, row)) for row in self.lateral]
+        shifts = [float(_between(wave, self.wavelengths, row)) for row in self.lateral]
         places = np.array(self.heights)
         # The shift is odd in the height: an odd spline has no kink on the axis.
         both = np.concatenate([-places[::-1], [0.0], places])
-        return np.asarray(_between(h, both, [-d for d in reversed(here)] + [0.0, *here]))
+        return np.asarray(_between(h, both, [-d for d in reversed(shifts)] + [0.0, *shifts]))
 
     def _known(self, wavelength: float) -> float:
         wave, (first, *_, last) = validation.wavelength(wavelength), self.wavelengths
@@ -159,9 +160,9 @@ class Colour:
 
 @dataclass(frozen=True)
 class PupilColour:
-    """Change of a pupil with the wavelength: table, focal length less its shift, radius and model of its lens.
+    """Change of a pupil with the wavelength: table, focal length minus its shift, radius and model of the lens.
 
-    x and y (metres on the sensor) are empty on the axis, else one for each pupil of the flattened stack.
+    x and y (metres on the sensor) are empty on the axis; otherwise each pupil of the flattened stack has a position.
     """
 
     table: Colour
@@ -186,38 +187,38 @@ class PupilColour:
     def change(
         self, pupil: BasePupil, geometry: Geometry | None, wavelength: float
     ) -> tuple[Wavefront, Geometry | None]:
-        """Return the wavefront that another wavelength adds to the same path differences, and the distances there."""
-        known, shape = pupil.wavelength, pupil.shape
-        assert known is not None
-        # Most pupils are seen in their own light.
-        if wavelength == known:
+        """Return the wavefront added at another wavelength to constant path differences, and the distances there."""
+        reference, shape = pupil.wavelength, pupil.shape
+        assert reference is not None
+        # Most images are at the wavelength of the pupil.
+        if wavelength == reference:
             return Wavefront(), geometry
-        # Only the difference counts, so that the zero of the table is free.
-        before, after = (self.focal_length + self.table.shift(w) for w in (known, wavelength))
-        moved = geometry and replace(geometry, focal_length=geometry.focal_length + (after - before))
+        # Only the difference matters: the zero of the table is arbitrary.
+        before, after = (self.focal_length + self.table.shift(w) for w in (reference, wavelength))
+        new_geometry = geometry and replace(geometry, focal_length=geometry.focal_length + (after - before))
         added = Wavefront()
         if after != before:
-            # The change of C_d at the focal length of the other wavelength.
+            # Change of C_d due to the focal length at the other wavelength.
             vergence = 1.0 / before - 1.0 / after
             if self.model == "paraxial":
                 added = Wavefront.of_defocus(0.5 * math.pi / wavelength * vergence * self.radius**2)
-            elif geometry is None or moved is None:
+            elif geometry is None or new_geometry is None:
                 raise ValueError(
-                    "colour of an aplanatic lens needs its distances, which this pupil does not have: take those of "
+                    "colour of an aplanatic lens needs its distances, which this pupil does not have; use pupils of "
                     'Lens.pupil, or of a grid with lens= and depths=, or a lens with model="paraxial"'
                 )
             else:
-                spheres = [(g.sphere, np.reshape(g.vergence, shape)) for g in (geometry, moved)]
+                spheres = [(g.sphere, np.reshape(g.vergence, shape)) for g in (geometry, new_geometry)]
                 old, new = (wavefront.wavefront(self.radius, a, v, wavelength) for a, v in spheres)
                 added = new - old
         if self.x:
             x, y = (np.reshape(p, shape) for p in (self.x, self.y))
             h = np.hypot(x, y)
-            far = self.table.shift_across(h, wavelength) - self.table.shift_across(h, known)
+            tilt = self.table.shift_across(h, wavelength) - self.table.shift_across(h, reference)
             # A shift of the image by r is a tilt of pi r / (lambda N) at the edge.
-            far *= np.divide(math.pi / (pupil.scale * wavelength / known), h, out=np.zeros(shape), where=h > 0.0)
-            added = added + Wavefront(np.zeros(shape), nonradial={(1, 1): far * x, (1, -1): far * y})
-        return added, moved
+            tilt *= np.divide(math.pi / (pupil.scale * wavelength / reference), h, out=np.zeros(shape), where=h > 0.0)
+            added = added + Wavefront(np.zeros(shape), nonradial={(1, 1): tilt * x, (1, -1): tilt * y})
+        return added, new_geometry
 
     def to_dict(self) -> Json:
         """Return everything in plain types."""
@@ -232,9 +233,9 @@ class PupilColour:
 
 
 def _between(at: float | Array, known: Sequence[float] | Array, values: Sequence[float]) -> Array:
-    """Return the spline through values: cubic, or a line or a parabola through two or three."""
+    """Return a spline through values at `known`: cubic, or a line or a parabola through two or three values."""
     from scipy.interpolate import CubicSpline
 
     size = known[-1] - known[0]
-    found: Array = CubicSpline((np.asarray(known) - known[0]) / size, values)((np.asarray(at) - known[0]) / size)
-    return found
+    spline: Array = CubicSpline((np.asarray(known) - known[0]) / size, values)((np.asarray(at) - known[0]) / size)
+    return spline

@@ -51,7 +51,7 @@ class Spectrum:
     wavelengths : sequence of float
         Wavelengths, metres.
     weights : sequence of float, optional
-        Share of the light at each wavelength, >= 0; normalised to sum 1. By default all are equal.
+        Fraction of the light at each wavelength, >= 0; normalised to a sum of 1. By default all are equal.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
     """Return wavelengths in metres; TypeError or ValueError if one is out of range or there are none."""
     waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
     if waves.ndim > 1:
-        raise ValueError(f"wavelengths must be a number or a sequence of them, got shape {waves.shape}")
+        raise ValueError(f"wavelengths must be a number or a sequence of numbers, got shape {waves.shape}")
     if not waves.size:
         raise ValueError("wavelengths must not be empty")
     return tuple(validation.wavelength(w) for w in waves)
@@ -197,7 +197,7 @@ def _fitted_weights(waves: Array, exact: Array, nodes: Array, mean_square: float
     try:
         weights = np.asarray(nnls(rows, np.concatenate([target.real, target.imag, [math.sqrt(len(sampled))]]))[0])
     except RuntimeError as error:  # too many iterations
-        raise ValueError(f"the weights of {nodes.size} wavelengths are not found: {error}") from None
+        raise ValueError(f"the fit of weights for {nodes.size} wavelengths did not converge: {error}") from None
     return np.asarray(weights / weights.sum())
 
 
@@ -278,7 +278,7 @@ class Channels:
         if not is_list or not all(isinstance(name, str) and name for name in names):
             raise TypeError(f"names must be texts, one for each channel, got {validation.shown(names)}")
         if len(set(names)) != len(rows) or len(names) != len(rows):
-            raise ValueError(f"names must be {len(rows)} that differ, got {validation.shown(names)}")
+            raise ValueError(f"names must be {len(rows)} different names, got {validation.shown(names)}")
         light = rows.sum(axis=1)
         vars(self).update(
             names=tuple(names),

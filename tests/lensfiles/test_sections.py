@@ -421,7 +421,7 @@ def test_a_telescope_is_named(load_of_aperture_section, name):
         ('[aperture]\ntelescope = "vlt"\n[aperture.segments]\nrings = 2\n', "takes one of segments and telescope"),
         ('[aperture]\ntelescope = "gtc"\n', "aperture.telescope (line 10): Input should be 'elt', 'hst'"),
         ("[aperture.segments]\nrings = 1\npiston = [0.1]\n", "aperture.segments.piston (line 11): must have one"),
-        ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments (line 11): gap must leave something"),
+        ("[aperture.segments]\nrings = 1\ngap = 1.1\n", "aperture.segments (line 11): gap must leave some area"),
         ('[aperture.segments]\nrings = 1\nfile = "few.txt"\n', "aperture.segments.file (line 11): must have one row"),
         ('[aperture.segments]\nrings = 1\nfile = "words.txt"\n', "line 2: must hold piston, or piston, tip and tilt"),
         ('[aperture.segments]\nrings = 1\nfile = "two.txt"\n', "one number or three in every line, got '0.1 0.2'"),

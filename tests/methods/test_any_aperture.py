@@ -326,7 +326,7 @@ def test_the_non_uniform_fft_has_a_bound_and_refuses_what_double_precision_does_
         ),
         (
             lambda: lm.psf(Pupil(spider=Spider(0.1, [0])), 512, 99.0),
-            "take polynomials of a degree above 4096; a window of fewer",
+            "need polynomials of a degree above 4096; use fewer",
         ),
         (
             lambda: lm.psf(Pupil(), 4096, 1.0, integrate=True, method=MatrixFourier(8192)),

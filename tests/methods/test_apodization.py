@@ -241,5 +241,5 @@ def test_what_an_amplitude_leaves_out_counts_in_the_bound(normalize):
     times = 2.0 if normalize == "peak" else 1.0
     assert added == pytest.approx(times * 2.0 * 2.0 * e * pupil.amplitude / math.sqrt(peak), rel=1e-4)
     assert np.array_equal(answer.values, plain.values)
-    with pytest.raises(lm.ToleranceError, match="leave up to 0 rad of the phase out, those of the apodization"):
+    with pytest.raises(lm.ToleranceError, match="leave up to 0 rad of the phase out, the terms of the apodization"):
         lm.psf(lm.Pupil(apodization=stated), 9, 0.4, method=lm.NijboerZernike(1e-6))

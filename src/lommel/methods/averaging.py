@@ -49,8 +49,8 @@ Function = Callable[[Array], Array]
 def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = False) -> tuple[Array, float, float]:
     """Return weights of samples at distances `x` (v) on both sides, their error, and their gain, as in :class:`Taps`.
 
-    The error is that of the response: its maximum for ``abs(w) <= 2`` or, if `in_disc`, a bound on its mean, weighted
-    by the OTF of a circular aperture.
+    The error is the maximum error of the response for ``abs(w) <= 2`` or, if `in_disc`, a bound on its mean error,
+    weighted by the OTF of a circular aperture.
     """
     # Least-squares fit of the response at points w of the band.
     w = band_points(float(x[-1]))
@@ -69,10 +69,11 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
     gain = float((multiplicity * np.abs(c)).sum())
     # Rounding of the response: an error of 2^-52 for each product and each sum over the taps.
     rounding = 2.0**-52 * (x.size + 3) * gain
-    # The error within 1e-17 is a polynomial of degree d: at most sqrt(2) times its maximum at 2 d Chebyshev nodes.
+    # Up to 1e-17 the error is a polynomial of degree d in w: at most sqrt(2) times its maximum at 2 d Chebyshev
+    # nodes.
     most = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
     if in_disc:
-        # The responses along y and x, each of mean error m, have a product of mean error m (2 + `most`).
+        # If both responses, along y and x, have the mean error m, their product has the mean error m (2 + `most`).
         return c, (1.0 + 0.5 * most) * (float(np.linalg.norm(design @ c - rhs)) + 2.0 * rounding + 1e-17), gain
     return c, most, gain
 
@@ -131,7 +132,7 @@ _MAX_PITCH = 20.0  # largest pixel pitch (v) for filters with a bounded mean err
 _MEAN_FACTOR = 64.0  # allowed mean error of a response, divided by its allowed largest error, at a Strehl ratio of 1
 _SLOPE_FACTOR = 10.0  # allowed error of derivative filters, divided by the allowed error of averaging filters
 _DARK_PART = 0.1  # fraction of the tolerance that summation of dark samples in single precision may use
-_NO_LIMIT = 1e30  # brightness (relative to the peak) above that of any sample
+_NO_LIMIT = 1e30  # brightness (relative to the peak) above the brightness of any sample
 
 # Signature: pupils, pixels, tolerance, specification -> intensity at the pixel centres.
 Sample = Callable[[P, Grid, float, Wanted], Images]
@@ -166,7 +167,7 @@ def pixel_averages(
     # Errors are relative to the largest average in the plane. If `wanted` has no scale, values are divided by the
     # largest average in the window, and errors are relative to it. Zernike terms are at most 1, so that the OTF
     # of a derivative by a term has at most twice the modulus of the unaberrated OTF. `band` describes light whose
-    # bandwidth is not that of an intensity: products of fields, or several emitters.
+    # bandwidth differs from the bandwidth of an intensity: products of fields, or several emitters.
     try:
         return _averages_at_spacing(sample, pupil, grid, tol, wanted, band, _FIRST_SPACING, gradients=gradients)
     except ToleranceError:
@@ -621,7 +622,7 @@ def _sample_count(pixels: int, taps: Taps) -> int:
 
 
 def _strip_grid(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
-    """Return the grid of samples for `height` rows of pixels, the first of which is `row`."""
+    """Return the grid of samples for `height` rows of pixels, from row `row` on."""
     shape = _sample_count(height, taps), _sample_count(grid.width, taps)
     return _refined_grid(grid, row, shape, taps.stride / taps.pixels, taps.margin)
 

@@ -40,7 +40,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
-TILTS = SHIFTS["column"], SHIFTS["row"]  # tilts along x and y, whose derivatives are -grad I
+TILTS = SHIFTS["column"], SHIFTS["row"]  # tilts along x and y; the derivatives of I by them are -grad I
 
 _FINER = 0.1  # tolerance of samples divided by tolerance of the derivative: filters multiply errors by about 4
 
@@ -427,7 +427,7 @@ def _largest_moduli(values: Pixels) -> Array:
 def _sum_terms(
     way: Method, engine: Method, pupil: Pupil, grid: Grid, images: Images, wanted: Wanted, sums: Sequence[Parts]
 ) -> dict[object, Piece]:
-    """Return the terms of which derivatives are sums, in double precision, summed over the wavelengths."""
+    """Return the terms of sums of derivatives, in double precision, summed over the wavelengths."""
     # Powers of rho in a radial term cancel: the moduli of their coefficients have a sum of up to 321.
     size = max(
         sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums

@@ -48,7 +48,7 @@ _LINE_STEPS = 512
 class Method(ABC, Generic[P]):
     """A method of evaluating the diffraction integral for pupils of the type `P`.
 
-    The field is normalised so that the unaberrated, unobscured aperture gives U(0) = 1, and I = abs(U)^2.
+    The field is normalised so that the unaberrated, unobscured aperture has U(0) = 1, and I = abs(U)^2.
     Subclasses are frozen dataclasses: their fields are their options.
     """
 
@@ -132,7 +132,7 @@ class Method(ABC, Generic[P]):
         return "tol" in getattr(self, "__dataclass_fields__", ())
 
     def components(self, pupil: P) -> list[Component]:
-        """Return the components whose intensities add up to that of `pupil`: one, unless the method is a sum."""
+        """Return components with intensities that add up to the image of `pupil`: one, unless the method is a sum."""
         from lommel.optics.colour.spectrum import Component
 
         return [Component(1.0, 1.0, pupil)]
@@ -472,7 +472,7 @@ def powers_cancel(pupil: Pupil) -> str | None:
 
 
 def annulus(disk: Callable[[Array, Array], FieldValues], pupil: Pupil, v: Array) -> FieldValues:
-    """Return the field of an obscured aperture from that of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
+    """Return the field of an obscured aperture from fields of disks, ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``."""
     # The inner disk has the phase of rho < eps, coefficients c_k eps^(2k): certificate, section 5.
     coefficients = pupil.coefficients()
     outer = disk(coefficients, v)

@@ -123,7 +123,7 @@ def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, 
     phases = pupil.opening.phases
     steepest = float(np.hypot(phases[:, 1], phases[:, 2]).max())
     degree = degree_needed(terms, reach, pupil.illumination, allowed)
-    # The phase factor of a segment is approximated by a polynomial, whose degree adds to that of the pupil function.
+    # A polynomial approximates the phase factor of a segment; its degree adds to the degree of the pupil function.
     rule_degree = degree + (degree_needed([], steepest, pupil.illumination, allowed, power=0.0) if steepest else 0)
     # Section 18, "A polynomial": a (1 + W) / 2 + (1 + a / 2) a, with a = `allowed` and W <= 1 + a.
     return degree, rule_degree, 1.1 * allowed + (1.0 + allowed) * allowed + phase_roundings(pupil)

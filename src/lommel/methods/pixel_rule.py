@@ -22,7 +22,7 @@ from lommel.special.legendre import gauss_legendre
 class PixelRule(NamedTuple):
     """A quadrature rule for the mean of a radial intensity I(v) over each pixel of a centred window of odd side.
 
-    ``mean = I(step * radii) @ matrix`` gives one value for each pixel of the octant; see :func:`octant`.
+    ``mean = I(step * radii) @ matrix`` has one value for each pixel of the octant; see :func:`octant`.
 
     Attributes
     ----------
@@ -108,7 +108,7 @@ def quarters(means: Pixels, half: int) -> Pixels:
     means : ndarray, shape (n, cells)
         Values of the pixels of the octant.
     half : int
-        Half width of the windows, at most that of the octant.
+        Half width of the windows, at most the half width of the octant.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
     step : float
         Pixel pitch in v.
     margin : int, default 12
-        Number of nodes in addition to those for the phase, in each of the three intervals of a pixel.
+        Number of nodes in addition to the nodes for the phase, in each of the three intervals of a pixel.
 
     Returns
     -------
@@ -194,7 +194,7 @@ def _rule(half: int, eighths: int, margin: int) -> PixelRule:
 class LocalRule(NamedTuple):
     """A sparse rule for the mean of I over each pixel of a centred window, from equally spaced values of I.
 
-    ``mean = matrix @ I(v)`` gives one value for each pixel of the octant; see :func:`octant`.
+    ``mean = matrix @ I(v)`` has one value for each pixel of the octant; see :func:`octant`.
 
     Attributes
     ----------
@@ -214,7 +214,7 @@ _SPACING, _STENCIL = 0.4, 16  # spacing of values in v, and number of values of 
 def local_rule(half: int, step: float) -> LocalRule:
     r"""Return a sparse rule for windows of ``2 half + 1`` pixels a side of many lambda*N each.
 
-    The quadrature is that of :func:`pixel_rule`, but I at its nodes is interpolated by polynomials through the
+    The quadrature is the same as in :func:`pixel_rule`, but I at its nodes is interpolated by polynomials through the
     nearest values. As I is of exponential type 2 in v, the interpolation error is ``sin(spacing)^16`` times a
     fraction of the largest I: less than 1e-7. The mean over a pixel depends on values near the pixel only; with
     :func:`pixel_rule` it depends on all values.

@@ -29,7 +29,7 @@ class Geometry:
 
     A paraxial lens is stigmatic for the plane in focus, the conjugate of the sensor:
     ``1/focus_distance = 1/focal_length - 1/sensor_distance``. There is one object distance for each pupil of the
-    flattened stack, infinity allowed; model and corrected_for are those of :class:`lommel.Lens`.
+    flattened stack, infinity allowed. For `model` and `corrected_for` see :class:`lommel.Lens`.
     """
 
     aperture_radius: float
@@ -200,7 +200,7 @@ class BasePupil(display.Shown):
 
     @property
     def collected(self) -> NDArray[np.float64]:
-        """Collected light, divided by that of an emitter far from the glass; ValueError for a lens."""
+        """Collected light, divided by the light of an emitter far from the glass; ValueError for a lens."""
         raise ValueError('normalize="emitted" is for the pupils of an Objective; for a lens use "energy"')
 
     @property

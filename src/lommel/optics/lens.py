@@ -461,12 +461,12 @@ def require_round(name: str, lens: Lens) -> None:
         others = f" and {len(kinds) - 4} more" if len(kinds) > 4 else ""
         raise ValueError(
             f"{name} must have radially symmetric aberrations, got {', '.join(kinds[:4])}{others}: leave these terms "
-            "out of the lens (its section [aberrations]), or blur by lommel.imaging.FieldBlur, which takes any PSF"
+            "out of the lens (its section [aberrations]), or blur by lommel.imaging.FieldBlur, which supports any PSF"
         )
     if lens.spider or lens.vignetting or lens.mask or lens.stop:
         raise ValueError(
             f"{name} must have a round aperture, without spider, vignetting, mask and stop: leave these out, or blur "
-            "by lommel.imaging.FieldBlur, which takes any aperture"
+            "by lommel.imaging.FieldBlur, which supports any aperture"
         )
 
 

@@ -234,7 +234,7 @@ class Pupil(BasePupil):
             raise ValueError("wavelength and f_number of the pupil must be given to change the wavelength, got None")
         if self.phase_mask and wavelength != self.wavelength:
             raise ValueError(
-                "mask must be real to change the wavelength of the pupil: phases of a complex mask are those at one "
+                "mask must be real to change the wavelength of the pupil: phases of a complex mask hold at one "
                 "wavelength; add images of pupils with a mask for each wavelength"
             )
         wavefront, geometry = same_path(self.wavefront, self.wavelength, wavelength), self.geometry

@@ -109,7 +109,7 @@ def disc(value: Disc | complex | NDArray[np.complex128]) -> Disc:
 
 
 def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
-    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``, of which both are entire functions."""
+    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``; both are entire functions of z^2."""
     # The derivatives by z^2 are -sinc(z) / 2 and -int_0^1 s^2 sinc(s z) ds / 2, with
     # abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z)).
     z = np.sqrt(square.centre)

@@ -200,7 +200,7 @@ def _match_value_and_slope(c: Array, edges: Array) -> Array:
     """Return alpha and beta with the value (modulo 2 pi) and slope of the phase in the middle of each segment."""
     middle = 0.5 * (edges[:-1] + edges[1:])
     value, slope, curvature = (_derivative(c, middle, k) for k in range(3))
-    # Of all whole turns, choose those with which the curvature is closest to the curvature of the phase.
+    # The number of whole turns for which the curvature is closest to the curvature of the phase.
     turns = np.round((slope * middle - value - 0.5 * curvature * middle**2) / (2.0 * math.pi))
     alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
     return np.stack([alpha, slope - 2.0 * alpha * middle, np.zeros_like(alpha)], axis=-1)

@@ -250,7 +250,7 @@ def conversion_error(powers: Array) -> Array:
 
 
 def powers_of_edge(coefficients: Array) -> Array:
-    """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...; moduli grow like 5.8^terms."""
+    """Return the coefficients of t, t^2, ... from coefficients of R_2^0, R_4^0, ...; moduli grow like 5.8^terms."""
     return (coefficients @ legendre_to_powers(coefficients.shape[-1]).T).astype(np.float64)
 
 

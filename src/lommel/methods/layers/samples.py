@@ -47,16 +47,18 @@ if TYPE_CHECKING:
 # (Bernstein's inequality).
 #
 # For light ``sum_m F_m(r) exp(i m phi)`` each order m is treated separately. A disc is symmetric about the line from
-# the axis to its centre, so that its mean of an order is of the same order. Along a line through the axis, F_m at
-# negative r is ``(-1)^m F_m(-r)``. The sum over the orders equals the same rule applied to the whole light, for which
-# the bounds are proven.
+# the axis to its centre, so that its mean of an order is of the same order. Along a line through the axis, F_m
+# extends to negative radii by ``F_m(-r) = (-1)^m F_m(r)``. The sum over the orders equals the same rule applied to
+# the whole light, for which the bounds are proven.
 
 HALF = 6  # half the number of points of an interpolation
 _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
 _DENOMINATORS = np.array([math.prod(k - j for j in range(2 * HALF) if j != k) for k in range(2 * HALF)], np.float64)
 _MAX_STEP = 0.5  # largest step of a table in v
 ETA = np.geomspace(0.02, 12.0, 96)  # logarithms of the parameters of Bernstein's ellipses; each one gives a bound
-_DISC_ROUNDING = 2.0**-46  # rounding error of sums of at most some thousand products, with weights of sum about 1
+_DISC_ROUNDING = (
+    2.0**-46
+)  # rounding error of sums of at most some thousand products, with weights that sum to a few units
 
 
 Values = NDArray[np.float64] | NDArray[np.complex128]  # values of azimuthal orders; real if there is only order 0
@@ -127,7 +129,7 @@ def _points(radius: float, error: float) -> tuple[Array, Array]:
         around += 2
     while gauss_error(2.0 * radius * np.sinh(0.5 * ETA) - math.log(2.0), across) > 0.5 * error:
         across += 1
-    # Gauss rule in the squared radius, of which the area is a linear function.
+    # Gauss rule in the squared radius, to which the area is proportional.
     t, w = gauss_legendre(across)
     theta = math.pi * (2 * np.arange(around // 2) + 1) / around
     r = radius * np.sqrt(t)[:, None]

@@ -381,8 +381,8 @@ class Bead(ProvenMethod):
         eta, ratio = ETA, layers.NA / layers.sample
         within = float(1.0 - np.sqrt(max(1.0 - ratio**2, 0.0)))  # 1 - c, for propagating waves
         fading = float(np.sqrt(max(ratio**2 - 1.0, 0.0)))  # largest kappa, for waves beyond the critical angle
-        # On the ellipse abs(Im) of the disc's radius is R sinh(eta) abs(cos t), that of the height R sinh(eta)
-        # abs(sin t): certificate, "Beads".
+        # On the ellipse, abs(Im) is R sinh(eta) abs(cos t) for the radius of the disc, R sinh(eta) abs(sin t) for
+        # the height: certificate, "Beads".
         across = radius * layers.wavenumber * float(np.hypot(2.0 * layers.NA, layers.sample * within))
         return across * np.sinh(eta) + 2.0 * radius * layers.wavenumber * layers.sample * fading * np.cosh(eta)
 
@@ -413,8 +413,8 @@ class Confocal(ProvenMethod):
 
     ``E(r) P(r)``, r being the distance of the emitter from the axis: E is the excitation intensity, relative to the
     focus of a uniform scalar aperture that sends as much light through the same plane of the sample; P is the
-    fraction of the collected emission that passes the pinhole. The pupil for which an image is computed is that of
-    the emission; its planes are used for the excitation, too. A :class:`lommel.Dipole` absorbs the field along its
+    fraction of the collected emission that passes the pinhole. An image is computed for the pupil of the
+    emission; its planes are used for the excitation, too. A :class:`lommel.Dipole` absorbs the field along its
     moment: E is then three times the intensity of that component, averaged over its wobble; for a freely rotating
     dipole it is the total intensity.
 
@@ -439,8 +439,8 @@ class Confocal(ProvenMethod):
     :meth:`lommel.Objective.fields`. The integral includes Fresnel losses and light beyond the critical angle; near
     the glass it changes with depth.
 
-    The spatial frequencies of E P are the sums of those of E and P: its cutoff is that of the emission times
-    ``1 + lambda_emission / lambda_excitation``.
+    The spatial frequencies of E P are sums of a frequency of E and a frequency of P: the cutoff is the cutoff of the
+    emission times ``1 + lambda_emission / lambda_excitation``.
 
     References
     ----------
@@ -508,7 +508,7 @@ class Confocal(ProvenMethod):
         return absorbed.power / replace(absorbed, emitter=self.excitation.emitter).power
 
     def stretch(self, pupil: ObjectivePupil) -> float:
-        """Return the exponential type in v of a field whose square is E P: 1 plus that of the excitation field."""
+        """Return the exponential type in v of a field whose square is E P: 1 plus the excitation type."""
         return 1.0 + pupil.scale / self.excitation.scale
 
     def _orders(self, pupil: ObjectivePupil, v: Array, target: float) -> Orders:
@@ -557,7 +557,7 @@ def _fixed_dipole(pupil: ObjectivePupil) -> Dipole | None:
 class TwoPhoton(ProvenMethod):
     r"""Two-photon microscope: the squared excitation intensity; all emitted light is collected.
 
-    The pupil for which an image is computed is that of the excitation.
+    An image is computed for the pupil of the excitation.
 
     Parameters
     ----------
@@ -712,7 +712,7 @@ class Sted(Confocal):
 def crest(pupil: ObjectivePupil) -> float:
     """Return the peak intensity of a radial beam over its planes if the layers caused no aberration.
 
-    The unit is that of E of :class:`lommel.methods.Confocal`; the relative error is about 1e-6.
+    The unit is the unit of E in :class:`lommel.methods.Confocal`; the relative error is about 1e-6.
     """
     # The waves keep their transmission by interfaces and films and their decay with depth; the phase psi of
     # :meth:`lommel.Objective.phase` is omitted.

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 # Fixed dipoles and beams use the engine of :mod:`lommel.methods.layers.stratified`. With a measured wavefront the
 # fields E are sums over circles (:mod:`lommel.methods.layers.debye_rings`). Waves times ``(1 +- i s dpsi/dx) / 2``
-# give the fields ``(E +- s G) / 2``, G being the derivative of E. The difference of the two intensities is
+# have the fields ``(E +- s G) / 2``, G being the derivative of E. The difference of the two intensities is
 # ``s Re(E conj G)``, exactly s / 2 times the derivative of ``abs(E)^2``, for every s.
 
 Rates = Callable[[ObjectivePupil], Sequence[By]]  # signature: planes -> derivatives of their images

@@ -182,7 +182,7 @@ class Apodization:
         """Return the integral over t of the amplitude to a `power` from `obscuration` squared to 1, to 1e-14."""
         low = obscuration**2
         area = 1.0 - low
-        # A Gaussian has a closed form, of which the limit g = 0 is the area.
+        # A Gaussian has a closed form, with the area as its limit for g = 0.
         if len(self.powers) > 1 or self.exponent[0]:
             t, weight = gauss_legendre(24 + math.ceil(0.5 * power * self.slope), low, 1.0)
             return float(weight @ self.at(t, power))

@@ -176,7 +176,7 @@ class Opening:
         return tuple(self._within(stop) for stop in stops)
 
     def _within(self, stop: Shape | None) -> Shape:
-        # The unit disc limits all apertures, whatever their other parts are.
+        # The unit disc limits every aperture.
         clear: Shape = Disc() if stop is None else Disc() & stop
         if self.vignetting is not None:
             clear = clear & self.vignetting
@@ -311,7 +311,7 @@ def _require_apart(shapes: tuple[Shape, ...]) -> None:
     boxes = np.array([[f(np.concatenate(part.outline(48)), axis=0) for f in (np.min, np.max)] for part in shapes])
     wide = 0.01 * (boxes[:, 1] - boxes[:, 0])
     low, high = boxes[:, 0] - wide, boxes[:, 1] + wide
-    # Only pairs whose boxes meet: a pair takes a quadrature over the intersection.
+    # Only pairs with overlapping boxes: each pair needs a quadrature over its intersection.
     for i, part in enumerate(shapes):
         near = np.all((low[i] <= high[:i]) & (low[:i] <= high[i]), axis=-1)
         for j in np.flatnonzero(near):

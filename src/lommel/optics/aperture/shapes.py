@@ -60,7 +60,7 @@ class Shape:
 
     @property
     def parts(self) -> tuple[Shape, ...]:
-        """Discs, ellipses and polygons of which the shape is composed."""
+        """Discs, ellipses and polygons that compose the shape."""
         parts: list[Shape] = []
         self._listed(parts, [])
         return tuple(parts)
@@ -784,7 +784,7 @@ class Segments:
     ) -> Segments:
         """Return the segments with other `piston`, `tip` and `tilt`: numbers, or one number for each segment.
 
-        The `unit` is "radians" or "waves". TypeError or ValueError if they are not finite, or not as many.
+        The `unit` is "radians" or "waves". TypeError or ValueError if they are not finite or do not match.
         """
         turn = 1.0 if validation.choice("unit", unit, ("radians", "waves")) == "radians" else 2.0 * math.pi
         phases = {"piston": piston, "tip": tip, "tilt": tilt}

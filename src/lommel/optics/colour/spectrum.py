@@ -38,7 +38,7 @@ class Component(NamedTuple):
 
     @property
     def weight(self) -> float:
-        """Unaberrated peak of this component, relative to that of all light at the reference wavelength."""
+        """Unaberrated peak of this component, relative to the peak of all light at the reference wavelength."""
         return self.share * self.stretch**2
 
 

@@ -180,9 +180,7 @@ def test_what_a_pupil_lacks_is_said_and_where_to_get_it(name):
         lm.psf(lm.Pupil(), 9, 0.5, derivatives=(name,))
     pupil = lm.Pupil(wavelength=5e-7, f_number=2.0)
     if name.endswith("distance"):
-        with pytest.raises(
-            ValueError, match=f"'{name}' need a pupil with the distances of a lens; make it by Lens.pupil"
-        ):
+        with pytest.raises(ValueError, match=f"'{name}' need a pupil with the distances of a lens; make it by"):
             lm.psf(pupil, 9, 1e-6, derivatives=(name,))
         with pytest.raises(ValueError, match=r"of paraxial lenses only, got model='aplanatic', .* take differences"):
             lm.psf(replace(LENS, model="aplanatic").pupil(1.9), 9, 1e-6, derivatives=(name,))
@@ -190,9 +188,7 @@ def test_what_a_pupil_lacks_is_said_and_where_to_get_it(name):
 
 def test_what_other_apertures_lack_is_said():
     vanes = lm.Pupil(obscuration=0.3, spider=lm.Spider.equal(3, width=0.1))
-    with pytest.raises(
-        ValueError, match="by 'obscuration' are those of circular and annular apertures only; take diff"
-    ):
+    with pytest.raises(ValueError, match="by 'obscuration' need a circular or annular aperture; take diff"):
         lm.psf(vanes, 9, 0.5, derivatives=("obscuration",))
     stop = lm.Segments.hexagonal(1).phased(np.arange(6.0))
     segments = lm.Pupil(stop=stop, wavelength=5e-7, f_number=2.0)

@@ -182,9 +182,8 @@ def _sample_slopes(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array
     # The error of each of the two fields in the product is a tenth of the allowed error.
     allowed = max(0.1 * error / (amplitude + light), 1e-15)
     terms = pupil.wavefront.amplitudes()
-    x, y, weight = pupil.rule(
-        degree_needed([(n, w) for (n, _), w in terms.items()], largest_v, pupil.illumination, allowed)
-    )
+    degree = degree_needed([(n, w) for (n, _), w in terms.items()], largest_v, pupil.illumination, allowed)
+    x, y, weight = pupil.rule(degree)
     disk = _fields(pupil, x, y, weight, across, down)
     nodes = _nodes(terms, eps, largest_v, allowed / light)
     # The trapezoidal rule, by midpoints.
@@ -326,9 +325,7 @@ def _require_available(pupil: Pupil, names: Sequence[Name], sums: Sequence[Parts
     differences = "take differences, (psf(a + h) - psf(a - h)) / (2 h)"
     for name, each in zip(names, sums, strict=True):
         if each.obscuration:
-            raise ValueError(
-                f"derivatives by {name!r} are those of circular and annular apertures only; {differences}"
-            )
+            raise ValueError(f"derivatives by {name!r} need a circular or annular aperture; {differences}")
         if each.unknown and pupil.segmented:
             raise ValueError(
                 f"derivatives by {name!r} are those of apertures with segments in phase only; {differences}"
@@ -497,8 +494,7 @@ def gradient(
     """Return derivatives of ``sum(weights * values)`` by checked names, each of shape (n,).
 
     `weights` are (n, height, width), values are `scale` times the intensity. Derivatives by phases use reverse mode
-    if the chordal rule applies (certificate, section 8, "Derivatives"); all others are sums over images of
-    derivatives.
+    if the chordal rule applies (certificate, section 8, "Derivatives"); others are sums over derivative images.
     """
     tol, free = method.tol, _with_derivatives(method)
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}

@@ -605,9 +605,8 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
             values, slopes, rounding = field_sums(rule, pupil, grid, wanted.terms)
             field_bounds, slope_bounds = np.tile((missed + 1.1 * allowed + rounding)[:, None], len(values))
             return values, slopes, field_bounds, slope_bounds
-        rules = pupil.opening.rows(
-            degree_needed(terms, reach + steepest, pupil.illumination, allowed) + highest, allowed
-        )
+        degree = degree_needed(terms, reach + steepest, pupil.illumination, allowed) + highest
+        rules = pupil.opening.rows(degree, allowed)
     else:
         phases, rules, missed = np.zeros((1, 3)), pupil.samples, phase_roundings(pupil)
     window = window_of(pupil, grid)

@@ -49,9 +49,7 @@ METHODS = _by_command_name(
 LAYERED = _by_command_name(Stratified, ChordalDebye, DebyeRings, DebyeWolf)
 """Methods for the pupils of objectives, by the names in the command line."""
 
-_SUMS = _by_command_name(
-    Polychromatic, Bead, Confocal, TwoPhoton, Sted
-)  # methods that combine images of other methods
+_SUMS = _by_command_name(Polychromatic, Bead, Confocal, TwoPhoton, Sted)  # methods that combine other images
 
 ERFS: dict[str, type[AbramowitzErf | TableErf | FresnelErf]] = {
     "abramowitz": AbramowitzErf,

@@ -178,16 +178,12 @@ class AbramowitzErf(Erf):
         x, y = side * at.real, side * at.imag
         # Intermediate products may overflow although the sum does not; the sum itself is checked at the end.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            two_xy = 2.0 * x * y
+            xy2 = 2.0 * x * y
             decay = np.exp(-x * x)
             # (1 - cos 2xy + i sin 2xy) / (2 pi x), with the limit i y / pi at x = 0.
-            first = np.where(
-                x > 1e-150,
-                (2.0 * np.sin(0.5 * two_xy) ** 2 + 1j * np.sin(two_xy)) / (2.0 * np.pi * x),
-                0,
-            )
+            first = np.where(x > 1e-150, (2.0 * np.sin(0.5 * xy2) ** 2 + 1j * np.sin(xy2)) / (2.0 * np.pi * x), 0)
             total = erf(x) + decay * np.where(x > 1e-150, first, 1j * y / np.pi)
-            cos, sin = np.cos(two_xy), np.sin(two_xy)
+            cos, sin = np.cos(xy2), np.sin(xy2)
             for n in range(1, self.terms + 1):
                 unit = np.exp(-0.25 * n * n - x * x)
                 growing = np.exp(n * np.abs(y) - 0.25 * n * n - x * x)
@@ -265,9 +261,8 @@ def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.compl
 def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1.
 
-    With u = x^2, the integral is ``J_m = int_0^1 u^m e^{i phase u} du / 2``. Phases above the number of moments use
-    the recurrence ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``; for smaller phases, where the recurrence would
-    cancel, Gauss-Legendre quadrature is used.
+    With u = x^2, the integral is ``J_m = int_0^1 u^m e^{i phase u} du / 2``. Large phases use the
+    recurrence ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``, which cancels for small ones: these use quadrature.
 
     Parameters
     ----------

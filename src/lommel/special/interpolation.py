@@ -128,13 +128,11 @@ def _fit_filter(count: int, band: float, neighbours: int, width: int = 0) -> Fil
     # The error is evaluated at other frequencies than the fit.
     w = _chebyshev(2 * math.ceil(1.18 * extent * band + 48), band)
     gains = np.cos(np.outer(w, distance)) @ (weights * times)
-    symmetric, positions = np.concatenate([weights[:0:-1], weights]), _check_positions()
+    even, positions = np.concatenate([weights[:0:-1], weights]), _check_positions()
 
     def bounds(rows: Array, target: Array | NDArray[np.complex128]) -> tuple[float, float]:
-        sums = max(np.abs(np.convolve(row, symmetric)).sum() for row in rows)
-        rounding = (
-            2.0**-53 * (2 * neighbours + 8) * _SQRT_2 * np.abs(rows).sum(axis=1).max() * np.abs(symmetric).sum()
-        )
+        sums = max(np.abs(np.convolve(row, even)).sum() for row in rows)
+        rounding = 2.0**-53 * (2 * neighbours + 8) * _SQRT_2 * np.abs(rows).sum(axis=1).max() * np.abs(even).sum()
         error = _wave_errors(taps, w, gains, rows, target).max() + rounding
         return _SQRT_2 * float(error), _BETWEEN_POINTS * float(sums)
 

@@ -18,11 +18,7 @@ SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
 _SAMPLES = 96  # samples of each segment for the mean error
-_SWEEP, _LEVELS, _MAXIMA = (
-    31,
-    3,
-    24,
-)  # values of a coefficient in each finer sweep; finer sweeps; maxima to be refined
+_SWEEP, _LEVELS, _MAXIMA = 31, 3, 24  # values of a coefficient in a finer sweep; finer sweeps; maxima refined
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,6 @@
 """Microscope images with a measured wavefront in small windows, by the chordal Gauss rule with projected amplitudes.
 
-Images use numbers of chords and nodes that are proven to suffice. Parameter searches use fewer, without an error
-bound.
+Images use numbers of chords and nodes that are proven to suffice. Searches use fewer, without an error bound.
 """
 
 from __future__ import annotations
@@ -159,15 +158,11 @@ class ChordalDebye(AberratedMethod):
         return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
     def _proven(
-        self,
-        pupil: ObjectivePupil,
-        tol: float,
-        wanted: Wanted,
-        compute: Callable[[float], tuple[_Result, Array, Array]],
+        self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Result, Array, Array]]
     ) -> tuple[_Result, Array, Array]:
         """Return the result for fields accurate enough for `tol`, the largest I, and its relative error.
 
-        `compute` computes the result, the largest I and its absolute error from a required error of fields. Raises
+        `made` computes the result, the largest I and its absolute error from a required error of fields. Raises
         ToleranceError if `tol` cannot be met.
         """
         # Division by the computed peak doubles the error, and adds a second rounding error.
@@ -177,7 +172,7 @@ class ChordalDebye(AberratedMethod):
         peak = likely_peak(pupil) / 4.0
         while True:
             field = max(LEAST, 2.0 ** math.floor(math.log2(aim * math.sqrt(peak) / 6.0)))
-            result, top, error = compute(field)
+            result, top, error = made(field)
             least = top - error
             relative: Array = np.where(least > 0.0, error / np.where(least > 0.0, least, 1.0), np.inf)
             if wanted.scale is None:

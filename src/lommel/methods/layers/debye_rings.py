@@ -174,9 +174,8 @@ def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted
         size = max(float(np.abs(each).sum()) for each in rule.parts)
         # Quadrature, omitted orders, and roundings of the transform over angles (section 16, "Rounding").
         field_error = rule.error + omitted + 64.0 * math.sqrt(angles) * _ROUNDING * size
-        by_circles = _circle_error(
-            sampled, field_error * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power), max_order, angles
-        )
+        field_errors = field_error * np.abs(rows).sum(axis=1)[:, None] / np.sqrt(sums.power)
+        by_circles = _circle_error(sampled, field_errors, max_order, angles)
         errors[part] = _pixel_error(sampled, by_circles, along, around, angles)
         peaks[part] = np.maximum(sampled.top - by_circles, sampled.pixel - errors[part])
         tops[part] = sampled.pixel
@@ -214,18 +213,14 @@ def _circle_error(found: Ringed, field_errors: Array, max_order: int, angles: in
 
 
 def _pixel_error(
-    found: Ringed,
-    by_circles: Array,
-    along: interpolation.FilteredTaps,
-    around: interpolation.CircularTaps,
-    angles: int,
+    found: Ringed, error: Array, along: interpolation.FilteredTaps, around: interpolation.CircularTaps, angles: int
 ) -> Array:
     """Bound the error of pixels: interpolation between and around circles, errors of intensities, rounding."""
     sizes = found.sums + float(np.abs(along.filter).sum()) * found.top
     # Section 16, "Rounding".
     units = 64.0 * math.sqrt(2 * angles) + 2 * along.filter.size + 64
     interpolated = found.aliases + units * _ROUNDING * around.taps.gain * sizes
-    return np.asarray(along.error + along.gain * by_circles + along.taps.gain * interpolated)
+    return np.asarray(along.error + along.gain * error + along.taps.gain * interpolated)
 
 
 @lru_cache(maxsize=64)

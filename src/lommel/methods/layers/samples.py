@@ -56,9 +56,7 @@ _OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
 _DENOMINATORS = np.array([math.prod(k - j for j in range(2 * HALF) if j != k) for k in range(2 * HALF)], np.float64)
 _MAX_STEP = 0.5  # largest step of a table in v
 ETA = np.geomspace(0.02, 12.0, 96)  # logarithms of the parameters of Bernstein's ellipses; each one gives a bound
-_DISC_ROUNDING = (
-    2.0**-46
-)  # rounding error of sums of at most some thousand products, with weights that sum to a few units
+_DISC_ROUNDING = 2.0**-46  # rounding error of sums of some thousand products, with weights of sum a few units
 
 
 Values = NDArray[np.float64] | NDArray[np.complex128]  # values of azimuthal orders; real if there is only order 0

@@ -272,9 +272,8 @@ class ProvenMethod(LayeredMethod, RadialMethod[ObjectivePupil]):
             samples = self._pixels(pupil, grid, target, wanted.threads)
             return np.maximum(samples.values, 0.0), samples.error
 
-        return to_images(
-            refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, named=self.tol), grid, wanted
-        )
+        made = refine_until(compute, allowed, start=0.1 * allowed, floor=_MIN_ERROR, named=self.tol)
+        return to_images(made, grid, wanted)
 
 
 _MAX_HEIGHTS = 200  # largest number of heights of the Gauss rule over a bead

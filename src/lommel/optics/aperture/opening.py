@@ -198,16 +198,13 @@ class Opening:
 
         Points between segments have the phase of the nearest segment.
         """
-        index, largest_margin = np.zeros((2, *np.broadcast_shapes(x.shape, y.shape)))
+        index, largest = np.zeros((2, *np.broadcast_shapes(x.shape, y.shape)))
         # The margin of the nearest segment is the largest: positive inside, minus the distance outside.
         if isinstance(self.stop, Segments):
-            largest_margin -= np.inf
+            largest -= np.inf
             for i, part in enumerate(self.stop.shapes):
                 margin = part.margin(x, y)
-                index, largest_margin = (
-                    np.where(margin > largest_margin, i, index),
-                    np.maximum(margin, largest_margin),
-                )
+                index, largest = np.where(margin > largest, i, index), np.maximum(margin, largest)
         return _phased(self.phases[index.astype(np.intp)], x, y)
 
     def tilted_nodes(self, degree: int) -> Array:

@@ -203,12 +203,10 @@ def covered(region: Shape, x: Array, y: Array, half: float) -> Array:
         pieces = -(-x.size * len(parts) // _AT_ONCE)
         bands = zip(np.array_split(x, pieces), np.array_split(y, pieces), strict=True)
         return np.concatenate([covered(region, *band, half) for band in bands])
-    whole, corner_distance = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
+    whole, reach = listed(region), math.sqrt(2.0) * half * (1.0 + 1e-9)
     # An edge does not cross a cell if it is farther from its centre than the corners of the cell.
     margins = (part.margin(x, y) for part in parts)
-    coverage = np.array(
-        [np.where(m > corner_distance, _FULL, np.where(m < -corner_distance, _NONE, _CUT)) for m in margins], np.int8
-    )
+    coverage = np.array([np.where(m > reach, _FULL, np.where(m < -reach, _NONE, _CUT)) for m in margins], np.int8)
     state = whole.combined(list(coverage), np.minimum, np.maximum, lambda a, b: np.minimum(a, _FULL - b))
     fraction: Array = np.where(state == _FULL, 1.0, 0.0)
     cut = np.flatnonzero(state == _CUT)
@@ -423,22 +421,17 @@ class Polygon(Shape):
         length = np.hypot(*edge.T)
         # At corners on a straight side, `turn` is a rounding error.
         flat = 1e-12 * length * np.roll(length, -1)
-        direction = math.copysign(1.0, turn.sum())
+        sense = math.copysign(1.0, turn.sum())
         # A convex polygon turns in one direction, and once around.
-        total_turn = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
+        total = np.arctan2(turn, (edge * after).sum(axis=1)).sum()
         line = np.all(np.abs(turn) <= flat)
-        if (
-            length.min() < 1e-12
-            or line
-            or np.any(direction * turn < -flat)
-            or abs(abs(total_turn) - 2.0 * math.pi) > 1e-6
-        ):
+        if length.min() < 1e-12 or line or np.any(sense * turn < -flat) or abs(abs(total) - 2.0 * math.pi) > 1e-6:
             raise ValueError(
                 "corners must be the corners of a convex polygon, not on a line, in order and without repetition; "
                 f"join convex polygons by |, got {validation.shown(self.corners)}"
             )
         # Stored counter-clockwise, as margin() requires.
-        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(direction)]))
+        object.__setattr__(self, "corners", tuple((float(x), float(y)) for x, y in given[:: int(sense)]))
 
     @classmethod
     def regular(

@@ -69,8 +69,7 @@ def fit_taps(response: Function, wave: Function, x: Pixels, *, in_disc: bool = F
     gain = float((multiplicity * np.abs(c)).sum())
     # Rounding of the response: an error of 2^-52 for each product and each sum over the taps.
     rounding = 2.0**-52 * (x.size + 3) * gain
-    # Up to 1e-17 the error is a polynomial of degree d in w: at most sqrt(2) times its maximum at 2 d Chebyshev
-    # nodes.
+    # Up to 1e-17 the error is a polynomial in w: at most sqrt(2) times its maximum at Chebyshev nodes (2 x degree).
     most = math.sqrt(2.0) * (float(np.abs(basis @ c - target).max()) + rounding) + 1e-17
     if in_disc:
         # If both responses, along y and x, have the mean error m, their product has the mean error m (2 + `most`).

@@ -87,8 +87,7 @@ def _average_growth(engine: Method, pupil: BasePupil, grid: Grid, threads: int, 
     # The filter may add a thousandth of the tolerance; below 1e-13 rounding errors dominate.
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = pad_filters(averaging_filter(step, response), averaging_filter(step, response, growing=True))
-    # Bound for both terms: 2 (2 eps + (1 + eps) eps_T) A^2 (certificate, section 12, "Growth"), since both responses
-    # are at most 2.
+    # Bound for both terms, as responses are at most 2: 2 (2 eps + (1 + eps) eps_T) A^2 (section 12, "Growth").
     truncation = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
     # A phase (or relative amplitude) error e changes U and grad U by at most e int A; abs(u) <= a / sqrt(2).
     of_phase, of_light = pupil.left_out
@@ -189,8 +188,7 @@ def _sample_slopes(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array
     # The trapezoidal rule, by midpoints.
     theta = (np.arange(nodes) + 0.5) * (2.0 * math.pi / nodes)
     rim = _fields(pupil, eps * np.cos(theta), eps * np.sin(theta), np.full(nodes, 2.0 * eps / nodes), across, down)
-    # A phase (or relative amplitude) error e changes a field by at most e times its largest modulus; so does
-    # rounding.
+    # A phase (or relative amplitude) error e changes a field by at most e times its maximum; so does rounding.
     left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     # Rounding errors divided by the integral of the amplitude: certificate, section 8.
     of_terms = np.array([n * n + 10.0 + len(pupil.wavefront.terms) for n, _ in pupil.wavefront.terms])

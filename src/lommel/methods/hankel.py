@@ -174,8 +174,7 @@ class Hankel(FieldMethod[Pupil]):
             )
         t, weights = gauss_legendre(n, low, 1.0)
         integrand = weights * pupil.illumination.at(t) * np.exp(1j * pupil.radial_phase(t))
-        # One thread: threads of OpenBLAS would busy-wait for one another if several channels are computed in
-        # parallel.
+        # One thread: if channels are computed in parallel, OpenBLAS threads would busy-wait for one another.
         parts = [np.ascontiguousarray(part) for part in (integrand.real, integrand.imag)]
         values = np.empty((len(terms), v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]

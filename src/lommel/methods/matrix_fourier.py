@@ -86,8 +86,7 @@ class MatrixFourier(Method[Pupil]):
                 f"{grid.height} x {grid.width} pixels more than the limit of {_MAX_FIELD}; use a smaller window"
             )
         x = cell_centers(self.samples)
-        # Two matrices (Soummer et al.): exp(-i v y) for all rows of pixels (and their nodes), exp(-i v x) for
-        # columns.
+        # Two matrices (Soummer et al.): exp(-i v y) for rows of pixels (and their nodes), exp(-i v x) for columns.
         to_rows, to_columns = (
             np.exp(-1j * np.multiply.outer((step / grid.side * part[:, None] + offset).ravel(), x))
             for part in (grid.y, grid.x)

@@ -36,12 +36,10 @@ Shortcut = Callable[[Any, Pixels], tuple[Array, float] | None]
 
 # Article and noun of the kind of pupil, for messages.
 _NOUN = {"lens": "a lens", "objective": "an objective"}
-# Levels l of accuracy of tables in the compiled core: errors are about 10^-l (certificate, section 9, "Requested
-# accuracy").
+# Accuracy levels l of tables in the compiled core, errors about 10^-l: section 9, "Requested accuracy".
 _LEVELS = range(3, 16)
 _DEFAULT_LEVEL = 10  # level for profiles without an error bound
-# Steps of the line on which the peak is searched, from the axis to the outermost ray: certificate, section 9,
-# "Relative to what".
+# Steps of the line from the axis to the outermost ray, to search the peak: section 9, "Relative to what".
 _LINE_STEPS = 512
 
 
@@ -155,8 +153,7 @@ class Method(ABC, Generic[P]):
         while (
             self.keeps_tol and (error := with_storage_rounding(made, wanted)) is not None and error.max() > self.tol
         ):
-            # Division of values by their own largest value doubles the error: tol is then divided by 4, otherwise by
-            # 2.
+            # Division of values by their largest value doubles the error: tol is then divided by 4, else by 2.
             finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
@@ -169,8 +166,7 @@ class Method(ABC, Generic[P]):
 
         `wanted` has neither `out` nor derivatives. The returned function has as arguments such a pupil and an array
         for the values. It returns the scale of the values, of the shape of the pupil, and the largest error bound; or
-        None if :meth:`images` must be called instead. It raises the exceptions of :meth:`images`. By default there is
-        no prepared computation.
+        None if :meth:`images` must be called instead. It raises the exceptions of :meth:`images`. Default: None.
         """
         return None
 
@@ -284,7 +280,7 @@ class RadialMethod(Method[P]):
         # Interpolation may use a fifth of the tolerance; its errors are relative to half the range of I.
         needed = math.ceil(-math.log10(0.2 * allowed * peak_estimate / (0.5 * self._ceiling(pupil))))
         level = min(max(needed, _LEVELS[0]), _LEVELS[-1])
-        # The error bound of a profile determines the level; without a bound the level is fixed.
+        # The tolerance determines the level, except for profiles without an error bound.
         if self.profile(pupil, np.zeros(1)).error is None:
             level = _DEFAULT_LEVEL
         plane_peak, searched = np.zeros(math.prod(pupil.shape)), window
@@ -300,8 +296,7 @@ class RadialMethod(Method[P]):
                 peak = np.maximum(peak, plane_peak)
             relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 1e-300)
             worst = int(relative.argmax())
-            # Each part of the error above a fifth of the tolerance is computed more accurately: section 9, "Requested
-            # accuracy".
+            # A part of the error above a fifth of the tolerance is reduced: section 9, "Requested accuracy".
             part_limit = 0.2 * allowed * max(float(top[worst]), float(plane_peak[worst]), 1e-3 * float(error[worst]))
             previous = level, finer
             if sum_error[worst] > part_limit:
@@ -323,18 +318,17 @@ def _pixel_sums(
     method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int
 ) -> tuple[Array, Array | None, Array]:
     """Return values of pixels, and two parts of their error bound: due to the profile, and due to the sums."""
-    # An intensity of bandwidth 2 `faster` on a window equals an intensity of bandwidth 2 on a window `faster` times
-    # as large. `faster` and `ceiling` (range of I) are the units of all bounds of section 9.
-    faster, ceiling = method.stretch(pupil), method._ceiling(pupil)
-    window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
+    # I of bandwidth ``2 stretch`` equals an intensity of bandwidth 2 on a window that is `stretch` times as large.
+    # `stretch` and `ceiling` (range of I) are the units of all bounds of section 9.
+    stretch, ceiling = method.stretch(pupil), method._ceiling(pupil)
+    window = Window(grid.shape, grid.axis, stretch * grid.step(pupil))
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, grid.integrate, level, threads)
-    profile = method.profile(pupil, v / faster)
+    profile = method.profile(pupil, v / stretch)
     values, penalties = pixel_values(window, profile.values, grid.integrate, level, threads)
     # Clamp to 0: averages of an intensity are not negative, and clamping does not increase the error.
     np.maximum(values, 0.0, out=values)
     size = profile.values.max(axis=1)
-    # |I'| = 2 |U| |U'|, and |U'| < 1/2; a few roundings displace each radius, each position in a pixel and each
-    # pixel.
+    # |I'| = 2 |U| |U'|, and |U'| < 1/2; a few roundings displace radii, positions in a pixel, and pixels.
     slope = np.sqrt(of_nodes * size * max(1.0, ceiling))
     position_error = float(v[-1]) * slope * (3.0 * of_grid * of_nodes + 6.0 * of_grid + 4.0)
     sum_error = 0.5 * ceiling * error + 2.0**-53 * (rounding * size + penalties + position_error)
@@ -346,8 +340,7 @@ def _pixel_sums(
 
 def _peak_at_least(method: RadialMethod[P], pupil: P, grid: Grid, level: int, threads: int) -> Array:
     """Return a lower bound on the largest value in the plane, from a line between the axis and the outermost ray."""
-    # The largest slope of the phase determines the outermost ray; diffraction moves the peak by a few units of v
-    # only.
+    # The outermost ray arrives at the largest slope of the phase; diffraction moves the peak by a few units of v.
     blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
     pixel = grid.side if grid.integrate else blur / _LINE_STEPS / grid.step(pupil) * grid.side
     count = min(_LINE_STEPS, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1

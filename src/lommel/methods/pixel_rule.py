@@ -174,7 +174,6 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
 @lru_cache(maxsize=16)
 def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     """Return the rule for the step of ``2^(eighths / 8)`` in v."""
-    # The largest step of the eighth of an octave.
     step = 2.0 ** (eighths / 8.0)
     radii, weights, starts = _nodes(half, step, margin)
     reach = math.sqrt(2.0) * (half + 0.5)

@@ -30,8 +30,7 @@ def mixed(
     Errors are relative to the peak of the sum or, with `window`, to its largest value in the window. The tolerance is
     a contract if `method` keeps its tolerance.
     """
-    # At a shorter wavelength the same light falls on a smaller area: I relative to the reference grows as 1 /
-    # lambda^2.
+    # At a shorter wavelength light falls on a smaller area: I, relative to the reference, grows as 1 / lambda^2.
     weights = shares * np.array([part.stretch**2 for part in parts])
     part_tol, least = tol, (method.method or Method).least_tol
     while True:

@@ -128,8 +128,7 @@ def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
 def windings(values: Disc) -> NDArray[np.int_]:
     """Return the winding numbers around 0 of closed curves covered by discs along the last axis; -1 if unknown."""
     # Neighbouring discs share a point of the curve. If no disc contains 0, the argument changes by less than pi
-    # between neighbouring centres. For a function that is analytic inside the curve, the result is its number of
-    # zeros.
+    # between neighbouring centres. For a function analytic inside the curve, this is its number of zeros.
     clear = np.asarray((values.least > 0.0).all(axis=-1))
     x, y = values.centre.real, values.centre.imag
     with np.errstate(invalid="ignore", over="ignore"):

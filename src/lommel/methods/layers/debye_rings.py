@@ -207,7 +207,7 @@ def _nodes(
 
 def _circle_error(found: Ringed, field_errors: Array, max_order: int, angles: int) -> Array:
     """Bound the error of the intensity at any angle of a circle, from the errors of fields, shape (fields, n)."""
-    # Between the angles a field is at most 1 / cos(pi most / angles) times its largest value (Ehlich and Zeller).
+    # Between angles a field is at most 1 / cos(pi max_order / angles) times its maximum (Ehlich and Zeller).
     largest = np.sqrt(found.squares) / math.cos(math.pi * max_order / angles)
     return np.asarray((field_errors * (2.0 * largest + field_errors)).sum(axis=0))
 

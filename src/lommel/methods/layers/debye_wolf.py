@@ -29,8 +29,7 @@ def likely_peak(pupil: ObjectivePupil) -> float:
     layers = pupil.layers
     defocus = pupil.focus - (layers.immersion / layers.sample) * pupil.depth
     largest = abs(defocus.item()) if defocus.size == 1 else float(np.abs(defocus).max())
-    # Defocus in radians at the edge of the pupil, for the distance between the stage focus and the paraxial image of
-    # the emitter.
+    # Defocus (radians at the pupil edge) for the distance from the stage focus to the emitter's paraxial image.
     blur = layers.wavenumber * largest * layers.NA**2 / layers.immersion
     return min(0.25, 2.0 / (1.0 + blur**2))
 

@@ -68,7 +68,7 @@ class DiscMeans(NamedTuple):
     places: Array  # the radii, rising v
     weights: tuple[csr_array, ...]  # for each m >= 0, a sparse matrix (places, means) for the orders m and -m
     gain: float  # largest factor by which errors of the values grow
-    error: float  # error bound of the means, relative to the unaberrated peak
+    error: float  # bound on the error of the means, relative to the unaberrated peak
 
     def of(self, values: Values) -> Values:
         """Return the means of orders -M to M, ``(n, 2 M + 1, means)``, from values ``(n, 2 M + 1, places)``."""

@@ -217,8 +217,7 @@ def layered_slopes(
     if by_engine:
         made = _radial(method, pupil, grid, kinds, rates(pupil), wanted, axis)
     elif kinds or terms or (axis and grid.integrate and not isinstance(method, Stratified)):
-        # The derivative by the wavelength needs tilts from finer samples, which also yield the derivatives by the
-        # axis.
+        # Tilts from finer samples, for the derivative by the wavelength, also yield derivatives by the axis.
         moved = axis and grid.integrate and "wavelength" not in kinds
         made = sampled_slopes(method, pupil, grid, rates, wanted, terms, moved=moved)
     else:

@@ -25,8 +25,7 @@ from lommel.optics.layers.emitter import Light
 from lommel.optics.layers.objective_pupil import ObjectivePupil
 from lommel.optics.layers.stratified import Layers
 
-# Fractions of the tolerance: errors of fields over the square root of the peak, errors of interpolation over the
-# peak.
+# Fractions of the tolerance: errors of fields / square root of the peak, errors of interpolation / peak.
 _FIELD_SHARE, _INTERPOLATION_SHARE = 1.0 / 32.0, 1.0 / 8.0
 _LEAST = 2.0**-52  # smallest error that is requested: a rounding error
 _MAX_ORDER = 2  # highest azimuthal order that the core supports

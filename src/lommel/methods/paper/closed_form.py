@@ -123,8 +123,7 @@ class ClosedForm(FieldMethod[Pupil]):
 
         The centre minimizes the mean squared error over the window, relative to :class:`NijboerZernike`: it is
         searched between 1 and four times the largest argument, and refined around the best value. The error function
-        is Eq. (14) with the fewest terms (5, 10, ...) for an error within 1 % of the minimum, or exact if 200 terms
-        do not suffice.
+        is Eq. (14) with the fewest terms (5, 10, ... 200) for an error within 1 % of the minimum, else exact.
 
         Parameters
         ----------
@@ -143,8 +142,7 @@ class ClosedForm(FieldMethod[Pupil]):
             raise TypeError("options must not include tangent or erf, which this method optimizes")
         grid = Grid(shape, pixel)
         grid.require_reach(pupil)
-        # All radii of a small window, or 600 of a large window; each has the weight of the pixels up to the next
-        # radius.
+        # All radii of a small window, or 600; each has the weight of the pixels up to the next radius.
         count = grid.radii.size
         subset = np.unique(np.linspace(0, count - 1, min(count, 600)).astype(int))
         v, weight = grid.v(pupil)[subset], np.add.reduceat(grid.multiplicity, subset)

@@ -80,8 +80,7 @@ class Geometric(Method[Pupil]):
         rho = np.linspace(obscuration, 1.0, 4097)
         height = ray_height(terms[None], rho)[0]
         steepest = float(np.abs(np.diff(height)).max()) / (rho[1] - rho[0])
-        # Cells of the aperture so small that the rays of a cell fall into at most two neighbouring rings (5 %
-        # margin).
+        # Cells so small that the rays of a cell fall into at most two neighbouring rings (5 % margin).
         cells = max(4096, math.ceil(1.05 * steepest * (1.0 - obscuration) / width))
         if cells > _MAX_CELLS:
             raise ValueError(

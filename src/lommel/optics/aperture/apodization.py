@@ -72,8 +72,7 @@ class Apodization:
         if len(powers) > _MAX_POWERS:
             raise ValueError(f"powers must be at most {_MAX_POWERS}, got {len(powers)}")
         largest = max(map(abs, powers), default=0.0)
-        # Powers above 1e11 have Chebyshev coefficients above the limit. These are not computed, since they might
-        # overflow.
+        # Powers above 1e11 have Chebyshev coefficients above the limit, whose computation might overflow.
         exponent = np.array([0.0 if largest > 1e11 else _constant(powers), *powers])
         size = largest if largest > 1e11 else float(np.abs(_chebyshev(exponent, 0.0)).sum())
         if not size <= _MAX_EXPONENT * (1.0 + 1e-12):

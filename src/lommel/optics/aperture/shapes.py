@@ -157,8 +157,7 @@ class Listed(NamedTuple):
             elif isinstance(first, int) and step != _WITHOUT:
                 stack.append(second)
             else:
-                # Only the difference of "everything" and a cut part still needs its first operand: the plane, as one
-                # more polygon.
+                # "Everything minus a cut part" still needs a first operand: the plane, as one more polygon.
                 stack.append([*([len(pattern)] if isinstance(first, int) else first), *second, step])
         steps = cast("list[int]", stack.pop())
         used = sorted({step for step in steps if step >= 0})
@@ -180,8 +179,7 @@ class Listed(NamedTuple):
         )
 
 
-# Coverage of a cell by a part: none, cut by an edge, or full. An intersection is the minimum, and a union the
-# maximum.
+# Coverage of a cell by a part, ordered: an intersection is the minimum, and a union the maximum.
 _NONE, _CUT, _FULL = 0, 1, 2
 
 
@@ -722,8 +720,7 @@ class Segments:
         """
         count, between = validation.integer("rings", rings, least=1, most=32), validation.real("gap", gap, least=0.0)
         inner, turn = validation.truth("middle", middle), validation.real("angle", angle)
-        # Centres a e_1 + b e_2 of a lattice, in units of its spacing, in which hexagons have the inner radius
-        # (1 - gap) / 2.
+        # Centres a e_1 + b e_2 of a lattice of spacing 1, with hexagons of the inner radius (1 - gap) / 2.
         places = [
             (a * math.sqrt(0.75), b + 0.5 * a)
             for a in range(-count, count + 1)

@@ -40,25 +40,25 @@ class Rule(NamedTuple):
 # Functions import methods when they are called: most pupils are radially symmetric and need none of these methods.
 
 
-def _whichever_is_cheaper() -> tuple[Callable[[float], Method], ...]:
+def _disk_methods() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.chordal_gauss import ChordalGauss, ChordalIfCheaper
 
     return ChordalIfCheaper, NijboerZernike, ChordalGauss
 
 
-def _nonuniform() -> tuple[Callable[[float], Method], ...]:
+def _general_methods() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.nonuniform_fft import NonuniformFFT
 
     return (NonuniformFFT,)
 
 
-def _stratified() -> tuple[Callable[[float], Method], ...]:
+def _objective_methods() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.layers.stratified import Stratified
 
     return (Stratified,)
 
 
-def _chords_or_rings() -> tuple[Callable[[float], Method], ...]:
+def _aberrated_methods() -> tuple[Callable[[float], Method], ...]:
     from lommel.methods.layers.chordal_debye import ChordalDebyeIfCheaper
     from lommel.methods.layers.debye_rings import DebyeRings
 
@@ -69,13 +69,13 @@ RULES = (
     Rule(
         "microscope objective with measured aberrations",
         lambda pupil, _: pupil.aberrated,
-        _chords_or_rings,
+        _aberrated_methods,
         "two matrix products in small windows; or one per azimuthal order, FFTs on circles, a sparse product",
     ),
     Rule(
         "microscope objective",
         lambda pupil, _: pupil.layered,
-        _stratified,
+        _objective_methods,
         "one matrix product per stack, and writing the image",
     ),
     Rule(
@@ -87,13 +87,13 @@ RULES = (
     Rule(
         "circular or annular, by whichever is likely to take less time",
         lambda pupil, _: pupil.circular,
-        _whichever_is_cheaper,
+        _disk_methods,
         "two matrix products; or a sum over azimuthal orders for an eighth of the pixels",
     ),
     Rule(
         "any other aperture",
         lambda *_: True,
-        _nonuniform,
+        _general_methods,
         "non-uniform FFTs along the rows of the aperture and across them",
     ),
 )
@@ -217,7 +217,7 @@ def reference(pupil: BasePupil) -> Method:
     if pupil.layered:
         from lommel.methods.layers.debye_wolf import DebyeWolf
 
-        return _chords_or_rings()[-1](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
+        return _aberrated_methods()[-1](1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
     if pupil.radial:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 

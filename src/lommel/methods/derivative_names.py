@@ -65,22 +65,24 @@ def checked(
     # Gradients have hundreds of names: checks of text names are cached. Checks of numbers are not: the cache would
     # take True for 1, and only 1 is an index.
     if all(type(name) is str for name in names):
-        return _texts_checked(argument, tuple(names), tuple(texts))
-    return tuple(_name(argument, name, texts) for name in names)
+        return _check_texts(argument, tuple(names), tuple(texts))
+    return tuple(_check_name(argument, name, texts) for name in names)
 
 
 @lru_cache(maxsize=64)
-def _texts_checked(argument: str, names: tuple[object, ...], texts: tuple[str, ...]) -> tuple[Name, ...]:
-    return tuple(_name(argument, name, texts) for name in names)
+def _check_texts(argument: str, names: tuple[object, ...], texts: tuple[str, ...]) -> tuple[Name, ...]:
+    return tuple(_check_name(argument, name, texts) for name in names)
 
 
-def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
+def _check_name(argument: str, name: object, texts: Sequence[str]) -> Name:
     checked_name: Name
     if isinstance(name, str) and (name in texts or _INDEXED.fullmatch(name)):
         checked_name, term = str(name), term_of(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         try:
-            checked_name = term = _pair(*name) if type(name[0]) is int is type(name[1]) else zernike.term(name, "nm")
+            checked_name = term = (
+                _check_pair(*name) if type(name[0]) is int is type(name[1]) else zernike.term(name, "nm")
+            )
         except (TypeError, ValueError) as error:
             raise type(error)(f"{argument}: {error}") from None
     else:
@@ -97,18 +99,18 @@ def _name(argument: str, name: object, texts: Sequence[str]) -> Name:
 
 
 @lru_cache(maxsize=1024)
-def _pair(n: int, m: int) -> Term:
+def _check_pair(n: int, m: int) -> Term:
     """Return a checked term; cached, since gradients have hundreds of terms."""
     return zernike.term((n, m), "nm")
 
 
 def term_of(name: Name) -> Term | None:
     """Return n and m of the Zernike term with this name, or None for the names of other parameters."""
-    return name if isinstance(name, tuple) else _indexed(name)
+    return name if isinstance(name, tuple) else _parse_index(name)
 
 
 @lru_cache(maxsize=1024)
-def _indexed(name: str) -> Term | None:
+def _parse_index(name: str) -> Term | None:
     """Return the term of a name with an index, such as "noll 8"; cached."""
     found = _INDEXED.fullmatch(name)
     return zernike.term(int(found[2]), found[1]) if found else None

@@ -299,7 +299,7 @@ def engines(
     """Return the method of the images, and the method of their derivatives at each wavelength."""
     if not pupil.circular:
         _require_available(pupil, names, sums)
-    engine, radial = single_light(method), pupil.radial and all(map(_radial, sums))
+    engine, radial = single_light(method), pupil.radial and all(map(_is_radial, sums))
     if engine is None and not pupil.circular:
         engine = NonuniformFFT(tol)
     elif engine is None:
@@ -345,17 +345,17 @@ def _rule_of_terms(
         return method if isinstance(method, ChordalGauss | NonuniformFFT) else None
     if not pupil.circular:
         return NonuniformFFT(tol)
-    return None if pupil.radial and all(map(_radial_key, cast("Sequence[Term]", names))) else ChordalGauss(tol)
+    return None if pupil.radial and all(map(_is_radial_key, cast("Sequence[Term]", names))) else ChordalGauss(tol)
 
 
-def _radial_key(key: Key) -> bool:
+def _is_radial_key(key: Key) -> bool:
     """Return whether the radial series can differentiate by a power of rho, or by a term: low radial terms, tilts."""
     return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
 
 
-def _radial(each: Parts) -> bool:
+def _is_radial(each: Parts) -> bool:
     """Return whether the radial series can compute a derivative."""
-    return all(map(_radial_key, each.phases)) and not each.obscuration
+    return all(map(_is_radial_key, each.phases)) and not each.obscuration
 
 
 def translated(phases: Mapping[Key, Factor], *, powers: bool) -> dict[Key, Factor]:
@@ -499,7 +499,7 @@ def gradient(
     way, engine = engines(free, pupil, names, list(sums.values()), tol)
     found: dict[Name, Array] = {}
     if isinstance(engine, ChordalGauss):
-        factors = {name: translated(each.phases, powers=False) for name, each in sums.items() if _by_phase(each)}
+        factors = {name: translated(each.phases, powers=False) for name, each in sums.items() if _is_by_phase(each)}
         terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
         each = np.zeros((len(weights), len(terms)))
         for part in way.components(pupil) if terms else ():
@@ -514,7 +514,7 @@ def gradient(
     return found
 
 
-def _by_phase(each: Parts) -> bool:
+def _is_by_phase(each: Parts) -> bool:
     """Return whether a derivative is by coefficients of the phase only."""
     return not (np.any(each.own) or np.any(each.scaling) or each.obscuration)
 

@@ -68,7 +68,7 @@ def moment_rule_is_faster(
         return False
     # Cost per PSF, in units of the time per sample of the Fourier transform, fitted to timings of stacks of 1 to 27
     # PSFs of 17 to 257 pixels a side. Four stacks, or steps of a fit, are assumed to share the cost of the rule.
-    _, sampled, power = _rounded(degree, rule_degree, error)
+    _, sampled, power = _round_up_degrees(degree, rule_degree, error)
     samples = _samples(pupil.opening, sampled, power)
     setup = 0.16 * samples * rows / (4 * count)
     sums = 1.6 * rows**2 + degrees * rows**2 * width / 300 + (degrees**2 * rows / 240 + fields / 3) * height * width
@@ -111,7 +111,7 @@ def moment_rule(opening: Opening, degree: int, rule_degree: int, error: float) -
 
     The latter is exact to `rule_degree`: it also integrates the phase factors of segments, which the weights contain.
     """
-    return _moment_rule(opening, *_rounded(degree, rule_degree, error))
+    return _moment_rule(opening, *_round_up_degrees(degree, rule_degree, error))
 
 
 def degrees_and_error(pupil: Pupil, reach: float, allowed: float) -> tuple[int, int, float]:
@@ -135,7 +135,7 @@ def phase_roundings(pupil: Pupil) -> float:
     return 8.0 * _UNIT * float(np.abs(pupil.opening.phases).sum(axis=1).max()) * math.sqrt(pupil.amplitude)
 
 
-def _rounded(degree: int, rule_degree: int, error: float) -> tuple[int, int, int]:
+def _round_up_degrees(degree: int, rule_degree: int, error: float) -> tuple[int, int, int]:
     """Return degrees rounded up and the exponent of the error rounded down, so that cached rules are reused."""
     first, second = (_DEGREE_STEP * math.ceil(each / _DEGREE_STEP) for each in (degree, max(rule_degree, degree)))
     return first, second, 2 * math.floor(0.5 * math.log10(error))
@@ -227,7 +227,7 @@ def field_sums(
     for first in range(0, count, block_size):
         part = slice(first, min(first + block_size, count))
         angle = edge[part] @ phases
-        wave = _times_wave(amplitude[:, None], np.cos(angle), np.sin(angle))
+        wave = _multiply_wave(amplitude[:, None], np.cos(angle), np.sin(angle))
         parts = _parts(wave, q)
         size = len(edge[part])
         field = np.zeros((1 + len(terms), size, height, width), dtype=np.complex128)
@@ -280,7 +280,7 @@ def _products(terms: tuple[tuple[int, int], ...]) -> Array:
     return np.where(np.abs(products) > 1e-14 * np.abs(products).max(), products, 0.0)
 
 
-def _times_wave(amplitude: Complexes, cosine: Array, sine: Array) -> Array:
+def _multiply_wave(amplitude: Complexes, cosine: Array, sine: Array) -> Array:
     """Return amplitude * (cosine + i sine), [row, pupil, real or imaginary, node]."""
     real, imag = amplitude.real, amplitude.imag
     if not imag.any():
@@ -489,11 +489,11 @@ class NonuniformFFT(Method[Pupil]):
             if averages is not None:
                 return averages
         # Errors of averages are relative to the peak of the PSF, even if the window does not contain the peak.
-        sample = partial(_sampled, everywhere=True) if grid.integrate else _sampled
+        sample = partial(_sample_images, everywhere=True) if grid.integrate else _sample_images
         return averaged_images(sample, pupil, grid, self.tol, wanted)
 
 
-def _sampled(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
+def _sample_images(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, *, everywhere: bool = False) -> Images:
     """Return samples of the flattened stack, with bounds relative to the peak below `tol`, storage included."""
     if pupil.mask is not None and not pupil.mask.squares:
         needed, reason = samples_needed(pupil, grid)
@@ -550,7 +550,7 @@ def _peak_bound(pupil: Pupil, error: float, threads: int) -> Array:
     return np.asarray(np.maximum(np.sqrt(values.max(axis=(1, 2))) - field_bounds, 0.0) ** 2)
 
 
-def _real_pupil(pupil: Pupil) -> bool:
+def _has_real_function(pupil: Pupil) -> bool:
     """Return whether the pupil function is real, so that images are symmetric under rotation by 180 degrees."""
     return pupil.wavefront.flat and not pupil.phase_mask and not pupil.opening.phases.any()
 
@@ -567,7 +567,7 @@ def _half_grid(grid: Grid) -> Grid | None:
     return Grid(shape, grid.pixel, center=(down, -first))
 
 
-def _mirrored(values: Array, half: Grid, grid: Grid) -> Array:
+def _mirror_half(values: Array, half: Grid, grid: Grid) -> Array:
     """Return images on the pixels of `grid` from images on its :func:`_half_grid`."""
     (row, column), (down, _) = grid.axis, half.axis
     left, top, end = math.ceil(column), int(down - row), int(down + row) + 1
@@ -584,10 +584,10 @@ def _sums(pupil: Pupil, grid: Grid, error: float, wanted: Wanted) -> tuple[Array
 
     `error` is the requested error of U relative to the amplitude, which the bounds approach.
     """
-    half = None if wanted.terms or not _real_pupil(pupil) else _half_grid(grid)
+    half = None if wanted.terms or not _has_real_function(pupil) else _half_grid(grid)
     if half is not None:
         values, slopes, field_bounds, slope_bounds = _sums(pupil, half, error, wanted)
-        return _mirrored(values, half, grid), slopes, field_bounds, slope_bounds
+        return _mirror_half(values, half, grid), slopes, field_bounds, slope_bounds
     step, amplitude = grid.step(pupil), pupil.amplitude
     reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
     highest = max((n for n, _ in wanted.terms), default=0)

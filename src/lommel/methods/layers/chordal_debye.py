@@ -125,13 +125,13 @@ class ChordalDebye(AberratedMethod):
         """
         n = pupil.depth.size
         if not grid.stack:
-            return self._refined(pupil, grid, tol, wanted, by)
+            return self._refine(pupil, grid, tol, wanted, by)
         values = np.empty((n, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
         scales = None if wanted.scale is None else np.broadcast_to(wanted.scale, n)
         scalars, slopes, bounds = np.empty((3, n)), None, np.empty(0)
         for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
             part_wanted = wanted._replace(scale=None if scales is None else scales[indices], out=None)
-            images, part_slopes, *part_bounds = self._refined(planes, axis_grid, tol, part_wanted, by)
+            images, part_slopes, *part_bounds = self._refine(planes, axis_grid, tol, part_wanted, by)
             values[indices] = images.values
             scalars[:, indices] = images.scale, images.bound, images.brightest
             if slopes is None:
@@ -140,7 +140,7 @@ class ChordalDebye(AberratedMethod):
         assert slopes is not None
         return Images(values, scalars[0], scalars[1], None, scalars[2]), slopes, bounds[0], bounds[1]
 
-    def _refined(
+    def _refine(
         self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted, by: By
     ) -> tuple[Images, Array, Array, Array]:
         """Return the result of :meth:`differentiated` for one axis, with the error of I below `tol` of its peak."""
@@ -149,7 +149,7 @@ class ChordalDebye(AberratedMethod):
             result = intensities(pupil, grid, field, wanted.threads, by)
             return result, result[2][0], result[1][0]
 
-        (values, error, largest), top, relative = self._proven(pupil, tol, wanted, compute)
+        (values, error, largest), top, relative = self._refine_tol(pupil, tol, wanted, compute)
         scales = np.empty(top.shape)
         scales[:] = 1.0 / top if wanted.scale is None else wanted.scale
         out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
@@ -157,7 +157,7 @@ class ChordalDebye(AberratedMethod):
         least = top - error[0]
         return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
-    def _proven(
+    def _refine_tol(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Result, Array, Array]]
     ) -> tuple[_Result, Array, Array]:
         """Return the result for fields accurate enough for `tol`, the largest I, and its relative error.
@@ -212,7 +212,9 @@ class ChordalDebye(AberratedMethod):
                 for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
                     result[indices] = gradient_of_samples(planes, axis_grid, tol, weights[indices])
                 return result
-            return self._proven(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[0]
+            return self._refine_tol(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[
+                0
+            ]
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:

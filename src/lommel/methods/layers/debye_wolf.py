@@ -116,7 +116,7 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at ascending v, with errors relative to the computed peak."""
         # One more radius, at which images that are dark on the axis are bright, so that the peak is not missed.
-        profile = self._refined(pupil, np.append(v, BRIGHT_RING), lambda orders: orders[0], self.tol)
+        profile = self._refine(pupil, np.append(v, BRIGHT_RING), lambda orders: orders[0], self.tol)
         return profile._replace(values=profile.values[:, :-1])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -142,12 +142,12 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels; a grid with a centre for each plane is computed plane by plane."""
         if not grid.stack:
-            return self._sampled(pupil, grid, tol)
-        planes = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+            return self._sample_centres(pupil, grid, tol)
+        planes = [self._sample_centres(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
         values, error, peak = (np.concatenate(part) for part in zip(*planes, strict=True))
         return Intensities(values, error, peak)
 
-    def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+    def _sample_centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels around a common axis."""
         # Pixels at equal distance from the axis share their integrals.
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
@@ -161,9 +161,9 @@ class DebyeWolf(LayeredMethod, RadialMethod[ObjectivePupil]):
                 total += values[:, index.reshape(grid.shape)] * around
             return np.maximum(total, 0.0)
 
-        return self._refined(pupil, pupil.v(radius), with_azimuth, tol)
+        return self._refine(pupil, pupil.v(radius), with_azimuth, tol)
 
-    def _refined(
+    def _refine(
         self, pupil: ObjectivePupil, v: Array, intensities: Callable[[Array], Array], tol: float
     ) -> Intensities:
         """Return ``intensities(orders)`` of :func:`harmonics` at v, with an error of at most `tol` of the peak."""

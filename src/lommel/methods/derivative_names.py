@@ -80,9 +80,7 @@ def _check_name(argument: str, name: object, texts: Sequence[str]) -> Name:
         checked_name, term = str(name), term_of(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         try:
-            checked_name = term = (
-                _check_pair(*name) if type(name[0]) is int is type(name[1]) else zernike.term(name, "nm")
-            )
+            checked_name = term = _term(*name) if type(name[0]) is int is type(name[1]) else zernike.term(name, "nm")
         except (TypeError, ValueError) as error:
             raise type(error)(f"{argument}: {error}") from None
     else:
@@ -99,7 +97,7 @@ def _check_name(argument: str, name: object, texts: Sequence[str]) -> Name:
 
 
 @lru_cache(maxsize=1024)
-def _check_pair(n: int, m: int) -> Term:
+def _term(n: int, m: int) -> Term:
     """Return a checked term; cached, since gradients have hundreds of terms."""
     return zernike.term((n, m), "nm")
 

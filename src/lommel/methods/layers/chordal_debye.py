@@ -149,7 +149,7 @@ class ChordalDebye(AberratedMethod):
             result = intensities(pupil, grid, field, wanted.threads, by)
             return result, result[2][0], result[1][0]
 
-        (values, error, largest), top, relative = self._refine_tol(pupil, tol, wanted, compute)
+        (values, error, largest), top, relative = self._prove(pupil, tol, wanted, compute)
         scales = np.empty(top.shape)
         scales[:] = 1.0 / top if wanted.scale is None else wanted.scale
         out = np.empty(values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
@@ -157,7 +157,7 @@ class ChordalDebye(AberratedMethod):
         least = top - error[0]
         return Images(out, scales, stored(relative, wanted.dtype), None, least), values[1:], error[1:], largest[1:]
 
-    def _refine_tol(
+    def _prove(
         self, pupil: ObjectivePupil, tol: float, wanted: Wanted, made: Callable[[float], tuple[_Result, Array, Array]]
     ) -> tuple[_Result, Array, Array]:
         """Return the result for fields accurate enough for `tol`, the largest I, and its relative error.
@@ -212,9 +212,7 @@ class ChordalDebye(AberratedMethod):
                 for indices, planes, axis_grid in gathered(pupil, grid, apart=projection.WAVENUMBER in by.rates):
                     result[indices] = gradient_of_samples(planes, axis_grid, tol, weights[indices])
                 return result
-            return self._refine_tol(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[
-                0
-            ]
+            return self._prove(pupil, tol, wanted, lambda field: sums(pupil, grid, field, weights, threads, by))[0]
 
         weights = np.ascontiguousarray(weights, dtype=np.float64)
         if not grid.integrate:

@@ -75,13 +75,13 @@ def test_an_illuminated_grid_darkens_as_the_light_does():
     [
         (lambda: lm.Vignetting([0.0], [0.0]), r"height must be of shape \(n,\) with n at least 2"),
         (lambda: lm.Vignetting([0.0, 0.0], [0.0, 0.0]), "height must rise, got 0 followed by 0"),
-        (lambda: lm.Vignetting([0.0, 1.0], [0.1, 0.2]), "shift must be one for each height"),
-        (lambda: lm.Vignetting([0.0, 1.0], [0.0, 0.1], [1.0, 1.0, 1.0]), "radius must be one number"),
+        (lambda: lm.Vignetting([0.0, 1.0], [0.1, 0.2]), "shift must have a value for each height"),
+        (lambda: lm.Vignetting([0.0, 1.0], [0.0, 0.1], [1.0, 1.0, 1.0]), "radius must be a number"),
         (lambda: lm.Vignetting([0.0, 1.0], [0.0, 3.0]), "shift"),
-        (lambda: lm.Shading([0.0, 1.0], [0.9, 0.5]), "light must be one for each height"),
+        (lambda: lm.Shading([0.0, 1.0], [0.9, 0.5]), "light must have a value for each height"),
         (lambda: lm.Shading.cos4(0.0), "distance must be > 0"),
         (lambda: PLAIN.seen_through(vignetting=0.5), "vignetting must be of the type Vignetting"),
-        (lambda: FIELD.pupil([0.0, 1e-3], 0.0), "psf takes arrays"),
+        (lambda: FIELD.pupil([0.0, 1e-3], 0.0), "psf accepts arrays"),
         (lambda: FIELD.illumination(21e-3, 0.0), "beyond the last height"),
         (lambda: lm.strehl(FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).pupil), "pupil must be a Pupil"),
         (lambda: FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).peak_strehl, "index the stack"),
@@ -135,5 +135,5 @@ def test_foreshortening_of_bad_axes_or_of_an_aperture_with_parts_is_refused():
     with pytest.raises(ValueError, match="lies beyond the last height"):
         seen.at(0.0, 21e-3)
     vanes = lm.FieldMap.from_seidel(20e-3, aperture=lm.Pupil(spider=lm.Spider(0.02, [0.0, 2.0])))
-    with pytest.raises(ValueError, match="must not be a Foreshortening for an aperture that is not circular"):
+    with pytest.raises(ValueError, match="must not be a Foreshortening unless the aperture is circular"):
         vanes.seen_through(seen)

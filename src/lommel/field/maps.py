@@ -27,12 +27,12 @@ from lommel.special import zernike
 
 Spectrum = float | Sequence[tuple[float, float]]
 
-_STEPS = 50  # largest number of steps of Broyden's method
-_INVERSE_ERROR = 1e-10  # accuracy of the inverse, relative to the size of the field
+_MAX_STEPS = 50  # maximum number of steps of Broyden's method
+_INVERSE_ERROR = 1e-10  # error of inverted positions, relative to the largest distance from the middle of the map
 
 
 def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float], ...]:
-    """Return pairs of wavelength (None: the wavelength of the map) and weight, the weights with sum 1."""
+    """Return (wavelength, weight) pairs, weights normalized to sum 1; None as wavelength means that of the map."""
     if wavelength is None:
         return ((None, 1.0),)
     if not isinstance(wavelength, Sequence | np.ndarray):
@@ -43,21 +43,21 @@ def spectrum_of(wavelength: Spectrum | None) -> tuple[tuple[float | None, float]
             f"wavelength must be a number, or pairs of wavelength and weight, got {validation.shown(wavelength)}"
         )
     total = values[:, 1].sum()
-    return tuple((validation.wavelength(float(w)), float(share / total)) for w, share in values)
+    return tuple((validation.wavelength(float(w)), float(weight / total)) for w, weight in values)
 
 
 def shift_of(pupil: Pupil, spectrum: Sequence[tuple[float | None, float]]) -> tuple[Array, Array]:
     """Return the image shift along x and y due to the tilt of a pupil, averaged over a spectrum.
 
-    A phase c rho cos(theta), c radians at the pupil edge, shifts the image by c lambda N / pi. A tilt with the same
-    path difference at all wavelengths causes the same shift at all of them.
+    A phase c rho cos(theta), c radians at the pupil edge, shifts the image by c lambda N / pi. The shift does not
+    depend on the wavelength if the path difference of the tilt does not.
     """
     shift = np.zeros((2, *pupil.shape))
     for wavelength, weight in spectrum:
-        other = pupil if wavelength is None else pupil.in_light(wavelength)
-        terms = other.wavefront.edge_terms()
+        at_wavelength = pupil if wavelength is None else pupil.in_light(wavelength)
+        terms = at_wavelength.wavefront.edge_terms()
         for k, m in enumerate((1, -1)):
-            shift[k] += weight * other.scale / math.pi * terms.get((1, m), np.zeros(()))
+            shift[k] += weight * at_wavelength.scale / math.pi * terms.get((1, m), np.zeros(()))
     return shift[0], shift[1]
 
 
@@ -73,50 +73,52 @@ def inverse(
     contains: Callable[[Array, Array], NDArray[np.bool_]],
     middle: tuple[float, float],
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return the positions that a displacement moves to (x, y), and a mask of convergence, by Broyden's method.
+    """Invert a displacement: return the positions that it moves to (x, y), and a mask of convergence.
 
-    The displacement is defined on a convex set that contains `middle`; iterates outside are moved to its edge.
+    The method is Broyden's. The displacement is defined on a convex set that contains `middle`; iterates outside the
+    set are moved to its edge.
     """
     size = max(float(np.hypot(x - middle[0], y - middle[1]).max(initial=0.0)), np.finfo(float).tiny)
     # Initial guess: no displacement.
-    at = np.stack(_moved_inside(x, y, contains, middle), axis=-1)
+    position = np.stack(_move_inside(x, y, contains, middle), axis=-1)
     goal = np.stack([x, y], axis=-1)
-    # Broyden's method updates the inverse Jacobian without derivatives of the displacement. It starts from the
-    # identity, which is close because distortion is small.
-    slope = np.broadcast_to(np.eye(2), (*x.shape, 2, 2)).copy()  # inverse Jacobian
-    off = at + np.stack(displacement(at[..., 0], at[..., 1]), axis=-1) - goal
-    for _ in range(_STEPS):
-        if np.abs(off).max(initial=0.0) <= _INVERSE_ERROR * size:
+    # Broyden's method updates an approximate inverse Jacobian without derivatives of the displacement. The identity
+    # is a good initial approximation, because distortion is small.
+    jacobian_inverse = np.broadcast_to(np.eye(2), (*x.shape, 2, 2)).copy()
+    residual = position + np.stack(displacement(position[..., 0], position[..., 1]), axis=-1) - goal
+    for _ in range(_MAX_STEPS):
+        if np.abs(residual).max(initial=0.0) <= _INVERSE_ERROR * size:
             break
-        to = at - np.einsum("...ij,...j", slope, off)
-        to = np.stack(_moved_inside(to[..., 0], to[..., 1], contains, middle), axis=-1)
-        step, before = to - at, off
-        at = to
-        off = at + np.stack(displacement(at[..., 0], at[..., 1]), axis=-1) - goal
-        along = np.einsum("...j,...ji", step, slope)
-        moved = np.einsum("...ij,...j", slope, off - before)
-        length = (step * moved).sum(axis=-1)
-        known = np.abs(length) > 0.1 * (step * step).sum(axis=-1)  # a smaller one would amplify rounding errors
-        gain = np.divide(1.0, length, out=np.zeros(length.shape), where=known & (length != 0.0))
-        # Sherman and Morrison: the inverse of the Jacobian after Broyden's rank-1 update.
-        slope += gain[..., None, None] * (step - moved)[..., :, None] * along[..., None, :]
-    return at[..., 0], at[..., 1], np.asarray(np.abs(off).max(axis=-1) <= 10.0 * _INVERSE_ERROR * size)
+        new = position - np.einsum("...ij,...j", jacobian_inverse, residual)
+        new = np.stack(_move_inside(new[..., 0], new[..., 1], contains, middle), axis=-1)
+        step, previous = new - position, residual
+        position = new
+        residual = position + np.stack(displacement(position[..., 0], position[..., 1]), axis=-1) - goal
+        row = np.einsum("...j,...ji", step, jacobian_inverse)
+        predicted = np.einsum("...ij,...j", jacobian_inverse, residual - previous)
+        product = (step * predicted).sum(axis=-1)
+        updatable = np.abs(product) > 0.1 * (step * step).sum(axis=-1)  # smaller divisors amplify rounding errors
+        gain = np.divide(1.0, product, out=np.zeros(product.shape), where=updatable & (product != 0.0))
+        # Sherman-Morrison formula: the inverse of the Jacobian after Broyden's rank-1 update.
+        jacobian_inverse += gain[..., None, None] * (step - predicted)[..., :, None] * row[..., None, :]
+    converged = np.asarray(np.abs(residual).max(axis=-1) <= 10.0 * _INVERSE_ERROR * size)
+    return position[..., 0], position[..., 1], converged
 
 
-def _moved_inside(
+def _move_inside(
     x: Array, y: Array, contains: Callable[[Array, Array], NDArray[np.bool_]], middle: tuple[float, float]
 ) -> tuple[Array, Array]:
-    """Return positions; those outside are moved to the edge of the set, along the line to `middle`."""
+    """Move positions outside a convex set to its edge, along the line to `middle`; return all positions."""
     outside = ~contains(x, y)
     if not outside.any():
         return x, y
     dx, dy = x[outside] - middle[0], y[outside] - middle[1]
-    # Bisection: 50 halvings reach the precision of float64.
+    # 50 bisections reach almost the precision of float64.
     low, high = np.zeros(dx.shape), np.ones(dx.shape)
     for _ in range(50):
-        share = 0.5 * (low + high)
-        inside = contains(middle[0] + share * dx, middle[1] + share * dy)
-        low, high = np.where(inside, share, low), np.where(inside, high, share)
+        fraction = 0.5 * (low + high)
+        inside = contains(middle[0] + fraction * dx, middle[1] + fraction * dy)
+        low, high = np.where(inside, fraction, low), np.where(inside, high, fraction)
     across, down = x.copy(), y.copy()
     across[outside], down[outside] = middle[0] + low * dx, middle[1] + low * dy
     return across, down
@@ -126,23 +128,23 @@ def _moved_inside(
 class Vignetting:
     """Cat's-eye vignetting: a second circular stop that shifts across the aperture with field height.
 
-    The pupil is the intersection of both circles. The second circle shifts along the direction of the position on the
-    sensor; its shift and radius are interpolated linearly between heights.
+    The pupil is the intersection of the aperture and the second circle. This circle shifts along the direction from
+    the optical axis to the position on the sensor; its shift and radius are interpolated linearly between heights.
 
     Parameters
     ----------
     height : array_like, shape (n,)
         Distances from the axis on the sensor, increasing from 0, at least two.
     shift : array_like, shape (n,)
-        Shift of the centre of the second circle, in radii of the aperture, 0 on the axis; positive towards the
-        position, so that the opposite side of the pupil is blocked.
+        Shift of the centre of the second circle, in radii of the aperture; 0 on the axis. A positive shift points
+        towards the position on the sensor: the opposite side of the pupil is blocked.
     radius : float or array_like, shape (n,)
         Radius of the second circle, in radii of the aperture.
 
     Raises
     ------
     TypeError, ValueError
-        If a number is not finite, heights do not increase from 0, or no light passes at one of them.
+        If a number is not finite, heights do not increase from 0, or the circles do not overlap at a height.
 
     Examples
     --------
@@ -158,16 +160,16 @@ class Vignetting:
 
     def __init__(self, height: ArrayLike, shift: ArrayLike, radius: ArrayLike = 1.0) -> None:
         heights = _heights(height)
-        moved = validation.real_array("shift", shift)
+        shifts = validation.real_array("shift", shift)
         radii = validation.real_array("radius", radius, least=1e-6)
-        if moved.shape != heights.shape or moved[0] != 0.0:
-            raise ValueError(f"shift must be one for each height, 0 for the first, got {validation.shown(shift)}")
+        if shifts.shape != heights.shape or shifts[0] != 0.0:
+            raise ValueError(f"shift must have a value for each height, the first 0, got {validation.shown(shift)}")
         if radii.shape not in ((), heights.shape):
-            raise ValueError(f"radius must be one number, or one for each height, got {validation.shown(radius)}")
-        wide = np.broadcast_to(radii, heights.shape)
-        vars(self).update(height=tuple(heights.tolist()), shift=tuple(moved.tolist()), radius=tuple(wide.tolist()))
-        for far, size in zip(self.shift, self.radius, strict=True):
-            CatEye((far, 0.0), size)
+            raise ValueError(f"radius must be a number, or a value for each height, got {validation.shown(radius)}")
+        radii = np.broadcast_to(radii, heights.shape)
+        vars(self).update(height=tuple(heights.tolist()), shift=tuple(shifts.tolist()), radius=tuple(radii.tolist()))
+        for offset, size in zip(self.shift, self.radius, strict=True):
+            CatEye((offset, 0.0), size)  # raises ValueError if no light passes
 
     def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
         """Return `pupil` with the vignetting at (`x`, `y`); ValueError beyond the last height."""
@@ -175,24 +177,24 @@ class Vignetting:
 
     def at(self, x: float, y: float) -> CatEye | None:
         """Return the vignetting at (`x`, `y`), None where there is none; ValueError beyond the last height."""
-        r = _within(math.hypot(x, y), self.height[-1])
-        far, size = (float(np.interp(r, self.height, part)) for part in (self.shift, self.radius))
-        if abs(far) + 1.0 <= size:  # the second circle contains the whole aperture
+        r = _require_height(math.hypot(x, y), self.height[-1])
+        offset, size = (float(np.interp(r, self.height, values)) for values in (self.shift, self.radius))
+        if abs(offset) + 1.0 <= size:  # the second circle contains the whole aperture
             return None
-        along = (x / r, y / r) if r > 0.0 else (1.0, 0.0)
-        return CatEye((far * along[0], far * along[1]), size)
+        direction = (x / r, y / r) if r > 0.0 else (1.0, 0.0)
+        return CatEye((offset * direction[0], offset * direction[1]), size)
 
 
-_ROUND = 1e-5  # pupils with a smaller ellipticity are treated as circles, which all methods support
+_MIN_ELLIPTICITY = 1e-5  # pupils with a smaller ellipticity are treated as circles, which all methods support
 
 
 @dataclass(frozen=True, init=False)
 class Foreshortening:
     """Elliptical pupils off the axis, due to foreshortening of the aperture.
 
-    An alternative to :class:`Vignetting`. The ellipse is centred on the axis of the pupil, with one semi-axis along
-    the direction of the position on the sensor (tangential) and one across it (sagittal). Semi-axes are interpolated
-    linearly in the squared height.
+    An alternative to :class:`Vignetting`. The ellipse is centred on the pupil axis. The tangential semi-axis has the
+    direction from the optical axis to the position on the sensor; the sagittal one is perpendicular to it. Semi-axes
+    are interpolated linearly in the squared height.
 
     Parameters
     ----------
@@ -222,19 +224,19 @@ class Foreshortening:
     def __init__(self, height: ArrayLike, along: ArrayLike, across: ArrayLike) -> None:
         heights = _heights(height)
         for name, value in (("along", along), ("across", across)):
-            found = validation.real_array(name, value, least=1e-3, most=1.0)
-            if found.shape != heights.shape:
-                raise ValueError(f"{name} must be one for each height, got {validation.shown(value)}")
-            vars(self)[name] = tuple(found.tolist())
+            semi_axes = validation.real_array(name, value, least=1e-3, most=1.0)
+            if semi_axes.shape != heights.shape:
+                raise ValueError(f"{name} must have a value for each height, got {validation.shown(value)}")
+            vars(self)[name] = tuple(semi_axes.tolist())
         vars(self)["height"] = tuple(heights.tolist())
 
     def at(self, x: float, y: float) -> Ellipse | None:
         """Return the elliptical pupil at (`x`, `y`), None if circular; ValueError beyond the last height."""
-        r = _within(math.hypot(x, y), self.height[-1])
-        # Linear in r^2, because a symmetric field is an even function of height.
+        r = _require_height(math.hypot(x, y), self.height[-1])
+        # Interpolation is linear in r^2, because a symmetric field is an even function of height.
         squares = np.square(self.height)
         a, b = (float(np.interp(r * r, squares, part)) for part in (self.along, self.across))
-        return None if min(a, b) > 1.0 - _ROUND else Ellipse(a, b, math.atan2(y, x))
+        return None if min(a, b) > 1.0 - _MIN_ELLIPTICITY else Ellipse(a, b, math.atan2(y, x))
 
     def applied(self, pupil: Pupil, x: float, y: float) -> Pupil:
         """Return `pupil` foreshortened at (`x`, `y`); ValueError beyond the last height."""
@@ -253,7 +255,7 @@ def foreshortened(pupil: Pupil, ellipse: Ellipse) -> Pupil:
 
 @dataclass(frozen=True, init=False)
 class Shading:
-    """Relative illumination off the axis without the effect of vignetting, for example cos^4.
+    """Relative illumination off the axis due to causes other than vignetting, for example the cos^4 law.
 
     Parameters
     ----------
@@ -274,20 +276,20 @@ class Shading:
     distance: float | None
 
     def __init__(self, height: ArrayLike, light: ArrayLike) -> None:
-        heights, found = _heights(height), validation.real_array("light", light, least=1e-12)
-        if found.shape != heights.shape or found[0] != 1.0:
-            raise ValueError(f"light must be one for each height, 1 for the first, got {validation.shown(light)}")
-        vars(self).update(height=tuple(heights.tolist()), light=tuple(found.tolist()), distance=None)
+        heights, values = _heights(height), validation.real_array("light", light, least=1e-12)
+        if values.shape != heights.shape or values[0] != 1.0:
+            raise ValueError(f"light must have a value for each height, the first 1, got {validation.shown(light)}")
+        vars(self).update(height=tuple(heights.tolist()), light=tuple(values.tolist()), distance=None)
 
     @classmethod
     def cos4(cls, distance: float) -> Shading:
-        """Return the shading ``cos(theta)^4``, ``tan(theta)`` the height over the `distance` of the exit pupil.
+        """Return the shading ``cos(theta)^4``, where ``tan(theta)`` is the height divided by `distance`.
 
         Parameters
         ----------
         distance : float
-            Distance from the exit pupil to the sensor, in the unit of heights: `sensor_distance` of a thin
-            :class:`lommel.Lens`.
+            Distance from the exit pupil to the sensor, in the unit of heights; for a thin :class:`lommel.Lens` it is
+            `sensor_distance`.
 
         Raises
         ------
@@ -308,19 +310,19 @@ class Shading:
         r = np.hypot(x, y)
         if self.distance is not None:
             return np.asarray((1.0 + (r / self.distance) ** 2) ** -2.0)
-        _within(float(r.max(initial=0.0)), self.height[-1])
+        _require_height(float(r.max(initial=0.0)), self.height[-1])
         return np.asarray(np.interp(r, self.height, self.light))
 
 
 def _heights(height: ArrayLike) -> Array:
-    found = _rising("height", height)
-    if found[0] != 0.0:
-        raise ValueError(f"height must begin with 0, the axis, got {found[0]:g}")
-    return found
+    heights = _increasing_array("height", height)
+    if heights[0] != 0.0:
+        raise ValueError(f"height must begin with 0, the axis, got {heights[0]:g}")
+    return heights
 
 
-def _within(r: float, most: float) -> float:
-    # Tolerates rounding of the distance.
+def _require_height(r: float, most: float) -> float:
+    # The distance r may exceed the last height by rounding errors.
     if r > most * (1.0 + 1e-12):
         raise ValueError(f"the position {r:.6g} from the axis lies beyond the last height, {most:.6g}")
     return r
@@ -360,39 +362,39 @@ class ApertureOptions:
     obscuration: float | None = None
 
 
-def bare_pupil(constructor: Callable[..., FieldMap], given: ApertureKeywords) -> Pupil:
-    """Return the pupil without wavefront error from the options of `constructor`; TypeError or ValueError."""
-    options.require_known(constructor, given, ApertureKeywords)
-    stated: Json = {name: v for name, v in given.items() if name != "aperture" and v is not None}
-    if (aperture := given.get("aperture")) is None:
-        return Pupil(**stated)
+def bare_pupil(constructor: Callable[..., FieldMap], keywords: ApertureKeywords) -> Pupil:
+    """Return the pupil without wavefront that the `keywords` of a constructor define; TypeError or ValueError."""
+    options.require_known(constructor, keywords, ApertureKeywords)
+    numeric: Json = {name: v for name, v in keywords.items() if name != "aperture" and v is not None}
+    if (aperture := keywords.get("aperture")) is None:
+        return Pupil(**numeric)
     if not validation.instance("aperture", aperture, Pupil).wavefront.flat:
         raise ValueError(
-            "aperture must have a flat wavefront, for the map has those of all positions: give "
-            "aperture.unaberrated(), and add its wavefront to the map where it is meant (field + wavefront)"
+            "aperture must have a flat wavefront, because the map defines the wavefronts: pass "
+            "aperture.unaberrated(), and add its wavefront to the map if required (field + wavefront)"
         )
-    for name, value in stated.items():
-        if (known := getattr(aperture, name)) not in (None, value):
-            raise ValueError(f"{name} must be that of the aperture, {known:g}, or be left out, got {value!r}")
-    return replace(aperture, geometry=None, **stated)
+    for name, value in numeric.items():
+        if (own := getattr(aperture, name)) not in (None, value):
+            raise ValueError(f"{name} must be that of the aperture, {own:g}, or be left out, got {value!r}")
+    return replace(aperture, geometry=None, **numeric)
 
 
 @dataclass(frozen=True, eq=False)
 class FieldMap:
     """Wavefronts over the sensor, interpolated between known positions, without extrapolation.
 
-    Constructors are :meth:`on_grid`, :meth:`scattered`, :meth:`radial` and :meth:`from_seidel`. They share the
-    options of the aperture, and raise TypeError or ValueError if numbers are out of range, positions are repeated or
-    of the wrong shape, or the number of wavefronts differs from that of positions. Positions (x, y) are measured from
-    the optical axis, x along columns to the right and y along rows downwards, in metres if the map has a wavelength,
-    else in units of lambda*N. Zernike coefficients are interpolated, and reproduced at the known positions.
+    Constructors are :meth:`on_grid`, :meth:`scattered`, :meth:`radial` and :meth:`from_seidel`. All have the same
+    options for the aperture. They raise TypeError or ValueError if numbers are out of range, positions are repeated
+    or of the wrong shape, or the number of wavefronts differs from the number of positions. Positions (x, y) are
+    measured from the optical axis, x along columns to the right and y along rows downwards, in metres if the map has
+    a wavelength, else in units of lambda*N. The interpolated quantities are Zernike coefficients.
 
     ``field + wavefront`` adds a wavefront at every position, for example the defocus of an object.
 
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        The aperture on the axis; also off the axis if there is no vignetting.
+        The pupil on the axis; it also applies off the axis if there is no vignetting.
     vignetting : Vignetting, Foreshortening or None
         Change of the aperture off the axis; see :meth:`seen_through`.
     shading : Shading or None
@@ -400,7 +402,8 @@ class FieldMap:
 
     Notes
     -----
-    The reference sphere of a wavefront is centred on its position on the sensor: tilt shifts the PSF in its window.
+    The reference sphere of each wavefront is centred on the position of the wavefront on the sensor. A tilt therefore
+    shifts the PSF away from this position.
 
     Examples
     --------
@@ -442,8 +445,9 @@ class FieldMap:
     ) -> FieldMap:
         """Build a map from wavefronts at scattered positions, by cubic radial basis functions and a polynomial.
 
-        The polynomial is quadratic if the positions determine one (six or more), so that third-order field curvature,
-        astigmatism and coma are reproduced exactly; otherwise linear. The map ends at the convex hull.
+        The polynomial is quadratic if the positions determine all six of its coefficients, otherwise linear. The
+        quadratic one reproduces third-order field curvature, astigmatism and coma exactly. The map ends at the convex
+        hull of the positions.
 
         Parameters
         ----------
@@ -462,9 +466,9 @@ class FieldMap:
     ) -> FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
-        Coefficients are cubic splines of the field height, even for even azimuthal order m and odd for odd m, as
-        symmetry requires. For other azimuths the wavefront is rotated exactly. Three heights suffice to reproduce
-        third-order aberrations exactly.
+        Coefficients are cubic splines of the field height: even functions for even azimuthal order m and odd
+        functions for odd m, as symmetry requires. At other azimuths the wavefront is rotated exactly. Three heights
+        suffice to reproduce third-order aberrations exactly.
 
         Parameters
         ----------
@@ -473,7 +477,7 @@ class FieldMap:
         wavefront : Wavefront of shape (n,)
             Wavefront at each height. The first, on the axis, must be radially symmetric (to 1e-6 rad).
         azimuth : float, default 0
-            Direction of these positions in radians, from x (0) to y (pi / 2, downwards in a picture).
+            Direction in radians from the axis to the positions: 0 along x, pi / 2 along y (downwards in an image).
         {options}
         """
         return cls(bare_pupil(cls.radial, options), Radial(height, wavefront, azimuth), Wavefront())
@@ -499,7 +503,7 @@ class FieldMap:
         Parameters
         ----------
         edge : float
-            Field height of the coefficients (relative height H = 1), at which the map ends.
+            Field height to which the coefficients refer (relative height H = 1); the map ends there.
         W020, W040, W060, W080, W131, W222, W220, W311 : float
             See :meth:`lommel.Wavefront.from_seidel`, which is evaluated at each position.
         {options}
@@ -535,7 +539,7 @@ class FieldMap:
         return replace(self, _added=self._added + other)
 
     def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
-        """Return the pupil at the position (x, y) of the sensor; arrays give a stack.
+        """Return the pupil at the position (x, y) of the sensor, or a stack of pupils for arrays of positions.
 
         Parameters
         ----------
@@ -550,7 +554,7 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            If a position is not finite or lies beyond the map; the message names it and the limits.
+            If a position is not finite or lies outside the map; the message has the position and the limits.
         """
         across, down = positions(x, y)
         if across.size == 0:
@@ -566,31 +570,31 @@ class FieldMap:
         if self.vignetting is None:
             return pupil
         if across.shape != ():
-            raise ValueError("x and y must be one position where vignetting changes the aperture; psf takes arrays")
+            raise ValueError("x and y must be one position if vignetting changes the aperture; psf accepts arrays")
         return self.vignetting.applied(pupil, float(across), float(down))
 
     def displacement(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
-        """Return the image displacement by wavefront tilt at positions (x, y): distortion and lateral colour.
+        """Return the image displacement due to wavefront tilt at positions (x, y): distortion and lateral colour.
 
         Parameters
         ----------
         x, y : array_like
             Positions without distortion, in :attr:`unit`; they broadcast.
         wavelength : float or sequence of (float, float), optional
-            Wavelength (metres), or pairs of wavelength and weight, over which the displacement is averaged; by
-            default the wavelength of the map. Lateral colour is that of the lens of the aperture
+            Wavelength (metres), or pairs of wavelength and weight for a weighted mean displacement; by default the
+            wavelength of the map. Lateral colour is that of the lens from which `aperture` was derived
             (:class:`lommel.Colour`).
 
         Returns
         -------
         dx, dy : ndarray
-            Displacement in :attr:`unit`. It is exact: a phase ``c rho cos(theta)`` shifts a PSF by
-            ``c lambda N / pi`` and does not change its shape.
+            Displacement in :attr:`unit`. The conversion from tilt is exact: a phase ``c rho cos(theta)`` shifts a PSF
+            by ``c lambda N / pi`` and does not change the shape of the PSF.
 
         Raises
         ------
         TypeError, ValueError
-            If a position lies beyond the map, or a wavelength beyond the colour of the lens.
+            If a position lies outside the map, or a wavelength outside the range of the lens's colour data.
 
         Examples
         --------
@@ -604,7 +608,7 @@ class FieldMap:
         return shift_of(bare.pupil(across, down), spectrum_of(wavelength))
 
     def undistorted(self, x: ArrayLike, y: ArrayLike, wavelength: Spectrum | None = None) -> tuple[Array, Array]:
-        """Return the undistorted positions whose displaced image is at (x, y): the inverse of `displacement`.
+        """Return the undistorted positions of the image points at (x, y): the inverse of `displacement`.
 
         Parameters
         ----------
@@ -616,13 +620,14 @@ class FieldMap:
         Returns
         -------
         x, y : ndarray
-            Undistorted positions. The error is 1e-9 of the largest distance of (x, y) from the middle of the map.
+            Undistorted positions. Displaced, they agree with (x, y) within 1e-9 times the largest distance of (x, y)
+            from the middle of the map.
 
         Raises
         ------
         TypeError, ValueError
-            See :meth:`displacement`; also if an undistorted position lies outside the map, or distortion is so strong
-            that it is not unique.
+            See :meth:`displacement`; also if an undistorted position lies outside the map, or is not unique because
+            of strong distortion.
 
         Examples
         --------
@@ -634,16 +639,16 @@ class FieldMap:
         across, down = positions(x, y)
         spectrum, bare = spectrum_of(wavelength), replace(self, vignetting=None)
 
-        def moved(x: Array, y: Array) -> tuple[Array, Array]:
+        def shift(x: Array, y: Array) -> tuple[Array, Array]:
             return shift_of(bare.pupil(x, y), spectrum)
 
-        of_map = self._wavefronts
-        a, d, found = inverse(np.atleast_1d(across), np.atleast_1d(down), moved, of_map.contains, of_map.middle)
-        if not found.all():
-            at = tuple(float(np.atleast_1d(part)[~found].flat[0]) for part in (across, down))
+        stored = self._wavefronts
+        a, d, converged = inverse(np.atleast_1d(across), np.atleast_1d(down), shift, stored.contains, stored.middle)
+        if not converged.all():
+            at = tuple(float(np.atleast_1d(part)[~converged].flat[0]) for part in (across, down))
             raise ValueError(
                 f"light at (x, y) = ({at[0]:.6g}, {at[1]:.6g}) {self.unit} must come from within the map, "
-                f"{of_map.limits(self.unit)}, and its distortion must not fold the picture"
+                f"{stored.limits(self.unit)}, and from one position only: the distortion must not fold the image"
             )
         return a.reshape(across.shape), d.reshape(across.shape)
 
@@ -674,7 +679,7 @@ class FieldMap:
     def seen_through(
         self, vignetting: Vignetting | Foreshortening | None = None, shading: Shading | None = None
     ) -> FieldMap:
-        """Return the map with vignetting, or elliptical pupils, and shading off the axis.
+        """Return the map with vignetting, or elliptical pupils, and with shading off the axis.
 
         Parameters
         ----------
@@ -686,24 +691,25 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            If an argument is of another type, or the aperture has vignetting already. Foreshortening requires a
-            circular or annular aperture, and cannot be removed from a map whose wavefronts are those of ellipses.
+            If an argument is of the wrong type, the aperture already has vignetting, or a Foreshortening is combined
+            with an aperture that is not circular or annular. Also if `vignetting` is None and the map has a
+            Foreshortening, because the wavefronts of the map are defined on ellipses.
         """
         validation.optional("shading", shading, Shading)
         if not isinstance(vignetting, Foreshortening):
             validation.optional("vignetting", vignetting, Vignetting)
         elif not self.pupil_without_wavefront.circular:
             raise ValueError(
-                "vignetting must not be a Foreshortening for an aperture that is not circular or annular, for it "
-                "does not change a spider, a mask or a stop"
+                "vignetting must not be a Foreshortening unless the aperture is circular or annular: spiders, masks "
+                "and stops would not be foreshortened"
             )
         if vignetting is None and isinstance(self.vignetting, Foreshortening):
             raise ValueError(
-                "vignetting must be that of the map, field_map.vignetting, for its wavefronts are those of the "
-                "elliptical pupils; for round ones make the map with circular=True"
+                "vignetting must be that of the map, field_map.vignetting, because the wavefronts of the map are "
+                "defined on elliptical pupils; for circular pupils make the map with circular=True"
             )
         if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
-            raise ValueError("vignetting must be left out for an aperture that has its own everywhere")
+            raise ValueError("vignetting must be left out, because the aperture already has vignetting of its own")
         return replace(self, vignetting=vignetting, shading=shading)
 
     def illumination(self, x: ArrayLike, y: ArrayLike) -> Numbers:
@@ -722,7 +728,7 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            If a position is not finite, or beyond the vignetting or the shading.
+            If a position is not finite, or lies beyond the last height of the vignetting or the shading.
         """
         across, down = positions(x, y)
         light = np.ones(across.shape) if self.shading is None else self.shading.at(across, down)
@@ -738,9 +744,9 @@ class FieldMap:
 
         Raises the errors of :meth:`illumination`, and ValueError for a map without an f-number.
         """
-        if (known := self.pupil_without_wavefront.f_number) is None:
-            raise ValueError("f_number must be known for a working f-number, and this map is in units of lambda*N")
-        return known / np.sqrt(self.illumination(x, y))
+        if (f_number := self.pupil_without_wavefront.f_number) is None:
+            raise ValueError("f_number must be known for a working f-number, but this map has none")
+        return f_number / np.sqrt(self.illumination(x, y))
 
     def psf(
         self,
@@ -752,7 +758,7 @@ class FieldMap:
         method: Method | None = None,
         **options: Any,
     ) -> PSF:
-        """Compute the PSF at a position of the sensor; arrays of positions give a stack.
+        """Compute the PSF at a position of the sensor, or a stack of PSFs for arrays of positions.
 
         Parameters
         ----------
@@ -790,9 +796,7 @@ class FieldMap:
         lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
-        """Return the PSF at the centre of each of rows x columns equal cells of the sensor.
-
-        Optionally for several object distances and colour channels.
+        """Compute PSFs at the centres of rows x columns equal cells, for several distances or channels if given.
 
         Parameters
         ----------
@@ -805,11 +809,11 @@ class FieldMap:
         illuminated : bool, default False
             Multiply the values of each PSF by the :meth:`illumination` at its position.
         channels : Channels or sequence of float, optional
-            See :func:`lommel.colour_psf`; lateral and axial colour are those of the lens of the aperture.
+            See :func:`lommel.colour_psf`; lateral and axial colour are those of the lens that `aperture` belongs to.
         depths : array_like, shape (k,), optional
             Distances of the object from the lens, metres; may be infinite.
         lens : Lens, optional
-            Lens that defines the defocus at these distances. It must have no aberrations, which the map defines.
+            Lens that defines the defocus at the distances. It must have no aberrations, because the map defines them.
 
         Raises
         ------
@@ -819,26 +823,26 @@ class FieldMap:
         """
         if (depths is None) != (lens is None):
             missing = "lens" if lens is None else "depths"
-            raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
+            raise ValueError(f"{missing} is missing: depths and lens go together, the lens defines the defocus")
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
-        # Exactly symmetric: the central one of an odd number of cells lies on the axis.
+        # The positions are exactly symmetric: of an odd number of cells, the central cell lies exactly on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
         weighted = validation.truth("illuminated", illuminated)
         named = [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]
         if named and (self.vignetting is not None or weighted):
             raise ValueError(
-                f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
-                "weighted by the illumination; compute each channel by itself, or multiply by illumination(x, y)"
+                f"{' and '.join(named)} must be left out if vignetting changes the aperture or illuminated is True; "
+                "compute each channel separately, or multiply by illumination(x, y)"
             )
         if not named:
-            one = self.psf(x, y[:, None], shape, pixel, **options)
+            stack = self.psf(x, y[:, None], shape, pixel, **options)
             if weighted:
                 light = np.asarray(self.illumination(x, y[:, None]))
-                factor = light[..., None, None].astype(one.values.dtype)
-                slopes = {name: slope * factor for name, slope in one.derivatives.items()}
-                one = replace(one, values=one.values * factor, scale=one.scale * light, derivatives=slopes)
-            return PSFGrid(one, x, y, height_width)
+                factor = light[..., None, None].astype(stack.values.dtype)
+                slopes = {name: slope * factor for name, slope in stack.derivatives.items()}
+                stack = replace(stack, values=stack.values * factor, scale=stack.scale * light, derivatives=slopes)
+            return PSFGrid(stack, x, y, height_width)
         pupil, distances = self.pupil(x, y[:, None]), None
         if depths is not None and lens is not None:
             pupil = at_depths(pupil, lens, depths)
@@ -852,25 +856,25 @@ def require_one_aperture(field_map: FieldMap) -> None:
     """Raise ValueError if the aperture changes over the field, which field-dependent blurs do not support."""
     if isinstance(field_map.vignetting, Foreshortening):
         raise ValueError(
-            "field_map must have the same pupil over the field, for a blur over it does not support elliptical ones: "
-            "make the map with circular=True, whose PSFs off the axis are less exact"
+            "field_map must have the same pupil over the field, for blurs that vary over the field do not support "
+            "elliptical ones: make the map with circular=True, at some loss of accuracy off the axis"
         )
     if field_map.vignetting is not None:
         raise ValueError(
-            "field_map must have no vignetting, which a blur over the field does not support: give "
-            "field_map.seen_through(None, shading), with all of the relative illumination as shading"
+            "field_map must have no vignetting, which a blur that varies over the field does not support: pass "
+            "field_map.seen_through(None, shading), where shading is the whole relative illumination"
         )
 
 
-def require_light(light: Pupil, lens: Lens) -> None:
-    """Raise ValueError unless the lens has the wavelength, f-number and aperture of a map, and no aberrations."""
+def require_light(map_pupil: Pupil, lens: Lens) -> None:
+    """Raise ValueError unless the lens has no aberrations and the wavelength, f-number and aperture of a map."""
     if not lens.aberrations.flat:
-        raise ValueError("lens must have no aberrations, for the map has those of all positions: add them to it")
-    there = lens.pupil(1.0).unaberrated()
+        raise ValueError("lens must have no aberrations: add them to the map, which defines all aberrations")
+    lens_pupil = lens.pupil(1.0).unaberrated()
     for name, own, other in (
-        ("wavelength", there.wavelength, light.wavelength),
-        ("working f-number", there.f_number, light.f_number),
-        ("aperture", there.aperture, light.aperture),
+        ("wavelength", lens_pupil.wavelength, map_pupil.wavelength),
+        ("working f-number", lens_pupil.f_number, map_pupil.f_number),
+        ("aperture", lens_pupil.aperture, map_pupil.aperture),
     ):
         if own != other:
             raise ValueError(
@@ -880,30 +884,30 @@ def require_light(light: Pupil, lens: Lens) -> None:
 
 
 def at_depths(pupil: Pupil, lens: Lens, depths: ArrayLike) -> Pupil:
-    """Return pupils of the field with the defocus of a lens at k distances, a stack of shape ``positions + (k,)``."""
+    """Return pupils with the defocus of a lens at k object distances; their shape is ``pupil.shape + (k,)``."""
     validation.instance("lens", lens, Lens)
     require_light(pupil, lens)
     distances = np.atleast_1d(np.asarray(depths))
     if distances.ndim != 1:
         raise ValueError(f"depths must be of shape (k,), got {distances.shape}")
-    near, shape = lens.pupil(distances), (*pupil.shape, distances.size)
-    pupils_at = pupil[(..., None)].broadcast(shape)
-    geometry = near.geometry
+    defocused, shape = lens.pupil(distances), (*pupil.shape, distances.size)
+    pupils = pupil[(..., None)].broadcast(shape)
+    geometry = defocused.geometry
     assert geometry is not None
-    own = tuple(np.broadcast_to(distances, shape).ravel().tolist())
+    repeated = tuple(np.broadcast_to(distances, shape).ravel().tolist())
     return replace(
-        pupils_at,
-        wavefront=pupils_at.wavefront + near.wavefront,
-        geometry=replace(geometry, object_distance=own),
-        colour=pupils_at.colour or near.colour,
+        pupils,
+        wavefront=pupils.wavefront + defocused.wavefront,
+        geometry=replace(geometry, object_distance=repeated),
+        colour=pupils.colour or defocused.colour,
     )
 
 
 MAX_SCATTERED = 4000
-"""Largest number of scattered positions: the interpolation solves a dense system of this size."""
+"""Maximum number of scattered positions: the interpolation solves a dense linear system of this size."""
 
-_ROUNDING = 1e-9  # distance outside the map, relative to its size, up to which a position counts as on its edge
-_AXIS = 1e-6  # non-radial terms on the axis below this are rounding errors, radians
+_ROUNDING = 1e-9  # a position outside the map by less than this fraction of the map's size counts as inside
+_AXIS = 1e-6  # smaller coefficients (radians) of terms with m != 0 on the axis are taken for rounding errors
 
 
 class WavefrontsOnSensor(ABC):
@@ -916,16 +920,16 @@ class WavefrontsOnSensor(ABC):
     """A position inside the map."""
 
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return a mask of positions inside the map, by default a circle around the axis."""
+        """Return a mask of the positions inside the map; the default map is a disc around the axis."""
         return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
 
     def limits(self, unit: str) -> str:
-        """Return the limits of the map in words."""
+        """Return the limits of the map as part of a message."""
         return f"which reaches {self.reach:.6g} {unit} from the axis"
 
     @abstractmethod
     def wavefront(self, x: Array, y: Array) -> Wavefront:
-        """Return the wavefronts at positions inside, of their shape."""
+        """Return the wavefronts at positions inside the map, a stack of the shape of `x` and `y`."""
 
 
 class OnGrid(WavefrontsOnSensor):
@@ -934,7 +938,7 @@ class OnGrid(WavefrontsOnSensor):
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
         from scipy.interpolate import RectBivariateSpline
 
-        self.x, self.y = _rising("x", x), _rising("y", y)
+        self.x, self.y = _increasing_array("x", x), _increasing_array("y", y)
         values, self.terms = _coefficients_and_terms(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Positions are scaled to 0 to 1, because FITPACK uses absolute tolerances.
@@ -953,13 +957,13 @@ class OnGrid(WavefrontsOnSensor):
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Return a mask of positions inside the rectangle."""
         inside = np.ones(x.shape, dtype=np.bool_)
-        for part, known in ((x, self.x), (y, self.y)):
-            slack = _ROUNDING * (known[-1] - known[0])
-            inside &= (part >= known[0] - slack) & (part <= known[-1] + slack)
+        for part, nodes in ((x, self.x), (y, self.y)):
+            slack = _ROUNDING * (nodes[-1] - nodes[0])
+            inside &= (part >= nodes[0] - slack) & (part <= nodes[-1] + slack)
         return inside
 
     def limits(self, unit: str) -> str:
-        """Return the sides of the rectangle."""
+        """Return the ranges of x and y of the rectangle, as part of a message."""
         return f"x from {_span(self.x)} and y from {_span(self.y)} {unit}"
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
@@ -969,7 +973,7 @@ class OnGrid(WavefrontsOnSensor):
 
 
 class Scattered(WavefrontsOnSensor):
-    """Cubic radial basis functions with a quadratic (or linear) polynomial, within the convex hull."""
+    """Cubic radial basis functions and a quadratic or linear polynomial, within the convex hull of the positions."""
 
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
         from scipy.interpolate import RBFInterpolator
@@ -977,7 +981,7 @@ class Scattered(WavefrontsOnSensor):
 
         across, down = validation.real_array("x", x), validation.real_array("y", y)
         if across.ndim != 1 or across.shape != down.shape:
-            raise ValueError(f"x and y must be of one shape (n,), got {across.shape} and {down.shape}")
+            raise ValueError(f"x and y must be of the same shape (n,), got {across.shape} and {down.shape}")
         count = validation.integer("the number of positions", across.size, least=3, most=MAX_SCATTERED)
         values, self.terms = _coefficients_and_terms(wavefront, (count,), "of x and y")
         order = np.lexsort((down, across))
@@ -992,7 +996,7 @@ class Scattered(WavefrontsOnSensor):
         try:
             self.edges = ConvexHull(points).equations
         except QhullError:
-            raise ValueError(f"positions must not all lie on one line, got {count} that do") from None
+            raise ValueError(f"positions must not all lie on one line, got {count} positions on a line") from None
         quadratic = np.stack([np.ones(count), *points.T, *points.T**2, points[:, 0] * points[:, 1]], axis=1)
         # Positions on a conic do not determine a quadratic polynomial.
         degree = 2 if np.linalg.matrix_rank(quadratic, tol=1e-6) == 6 else 1
@@ -1009,7 +1013,7 @@ class Scattered(WavefrontsOnSensor):
         return np.asarray((outward <= _ROUNDING).all(axis=1).reshape(x.shape))
 
     def limits(self, unit: str) -> str:
-        """Return the extent of the hull."""
+        """Return the ranges of x and y of the convex hull, as part of a message."""
         x, y = np.sort(self.x), np.sort(self.y)
         return f"the convex hull of {x.size} positions with x from {_span(x)} and y from {_span(y)} {unit}"
 
@@ -1020,7 +1024,7 @@ class Scattered(WavefrontsOnSensor):
 
 
 class Radial(WavefrontsOnSensor):
-    """The field of a rotationally symmetric lens: cubic splines along the height, rotated to the azimuth."""
+    """Field of a rotationally symmetric lens: cubic splines of the field height, rotated to the azimuth."""
 
     def __init__(self, height: ArrayLike, wavefront: Wavefront, azimuth: float) -> None:
         from scipy.interpolate import CubicSpline
@@ -1030,10 +1034,10 @@ class Radial(WavefrontsOnSensor):
         orders = np.array([m for _, m in self.terms])
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
-                "the wavefront at height 0, on the axis of a rotationally symmetric lens, must not depend on the "
-                f"direction, got {validation.shown(wavefront[0])}"
+                "the wavefront at height 0, on the axis of a rotationally symmetric lens, must be radially "
+                f"symmetric, got {validation.shown(wavefront[0])}"
             )
-        # Rotation by 180 degrees maps the height to its negative, and a term to (-1)^m times itself.
+        # Rotation by 180 degrees changes the sign of the height, and multiplies a term by (-1)^m.
         parity = np.where(orders % 2, -1.0, 1.0)
         middle = np.where(orders == 0, values[:1], 0.0)
         mirrored = np.concatenate([parity * values[:0:-1], middle, values[1:]])
@@ -1050,7 +1054,7 @@ class Radial(WavefrontsOnSensor):
 
 
 class Seidel(WavefrontsOnSensor):
-    """Seidel coefficients: aberrations as polynomials of field and pupil position."""
+    """Seidel aberrations: polynomials of the field height and the pupil position."""
 
     def __init__(self, edge: float, waves: Mapping[str, float]) -> None:
         self.reach = validation.real("edge", edge, above=0.0)
@@ -1063,7 +1067,7 @@ class Seidel(WavefrontsOnSensor):
         return stack if stack.shape == x.shape else Wavefront(np.zeros(x.shape)) + stack
 
 
-def _rising(name: str, value: ArrayLike) -> Array:
+def _increasing_array(name: str, value: ArrayLike) -> Array:
     array = validation.real_array(name, value)
     if array.ndim != 1 or array.size < 2:
         raise ValueError(f"{name} must be of shape (n,) with n at least 2, got shape {array.shape}")
@@ -1074,14 +1078,14 @@ def _rising(name: str, value: ArrayLike) -> Array:
     return array
 
 
-def _span(known: Array) -> str:
-    return f"{known[0]:.6g} to {known[-1]:.6g}"
+def _span(values: Array) -> str:
+    return f"{values[0]:.6g} to {values[-1]:.6g}"
 
 
 def _coefficients_and_terms(
     wavefront: Wavefront, shape: tuple[int, ...], what: str
 ) -> tuple[Array, tuple[tuple[int, int], ...]]:
-    """Return the edge coefficients of the terms, shape ``shape + (k,)``, and (n, m) of each."""
+    """Return the coefficients at the pupil edge, shape ``shape + (k,)``, and (n, m) of each of the k terms."""
     if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
     return wavefront.edge, wavefront.terms

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PSFGrid(Measured, PSFGridLike):
-    """PSFs on a grid of positions over a sensor; ``grid[row, column]`` is one of them.
+    """PSFs on a grid of positions over a sensor; ``grid[row, column]`` is the PSF of one position.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class PSFGrid(Measured, PSFGridLike):
     x, y : ndarray, shapes (columns,) and (rows,)
         Positions from the optical axis, in :attr:`unit`.
     sensor : (float, float)
-        Height and width.
+        Height and width of the sensor, in :attr:`unit`.
     depths : ndarray, shape (depths,), or None
         Distances of the object from the lens, metres.
 
@@ -54,16 +54,16 @@ class PSFGrid(Measured, PSFGridLike):
             raise TypeError(f"psf must be a PSF, got {validation.shown(self.psf)}")
         stack = self.psf.pupil.shape
         axes = 2 if self.depths is None else 3
-        for name, count in (("y", 0), ("x", 1)):
-            places = validation.real_array(name, getattr(self, name))
-            if len(stack) != axes or places.shape != stack[count : count + 1]:
-                raise ValueError(f"{name} must be the places of PSFs of shape {stack}, got shape {places.shape}")
-            object.__setattr__(self, name, places)
+        for name, axis in (("y", 0), ("x", 1)):
+            positions = validation.real_array(name, getattr(self, name))
+            if len(stack) != axes or positions.shape != stack[axis : axis + 1]:
+                raise ValueError(f"{name} must fit a stack of PSFs of shape {stack}, got shape {positions.shape}")
+            object.__setattr__(self, name, positions)
         object.__setattr__(self, "sensor", sides(self.sensor, self.unit))
         if self.depths is not None:
             distances = np.atleast_1d(object_distances(self.depths))
             if distances.shape != stack[2:]:
-                raise ValueError(f"depths must be those of PSFs of shape {stack}, got shape {distances.shape}")
+                raise ValueError(f"depths must fit a stack of PSFs of shape {stack}, got shape {distances.shape}")
             object.__setattr__(self, "depths", distances)
 
     def __len__(self) -> int:
@@ -72,34 +72,34 @@ class PSFGrid(Measured, PSFGridLike):
 
     def __repr__(self) -> str:
         size = f"{self.sensor[0]:g} x {self.sensor[1]:g} {self.unit}"
-        deep = "" if self.depths is None else f" x {self.depths.size} distances"
-        return f"<{type(self).__name__} {self.y.size} x {self.x.size}{deep} on {size}: {self.psf!r}>"
+        distances = "" if self.depths is None else f" x {self.depths.size} distances"
+        return f"<{type(self).__name__} {self.y.size} x {self.x.size}{distances} on {size}: {self.psf!r}>"
 
     def __getitem__(self, index: Index) -> PSF | ColourPSF:
-        """Return part of the stack, in all channels where there are some, as NumPy indexes arrays of its shape."""
+        """Return part of the stack, in all channels; `index` is that of a NumPy array of the shape of the stack."""
         return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
 
     def measured(self, measure: Callable[[PSF], Any]) -> Any:
-        """Return a `measure` of the PSF at each position, distance and channel."""
+        """Return the value of `measure` for the PSF at each position, distance and channel."""
         return self.psf.measured(measure)
 
     def channel(self, channel: str | int) -> PSFGrid:
-        """Return the grid of one `channel`, by its name or number; ValueError or KeyError if there is none."""
+        """Return the grid of one `channel`, given by name or number; ValueError or KeyError if there is none."""
         if not isinstance(self.psf, ColourPSF):
-            raise ValueError("this grid has no channels; grid(..., channels=) makes one that has")
+            raise ValueError("this grid has no channels; compute a grid with grid(..., channels=)")
         return replace(self, psf=self.psf[channel])
 
     def at_depth(self, index: int) -> PSFGrid:
-        """Return the grid at one of the `depths`, by its `index`; ValueError or IndexError if there is none."""
+        """Return the grid at the distance ``depths[index]``; ValueError if there is none."""
         if self.depths is None:
-            raise ValueError("this grid has no distances; grid(..., depths=, lens=) makes one that has")
-        which = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
-        return replace(self, psf=self[:, :, which], depths=None)
+            raise ValueError("this grid has no distances; compute a grid with grid(..., depths=, lens=)")
+        number = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
+        return replace(self, psf=self[:, :, number], depths=None)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-        """Draw each PSF, enlarged, at its position on the sensor; three channels in colour.
+        """Draw each PSF, enlarged, at its position on the sensor; a grid of three channels is drawn in colour.
 
-        `ax` and `stretch` as of :func:`lommel.show.plot.field`.
+        `ax` and `stretch` are explained at :func:`lommel.show.plot.field`.
         """
         validation.axes("ax", ax)
         return show.plot.field(self, ax, stretch=stretch)
@@ -116,13 +116,13 @@ class PSFGrid(Measured, PSFGridLike):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSFGrid:
-        """Read a file, `path`, that :meth:`save` wrote; FileError if it is damaged or holds something else."""
+        """Read a grid from `path`, a file that :meth:`save` wrote; FileError if it is damaged or of another kind."""
         psf, x, y, sensor, depths = field_files.load(path, PSF)
         return cls(psf if isinstance(psf, PSF) else ColourPSF(*psf), x, y, sensor, depths)
 
 
 def sides(sensor: object, unit: str) -> tuple[float, float]:
-    """Return the height and width of a sensor; TypeError or ValueError unless it is such a pair."""
+    """Return the height and width of a sensor; TypeError or ValueError unless `sensor` is a pair of lengths."""
     if not isinstance(sensor, tuple | list) or len(sensor) != 2:
         raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")
     height, width = (validation.real(f"sensor[{k}]", side, above=0.0, unit=unit) for k, side in enumerate(sensor))

@@ -72,7 +72,9 @@ def test_pinholes_at_known_places_tell_the_distortion_and_the_table_has_it(tmp_p
     made = read_csv(tmp_path / "field.csv", "noll").field_map(lens, unit="waves", normalization="rms", direction="x")
     for term, value in edge.items():
         assert abs(made.pupil(x, y).wavefront.edge_terms().get(term, 0.0) - value) < 1e-6
-    assert "# the same of rows and columns, pixels" in (tmp_path / "field.csv").read_text(encoding="utf-8")
+    assert "# standard errors of the distortion in the middle, pixels" in (tmp_path / "field.csv").read_text(
+        encoding="utf-8"
+    )
 
 
 def simulate(draw, scatter, exposures=1, free=True, wrong=False):

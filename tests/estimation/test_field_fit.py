@@ -91,7 +91,7 @@ def test_one_focus_gives_the_field_up_to_the_twin():
     assert fit.status == "doubtful"
     (jitter,) = fit.blur
     assert abs(jitter.sigma - 0.6 * 0.5) < 5.0 * fit.blur_errors[0][0]
-    assert "preferred to Kolmogorov" in fit.findings.get("blur_shape").text
+    assert "more likely than Kolmogorov" in fit.findings.get("blur_shape").text
     # Without a start the first even term is positive in the mean, and the twin has it negative.
     x, y = position(places)
     mine, other = (np.stack(list(each.pupil(x, y).wavefront.edge_terms().values())) for each in (fit.field, fit.twin))
@@ -148,7 +148,7 @@ def test_a_known_defocus_decides_the_sign(defocus):
     places, images, true = simulated.stars(draw, 8, lines, simulated.Telescope(3, side=96), **options)
     fit = fitted(images, places, defocus=defocus, terms=3, degree=1)
     assert fit.converged, fit.message
-    assert "the one nearer to the known defocus is given" in fit.message
+    assert "the map nearer to the known defocus was chosen" in fit.message
     assert 0.4 < over_bound(fit, places, true, even=3) < 1.8
 
 
@@ -482,7 +482,7 @@ def test_stars_through_turbulence_tell_the_family_of_their_blur(seeing, jitter, 
     assert fit.converged, fit.message
     assert tuple(map(type, fit.blur)) == kinds
     found = fit.findings.get("blur_shape")
-    assert "preferred to a Gaussian" in found.text
+    assert "more likely than a Gaussian" in found.text
     assert found.numbers["gain"] > 5.0
     values, errors = fit.at(0.0, 0.0)
     off = min(np.abs((values - np.where(EVEN, sign, 1.0) * true) / errors).max() for sign in (1.0, -1.0))

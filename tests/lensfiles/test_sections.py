@@ -583,7 +583,7 @@ def test_places_of_a_lens_file_see_what_its_field_says(tmp_path, lenses):
         (VIGNETTING.replace('"0 mm", ', ""), "height must begin with 0, the axis"),
         ("[field.shading]\n", "needs distance"),
         (TABLE_SHADING_SECTIONS + 'distance = "5 mm"\n', "one of the two"),
-        (TABLE_SHADING_SECTIONS.replace("1.0", "0.9"), "1 for the first"),
+        (TABLE_SHADING_SECTIONS.replace("1.0", "0.9"), "the first 1"),
     ],
 )
 def test_what_cannot_be_is_told_with_its_section(tmp_path, lenses, section, message):

@@ -54,16 +54,16 @@ if TYPE_CHECKING:
 _MOST_DEGREE, _MOST_DISTORTION = 6, 9
 _MOST_SIDE = 10**6
 KINDS = "star", "pinhole", "crossing"
-"""What windows may show."""
+"""Kinds of targets in the windows."""
 _AXES = "rows", "columns"
-_SEARCHES = 3  # largest number of searches, with other random starts, until one converges
-_NAMED = 3  # rejected stars whose places the message states
-_ALIKE = 2.0  # log-likelihood by which two shapes of blur must differ
+_MAX_SEARCHES = 3  # maximum number of searches, each with other random starts, until one converges
+_LISTED = 3  # maximum number of rejected stars whose places a message lists
+_MIN_GAIN = 2.0  # log-likelihood difference below which two shapes of blur count as equally likely
 _SIGN = "one focus leaves the common sign of the even terms of the whole field open"
 
 
 class Coma(NamedTuple):
-    """Coma: radians rms, their standard error, and the direction of the axis in degrees from columns to rows."""
+    """Coma (radians rms), its standard error, and the direction of its axis in degrees from columns to rows."""
 
     rms: float
     error: float
@@ -71,7 +71,7 @@ class Coma(NamedTuple):
 
 
 class FocusShift(NamedTuple):
-    """Distance of the sensor from focus, metres, positive towards the lens, its standard error, and an open sign."""
+    """Distance of the sensor from focus (metres, positive towards the lens), its standard error, an open sign."""
 
     shift: float
     error: float
@@ -87,14 +87,14 @@ class FittedStars:
     places : ndarray, shape (n, 2)
         Row and column of the middle pixel of each window on the sensor.
     centers : ndarray, shape (n, e, 2)
-        Fitted row and column of the axis of each image within its window; NaN of stars not used, as below.
+        Fitted row and column of each image within its window.
     flux, background : ndarray, shape (n, e)
-        Electrons of a star in an infinite window, and electrons a pixel; of corners white less black, and the mean of
-        both, electrons a pixel.
+        Electrons of the star in an infinite window, and background in electrons per pixel. For corners, the
+        difference and the mean of white and black, electrons per pixel.
     chi2 : ndarray, shape (n,)
-        Pearson's chi2 of each, with the wavefront of the field, per degree of freedom.
+        Pearson's chi2 per degree of freedom of each star, with the wavefront of the fitted field.
     used : ndarray of bool, shape (n,)
-        Stars that the field is fitted to. Others do not fit: doubles, defects, galaxies.
+        True for stars used in the fit; the others were rejected, such as doubles, defects and galaxies.
     """
 
     places: Array
@@ -107,43 +107,43 @@ class FittedStars:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class FieldFit(FitReport):
-    """Wavefronts over the field with their standard errors: the answer of :func:`lommel.fit_field`.
+    """Wavefronts over the field with their standard errors: the result of :func:`lommel.fit_field`.
 
     Attributes
     ----------
     field : FieldMap
-        The estimated terms at every position of the sensor, and the fixed ones of `pupil`; tilts, where `distortion`
-        is known.
+        Wavefront at every position of the sensor: estimated terms, fixed terms of `pupil`, and tilts if `distortion`
+        is estimated.
     twin : FieldMap or None
-        The field with the even part of all phases negated, which has the same images in one focus; None where the
-        images tell the sign.
+        The field with the even part of all phases negated, which has the same images in one focus; None if the
+        images determine the sign.
     names : tuple
         The k estimated terms.
     coefficients : ndarray, shape (k, m)
-        Of each term (radians rms) in products of Legendre polynomials of the position, see :meth:`at`.
+        Coefficients of each term (radians rms) for the m products of Legendre polynomials of the position; see
+        :meth:`at`.
     covariance : ndarray, shape (k * m, k * m)
-        Of the coefficients, row by row; places, light and blur being nuisance parameters.
+        Covariance of the coefficients, row by row. Places, flux, background and blur are nuisance parameters.
     blurs : tuple of tuples of blurs
-        Of each exposure, as :func:`lommel.psf` takes it: :class:`lommel.Seeing`, :class:`lommel.Jitter`, or both. r0
-        is for the focal length of the pupil, of one without for 1 m.
+        Blurs of each exposure, as arguments of :func:`lommel.psf`: :class:`lommel.Seeing`, :class:`lommel.Jitter`, or
+        both. r0 refers to the focal length of the pupil, or to 1 m if the pupil has none.
     blur_errors : tuple of tuples of float
-        Standard errors of r0, or of sigma, of each; 0 where given.
+        Standard error of r0 or sigma of each blur; 0 for a known blur.
     chi2 : float
-        Pearson's chi2 per degree of freedom of all stars used: about 1 where the model is right.
+        Pearson's chi2 per degree of freedom of all used stars, about 1 if the model is right.
     held_out : float
-        The same of a fifth of the stars with the wavefronts that a fit of the others predicts; NaN where there are
-        too few.
+        Chi2 of a fifth of the stars, with wavefronts predicted by a fit of the other stars; NaN if there are too few.
     findings : Findings
-        What the checks of the fit found: misfits, rejected stars, an open sign, the shape of the blur.
+        Findings of the checks: misfits, rejected stars, an open sign, the shape of the blur.
     summary : str
         Chi2, number of stars and degree.
     degree : int
-        Of the polynomials.
+        Degree of the polynomials.
     distortion : Distortion or None
-        Displacement of the images, where `ideal` places were given.
+        Displacement of the images; None without `ideal` places.
     stars : FittedStars
     images, model : ndarray, shape (n, e, height, width)
-        Images in electrons, NaN where left out, and the fitted model.
+        Images in electrons, NaN at pixels left out of the fit, and the fitted model.
     """
 
     field: FieldMap = attribute(repr=False)
@@ -161,7 +161,7 @@ class FieldFit(FitReport):
     images: Array = attribute(repr=False)
     model: Array = attribute(repr=False)
     _sensor: Sensor = attribute(repr=False)
-    _terms: tuple[Term, ...] = attribute(repr=False)  # of the table,
+    _terms: tuple[Term, ...] = attribute(repr=False)  # columns of the table that `save` writes
     _pupil: Pupil = attribute(repr=False)
     _defocus: tuple[float, ...] = attribute(repr=False)
 
@@ -171,7 +171,7 @@ class FieldFit(FitReport):
         Parameters
         ----------
         x, y : array_like
-            From the axis, x along columns and y along rows, metres or lambda*N; they broadcast.
+            Positions from the axis, x along columns and y along rows, in metres or lambda*N; they broadcast.
 
         Returns
         -------
@@ -181,17 +181,17 @@ class FieldFit(FitReport):
         Raises
         ------
         TypeError, ValueError
-            If a position is not finite or outside of the sensor.
+            If a position is not finite or lies outside the sensor.
         """
         across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
         u, v = self._sensor.relative(across, down)
         if (np.maximum(np.abs(u), np.abs(v)) > 1.0 + 1e-9).any():
-            raise ValueError("x and y must be on the sensor that was fitted, got a position outside of it")
+            raise ValueError("x and y must be on the sensor that was fitted, got a position outside the sensor")
         return with_errors(u, v, self.degree, self.coefficients, self.covariance)
 
     @property
     def blur(self) -> tuple[Blur, ...]:
-        """The blur of the first exposure, as :func:`lommel.psf` takes it."""
+        """The blur of the first exposure, as an argument of :func:`lommel.psf`."""
         return self.blurs[0]
 
     @property
@@ -202,32 +202,32 @@ class FieldFit(FitReport):
 
     @property
     def coma(self) -> Coma | None:
-        """The coma in the middle of the sensor, Noll 7 and 8 together; None where they were not estimated."""
+        """The coma in the middle of the sensor, Noll 7 and 8 combined; None if one of the two was not estimated."""
         values, errors = self.at(*self.middle)
-        i, j = (self._place(term) for term in ((3, -1), (3, 1)))
+        i, j = (self._index(term) for term in ((3, -1), (3, 1)))
         if i is None or j is None:
             return None
         down, across = values[i], values[j]
         size = math.hypot(down, across)
-        # First-order propagation through the hypotenuse.
+        # First-order error propagation, correlation of the two terms neglected.
         spread = math.hypot(down * errors[i], across * errors[j]) / max(size, 1e-300)
         return Coma(size, spread, math.degrees(math.atan2(down, across)))
 
     @property
     def focus(self) -> FocusShift | None:
-        """How far the middle is from focus; None without defocus, wavelength, or of several exposures."""
-        j, pupil = self._place((2, 0)), self._pupil
+        """Distance of the sensor's middle from focus; None without defocus term, or with several exposures."""
+        j, pupil = self._index((2, 0)), self._pupil
         if j is None or pupil.wavelength is None or pupil.f_number is None or len(self._defocus) != 1:
             return None
         values, errors = self.at(*self.middle)
-        # C_d is half the phase at the edge; Noll 4 is a sqrt(3) (2 rho^2 - 1).
+        # A coefficient a of Noll 4, a sqrt(3) (2 rho^2 - 1), is a defocus C_d = sqrt(3) a.
         metres = 8.0 * pupil.wavelength * pupil.f_number**2 / math.pi
         known = self._defocus[0]
         shift, error = metres * (known + math.sqrt(3.0) * values[j]), metres * math.sqrt(3.0) * errors[j]
         return FocusShift(float(shift), float(error), self.twin is not None and known == 0.0)
 
-    def _place(self, term: Term) -> int | None:
-        """Return the index of a term among the estimated ones; None if it is not estimated."""
+    def _index(self, term: Term) -> int | None:
+        """Return the index of `term` in `names`; None if it was not estimated."""
         return next((j for j, name in enumerate(self.names) if term_of(name) == term), None)
 
     @property
@@ -242,33 +242,33 @@ class FieldFit(FitReport):
         Parameters
         ----------
         path : path
-            Ending in .csv.
+            Path of the file, ending in .csv.
         twin : bool, default False
-            Write `twin` instead.
+            Write `twin` instead of `field`.
 
         Raises
         ------
         ValueError
-            If the suffix is another, the positions are not in metres, or there is no twin.
+            If `path` does not end in .csv, the positions are not in metres, or there is no twin.
         OSError
             If the file cannot be written.
 
         Notes
         -----
-        A rectangular grid of positions, on which splines reproduce polynomials of degree 3 exactly. Coefficients are
-        in waves rms by Noll's index, less the wavefront of the pupil that the fit was given. Lines that begin with
-        ``#`` say the verdict, the blur, of which the table has nothing, and the standard errors in the middle and at
-        the bottom right corner of the sensor.
+        The table has a rectangular grid of positions, on which splines reproduce polynomials of degree 3 exactly.
+        Coefficients are in waves rms by Noll's index, minus the wavefront of `pupil` of :func:`lommel.fit_field`.
+        Comment lines (``#``) state the message of the fit, the blur (which is not part of the table), and the
+        standard errors in the middle and at the bottom right corner of the sensor.
         """
         target = validation.path("path", path)
         if target.suffix.lower() != ".csv":
             raise ValueError(f"path must end in .csv, got {validation.shown(str(path))}")
         if (chosen := self.twin if validation.truth("twin", twin) else self.field) is None:
-            raise ValueError("twin must be False, for the images tell the sign of even terms: there is no other map")
+            raise ValueError("twin must be False: the images determine the sign of the even terms, there is no twin")
         if self.field.unit != "m":
             raise ValueError(
-                "a table has positions in metres: give fit_field a pupil with wavelength and f_number, and pixel in "
-                "metres"
+                "save requires positions in metres: call fit_field with pixel in metres, and with a pupil that has "
+                "wavelength and f_number"
             )
         x, y = _positions(self._sensor, self.degree, self.distortion)
         across, down = (part.ravel() for part in np.meshgrid(x, y))
@@ -286,14 +286,15 @@ class FieldFit(FitReport):
             lines.append(f"# standard errors in {what}, waves rms: {listed}")
             if self.distortion is not None:
                 down_error, across_error = self.distortion.at(*spot)[1]
-                lines.append(f"# the same of rows and columns, pixels: {down_error:.2g}, {across_error:.2g}")
+                errors_of = f"rows {down_error:.2g}, columns {across_error:.2g}"
+                lines.append(f"# standard errors of the distortion in {what}, pixels: {errors_of}")
         lines.append(",".join(["x", "y", *columns]))
         for a, b, *row in zip(across, down, *columns.values(), strict=True):
             lines.append(",".join([f"{a:.9g} m", f"{b:.9g} m", *(f"{value:.9g}" for value in row)]))
         atomic.write(Path(target), "\n".join([*lines, ""]).encode())
 
     def plot(self, *, unit: str = "waves") -> Figure:
-        """Return a matplotlib figure: terms over the field with their standard errors, stars, models and residuals.
+        """Return a matplotlib figure: terms over the field and their standard errors, stars, model images, residuals.
 
         Parameters
         ----------
@@ -306,7 +307,7 @@ class FieldFit(FitReport):
         Raises
         ------
         ValueError
-            If there is no such unit.
+            If `unit` is neither of these.
         ImportError
             If matplotlib is not installed.
         """
@@ -337,26 +338,26 @@ class FieldKeywords(StarKeywords, total=False):
 
 @dataclass(frozen=True)
 class ChartOptions:
-    """Options on what the windows show.
+    """Options for the targets in the windows.
 
     Parameters
     ----------
     targets : {"star", "pinhole", "crossing"}, default "star"
-        What the windows show: points, round holes of one size, or corners of a checkerboard, at which four squares
-        meet. Corners are at unknown places and directions of their two lines, white squares of a flux a pixel above
-        the black ones; lines are straight within a window, and need not be perpendicular.
+        Kind of targets: point sources, circular holes of one size, or corners of a checkerboard, where four squares
+        meet. For each corner the position, the directions of its two lines and the brightness of black and white are
+        estimated; lines must be straight within a window, but need not be perpendicular.
     size : float, optional
-        In the image, in the unit of `pixel`: the diameter of pinholes, which need it, or the side of squares; without
-        it each corner is one of two lines without end.
+        Diameter of the pinholes (required), or side of the squares, in the image, in the unit of `pixel`. Without it
+        the two lines of each corner are infinitely long.
     ideal : array_like, shape (n, 2), optional
-        Row and column of each target without distortion, such as those of a grid of pinholes or of a catalogue of
-        stars in the tangent plane; NaN where not known. With them distortion is estimated.
+        Row and column of each target without distortion, for example in a grid of pinholes, or from a star catalogue
+        in the tangent plane; NaN where unknown. If given, distortion is estimated.
     pose : {"free", "known"}, default "free"
-        Whether the shift, rotation and magnification of `ideal` are estimated, so that any unit and origin will do,
-        or they are rows and columns of the sensor, from which any shift is distortion.
+        "free": the shift, rotation and magnification of `ideal` are estimated, and `ideal` may have any unit and
+        origin. "known": `ideal` has rows and columns of the sensor, and any shift is distortion.
     distortion : int, default 3
-        Total degree of the displacement in x and y, 0 to 9, lower where there are fewer than two known places for
-        each coefficient: 3 is distortion of third order (W311), 5 is of fifth.
+        Total degree of the displacement in x and y, 0 to 9: 3 for third-order distortion (W311), 5 for fifth order.
+        It is lowered if there are fewer than two known places for each coefficient.
     """
 
     targets: str = "star"
@@ -366,12 +367,12 @@ class ChartOptions:
     distortion: int = 3
 
     def target(self, pixel: float) -> Target | None:
-        """Return the target in the windows; None for points."""
+        """Return the target in the windows, for a pixel pitch `pixel`; None for stars."""
         kind, size = validation.choice("targets", self.targets, KINDS), self.size
         if size is not None:
             size = validation.real("size", size, above=0.0, unit="the unit of pixel") / pixel
         if kind == "star" and size is not None:
-            raise ValueError("size must be left out for stars, which are points; choose targets")
+            raise ValueError("size must be left out for stars, which are points; set targets for pinholes or corners")
         if kind == "pinhole" and size is None:
             raise ValueError("size must be the diameter of the pinholes in the image, in the unit of pixel, got None")
         return None if kind == "star" else Target(kind, math.inf if size is None else size)
@@ -379,7 +380,7 @@ class ChartOptions:
 
 @dataclass(frozen=True)
 class FieldOptions(FitOptions, ChartOptions):
-    """Options of :func:`fit_field`: those of its chart, then those of every fit."""
+    """Options of :func:`fit_field`: options for the targets, then options of every fit."""
 
 
 @shares(FieldKeywords, FieldOptions)
@@ -401,18 +402,18 @@ def fit_field(
     """Estimate the wavefront over the field of a camera or telescope from stars, or a chart, all over the image.
 
     The coefficients of Zernike terms are polynomials of the position. All stars are fitted jointly, in one exposure
-    or several at known defoci, each at an unknown sub-pixel place, with a flux and a background of its own.
+    or in several exposures at known defoci. Each image has an unknown sub-pixel position, flux and background.
 
     Parameters
     ----------
     windows : array_like, shape (n, height, width) or (n, e, height, width)
-        Images of n stars in e exposures, as of :func:`lommel.find_spots`, proportional to light but for the offset of
-        `noise`. NaN, infinite and masked values are left out, and in images of integers the largest value; of stars,
-        pixels that cosmic rays have struck, too.
+        Images of n stars in e exposures, for example from :func:`lommel.find_spots`; linear in the light, with the
+        gain and offset of `noise`. NaN, infinite and masked values are left out, and so are pixels of integer images
+        at the largest value (saturated) and, for stars, pixels hit by cosmic rays.
     places : array_like, shape (n, 2)
         Row and column of the middle pixel ``(height // 2, width // 2)`` of each window on the sensor.
     pupil : Pupil
-        Aperture, scale and fixed wavefront, a single one: with a spider, segments or a mask, too.
+        Single pupil (no stack): aperture, scale and fixed wavefront. Spiders, segments and masks are supported.
     sensor : (int, int)
         Rows and columns of the sensor.
     pixel : float
@@ -420,67 +421,68 @@ def fit_field(
     noise : Noise
         Gain, offset and read noise; numbers, not maps.
     degree : int, default 3
-        Total degree of the polynomials in x and y, 0 to 6, lower where there are fewer than two stars for each
+        Total degree of the polynomials in x and y, 0 to 6. It is lowered if there are fewer than two stars for each
         coefficient.
     terms : int or sequence, default 11
-        Terms to estimate, as of :func:`lommel.retrieve`: 11 are Noll's 4 to 14.
+        Terms to estimate, see :func:`lommel.retrieve`: 11 means Noll's indices 4 to 14.
     defocus : float or array_like, shape (e,), default 0
-        Known additional C_d of each exposure, radians; positive where the sensor was
-        moved towards the lens.
+        Known additional defocus C_d of each exposure, radians; positive if the sensor was moved towards the lens.
     blur : bool, float, Blur or several, default True
-        True estimates it in each exposure: seeing (Kolmogorov, or von Karman with an outer scale of 1000, 240 or 60
-        r0) and a Gaussian by jitter or charge diffusion, together or alone as is most likely; of pinholes and corners
-        a Gaussian. False is without. A number is the known standard deviation of a Gaussian in pixels, and
-        :class:`lommel.Seeing`, isotropic :class:`lommel.Jitter` and the like are known, too.
+        True: estimate the blur of each exposure. For stars it is seeing (Kolmogorov, or von Karman with an outer
+        scale of 1000, 240 or 60 r0), a Gaussian (jitter or charge diffusion), or both, whichever is most likely; for
+        pinholes and corners it is a Gaussian. False: no blur. A number is the known standard deviation of a Gaussian
+        in pixels. Known isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`.
     start : FieldMap, optional
-        Where the search begins: the design of the lens, for example. It decides the sign of the even terms.
+        Wavefronts from which the search starts, for example those of the lens design. They determine the sign of the
+        even terms.
     {options}
 
     Returns
     -------
     FieldFit
-        The map with standard errors; `converged` and `message` say whether it holds.
+        The map with standard errors; check `converged` and `message` before use.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if there are fewer stars than polynomials, places are outside of the sensor,
-        windows overlap, or a window is constant or saturated.
+        If an argument is out of range, there are too few stars, places lie outside the sensor, windows overlap, or
+        a window is constant or saturated.
     ToleranceError
-        If all starts are beyond what can be computed.
+        If the images of all starts cannot be computed to the tolerance.
 
     Notes
     -----
-    The brightest stars are fitted one by one, from random starts. In one focus the sign of the even part of each
-    phase is open: signs are made consistent over the field by the first eigenvector of the similarities of neighbours
-    (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Robust polynomials through these wavefronts are
-    then fitted to all stars by Fisher scoring of the likelihood of :func:`lommel.retrieve`, with places and light of
-    each star eliminated. Blur by turbulence is a mixture of Gaussians within 3e-4 of its transfer function; shapes
-    are compared by likelihood, and the one with fewer unknowns is taken where another width gains less than lnL 2.
-    Stars with a chi2 above the median by five standard deviations are left out, and of others pixels that are sharper
-    than light of a star may be, as struck by cosmic rays (van Dokkum 2001, doi:10.1086/323894). Blur is computed from
-    samples at most 0.45 lambda*N apart, not on the pixels of the camera. Light on a chart need not be even: windows
-    of corners are divided by a polynomial of degree 4 at most through the white of all.
+    First, the brightest stars are fitted individually from random starts. In one focus the sign of the even part of
+    each phase is open; signs are made consistent over the field with the first eigenvector of the matrix of
+    similarities between neighbours (synchronisation: Singer 2011, doi:10.1016/j.acha.2010.02.001). Robust polynomials
+    through these wavefronts are the start of a fit of all stars: Fisher scoring of the likelihood of
+    :func:`lommel.retrieve`, with position, flux and background of each star eliminated. Blur by turbulence is a
+    mixture of Gaussians within 3e-4 of its transfer function. Shapes of blur are compared by likelihood; a second
+    width must increase the log-likelihood by 2. Stars whose chi2 exceeds the median by five standard deviations are
+    rejected, and so are pixels sharper than any star image, as hit by cosmic rays (van Dokkum 2001,
+    doi:10.1086/323894). Blur is computed from samples at most 0.45 lambda*N apart, not on the pixels of the camera.
+    Charts may be unevenly lit: windows of corners are divided by a polynomial of degree 4 or less, fitted to the
+    white of all windows.
 
-    What the model lacks is looked for, marginalized or named as in :func:`lommel.retrieve`. More score tests are of
-    polynomials of the next two degrees, a term that is larger in one of 3 x 3 parts of the field, and blur of another
-    shape, in one direction or uneven over the field. Backgrounds that slope are estimated where the stars favour them
-    beyond chance. Marginalized beside what is listed there are a variance of 0.1 pixels^2 in one direction, 30 % of
-    the light in wings and slopes of 1 electron per pixel, one standard deviation each.
+    Effects that the model lacks are tested, marginalized or reported as in :func:`lommel.retrieve`. Additional score
+    tests are of polynomials of the next two degrees, of a term that is larger in one of 3 x 3 parts of the field, and
+    of blur with another shape, in one direction or uneven over the field. Sloping backgrounds are estimated if they
+    are significant. Marginalized in addition, with these standard deviations: variance in one direction
+    (0.1 pixels^2), the fraction of light in wings (30 %) and slopes of the background (1 electron per pixel).
 
-    Of one focus the search begins again with other relative signs of even parts, and takes the most likely map;
-    another one that is as likely within lnL 8, and more than three standard errors away, is told ("another_minimum").
+    In one focus the search is repeated with other relative signs of even terms, and the most likely map is returned.
+    A map more than three standard errors away, whose log-likelihood is within 8, is reported ("another_minimum").
 
-    One focus leaves the common sign of the even terms of the whole field open: `start` decides it, and without it the
-    map with the smaller wavefront beside a known defocus is returned, or else the one whose first even term is
-    positive in the mean; the other is `twin`. A second exposure at another known defocus tells it.
+    In one focus the images of a map do not change if all of its even terms are negated. Given `start`, the map nearer
+    to `start` is returned; else, with a known defocus, the map with the smaller wavefront in addition to the defocus;
+    else the map whose first even term has a positive mean. The other map is `twin`. A second exposure at another
+    known defocus determines the sign.
 
-    Distortion is not known where places are not. With `ideal` places the fitted ones, with the errors that they share
-    with coma and light, are made polynomials of the ideal position by generalised least squares; tilts of the map
-    move the light by them (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` is the one that leaves the
-    least displacement over the whole sensor, so that there is none of the mean magnification. What places differ by
-    beside noise is `scatter`, and in the standard errors. Each exposure after the first may be shifted, turned and
-    magnified.
+    Distortion requires `ideal` places. The fitted places, with errors correlated with those of coma and light, are
+    fitted by polynomials of the ideal position (generalised least squares); tilts of the map displace the images
+    accordingly (W311 of :meth:`lommel.Wavefront.from_seidel`). A free `pose` minimizes the displacement over the
+    whole sensor, and absorbs the mean magnification. Deviations of places beyond noise are `scatter`, and included in
+    the standard errors. Each exposure after the first may be shifted, rotated and magnified.
 
     Examples
     --------
@@ -553,7 +555,7 @@ def fit_field(
 def _shape(
     blur: bool | Blur | Iterable[Blur], pupil: Pupil, pitch: float, side: int, target: Target | None
 ) -> Shape | tuple[Blur, ...]:
-    """Return the shape of a blur of unknown width, to begin with, or the known blurs."""
+    """Return the initial shape of a blur of unknown width, or the known blurs."""
     if blur is True:
         return Shape.turbulent() if target is None else Shape.gaussian()
     known = blurs(None if blur is False else blur)
@@ -568,11 +570,11 @@ def _shape(
 
 
 def _run(search: Search, begun: bool) -> Outcome:
-    """Return the best outcome of some searches; the first that converges ends them."""
+    """Repeat a search until it converges, at most `_MAX_SEARCHES` times; return the best outcome."""
     places, best = search.places, None
-    for attempt in range(_SEARCHES):
+    for attempt in range(_MAX_SEARCHES):
         search.places, search.stars = places, search.first
-        # A known defocus is a good start, for what is unknown beside it is usually less.
+        # A known defocus is a good start, because it is usually larger than the unknown aberrations.
         first = search.from_start() if attempt == 0 and (begun or search.stars.defocused) else None
         outcome = search.outcome(search.cleaned(first or search.from_singles(), (0.65, 0.05)))
         if outcome.findings.converged:
@@ -592,11 +594,11 @@ def _noll(term: Term) -> int:
 
 
 def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Array) -> Pupil:
-    """Return the pupils of a map at the places of stars, in the given aperture."""
+    """Return pupils with the wavefronts of a map at the positions of stars, and the aperture of `pupil`."""
     if start.unit != pupil.unit:
         raise ValueError(f"start must have positions in {pupil.unit}, as the pupil has, got {start.unit}")
     if start.vignetting is not None:
-        raise ValueError("start must be without vignetting: the aperture is that of the pupil all over the field")
+        raise ValueError("start must have no vignetting, because pupil defines the aperture all over the field")
     across, down = np.meshgrid(*chip.grid(2))
     try:
         start.pupil(across, down)
@@ -607,35 +609,35 @@ def _start_pupils(start: FieldMap, pupil: Pupil, chip: Sensor, x: Array, y: Arra
 
 def _windows(windows: Any, mask: ArrayLike | None, saturation: float | None) -> Counts:
     """Return windows (n, exposures, height, width)."""
-    made = Counts.of(
+    counts = Counts.of(
         "windows", windows, sides=(3, 4), shape="(n, height, width) or (n, exposures, height, width)", mask=mask,
         saturation=saturation,
     )  # fmt: skip
-    made.require_known("windows", 0.5).require_light("windows", "a star")
-    return made if made.values.ndim == 4 else made[:, None]
+    counts.require_known("windows", 0.5).require_light("windows", "a star")
+    return counts if counts.values.ndim == 4 else counts[:, None]
 
 
 def _places(places: ArrayLike, sensor: tuple[int, int], windows: tuple[int, int, int]) -> Array:
     count, height, width = windows
-    found = validation.real_array("places", places)
-    if found.shape != (count, 2):
-        raise ValueError(f"places must be a row and a column for each of {count} windows, got shape {found.shape}")
-    outside = (found < -0.5) | (found > np.array(sensor) - 0.5)
+    values = validation.real_array("places", places)
+    if values.shape != (count, 2):
+        raise ValueError(f"places must be a row and a column for each of {count} windows, got shape {values.shape}")
+    outside = (values < -0.5) | (values > np.array(sensor) - 0.5)
     if outside.any():
         k = int(np.flatnonzero(outside.any(axis=1))[0])
         raise ValueError(
-            f"places must be on the sensor of {sensor[0]} x {sensor[1]} pixels, got row {found[k, 0]:g}, column "
-            f"{found[k, 1]:g}"
+            f"places must be on the sensor of {sensor[0]} x {sensor[1]} pixels, got row {values[k, 0]:g}, column "
+            f"{values[k, 1]:g}"
         )
-    apart = np.abs(found[:, None] - found[None]) < [height, width]
-    both = np.triu(apart.all(axis=-1), 1)
-    if both.any():
-        i, j = np.argwhere(both)[0]
+    near = np.abs(values[:, None] - values[None]) < [height, width]
+    overlaps = np.triu(near.all(axis=-1), 1)
+    if overlaps.any():
+        i, j = np.argwhere(overlaps)[0]
         raise ValueError(
-            f"windows must not overlap, or light would count twice, got {i} and {j} at ({found[i, 0]:g}, "
-            f"{found[i, 1]:g}) and ({found[j, 0]:g}, {found[j, 1]:g}); use apart=1 in find_spots"
+            f"windows must not overlap, or light would count twice, got {i} and {j} at ({values[i, 0]:g}, "
+            f"{values[i, 1]:g}) and ({values[j, 0]:g}, {values[j, 1]:g}); use apart=1 in find_spots"
         )
-    return found
+    return values
 
 
 def _build_field_fit(
@@ -650,10 +652,10 @@ def _build_field_fit(
     grid: tuple[Array | None, str, int],
     known: tuple[Blur, ...],
 ) -> FieldFit:
-    """Return the answer of a search."""
+    """Return the result of a search as a FieldFit."""
     found, lost, held_out, tests = outcome.found, outcome.lost, outcome.held_out[0], outcome.tests
     noise, illumination = camera
-    # The best search need not be the last, which may have ended with another shape of blur.
+    # The best search may be an earlier one than the last, with another shape of blur: restore its places and stars.
     search.places, stars = outcome.places, found.model.of
     search.stars, one = stars, stars.one
     polynomials, degree = found.polynomials(), search.degree
@@ -661,7 +663,7 @@ def _build_field_fit(
     x, y = _positions(chip, degree, distortion)
     across, down = np.meshgrid(x, y)
     u, v = chip.relative(across, down)
-    # What is fixed beside polynomials: of the pupil one wavefront, of a map those of its positions.
+    # The fixed wavefront, added to the polynomials: that of the pupil, or those of the map `start` at its positions.
     fixed = one.fixed
     if start is not None:
         fixed = one.split(start.pupil(across, down).wavefront.edge_terms(), across.shape)[1]
@@ -741,12 +743,12 @@ def _build_field_fit(
 def _fitted_stars(
     search: Search, found: Found, lost: NDArray[np.intp], polynomials: Array, places: Array, excess: float
 ) -> tuple[FittedStars, Array]:
-    """Return the table of all stars, rejected ones with the wavefronts of the field, and expected electrons."""
+    """Return the table of all stars, used and rejected, and the expected electrons."""
     stars, squares = search.stars, found.squares()
     own = np.zeros((stars.count, stars.own, stars.exposures))
     own[found.model.chosen] = found.of_stars()
     if len(lost):
-        # Rejected stars keep the wavefront of the field: only their place and light are fitted.
+        # For rejected stars, only position, flux and background are fitted; the wavefront is that of the field.
         own[lost] = search.placed(lost, polynomials, squares)
     every = np.arange(stars.count)
     whole = search.model(every, held=True)
@@ -768,12 +770,12 @@ def _stripe_findings(stars: FieldStars, model: Array, used: NDArray[np.bool_], e
 
 
 def _sign_findings(started: bool, defocused: bool) -> list[Finding]:
-    """Return the finding on the common sign of even terms, which one focus leaves open."""
-    how = f"the one nearer to {'start' if started else 'the known defocus'} is given"
+    """Return the finding that images in one focus do not determine the common sign of the even terms."""
+    how = f"the map nearer to {'start' if started else 'the known defocus'} was chosen"
     severity: Severity = "note"
     if not started and not defocused:
-        how, severity = "add a second defocus, or give start", "doubt"
-    return [Finding("sign_open", severity, f"{_SIGN}: {how}, the other is twin")]
+        how, severity = "add a second defocus, or pass start", "doubt"
+    return [Finding("sign_open", severity, f"{_SIGN}: {how}, the other map is twin")]
 
 
 def _rejected_finding(noun: str, places: Array) -> list[Finding]:
@@ -781,14 +783,14 @@ def _rejected_finding(noun: str, places: Array) -> list[Finding]:
     if not len(places):
         return []
     why = {"star": "doubles, defects", "crossing": "defects, print, curved lines"}.get(noun, "defects")
-    named = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_NAMED])
-    more = f" and {len(places) - _NAMED} more" if len(places) > _NAMED else ""
+    named = ", ".join(f"row {row:.0f} column {column:.0f}" for row, column in places[:_LISTED])
+    more = f" and {len(places) - _LISTED} more" if len(places) > _LISTED else ""
     text = f"{len(places)} {noun}{'s' * (len(places) > 1)} rejected ({why}) at {named}{more}"
     return [Finding("rejected", "note", text, {"rejected": len(places)})]
 
 
 def _left_out_finding(pixels: NDArray[np.bool_]) -> list[Finding]:
-    """Return the finding on known pixels (n, e, height, width) that the fit leaves out."""
+    """Return the finding on pixels with a recorded value that the fit leaves out; `pixels` is their mask."""
     count, windows = int(pixels.sum()), int(pixels.any(axis=(1, 2, 3)).sum())
     text = f"{count} pixels of {windows} windows left out: sharper than stars (cosmic rays, hot pixels)"
     return [Finding("left_out", "note", text, {"pixels": count, "windows": windows})] if count else []
@@ -803,9 +805,8 @@ def _blurs(
     pitch = stars.pixel * float(pupil.scale)
     for i, several in enumerate(found):
         for name, square, error in zip(shape.names, squares[i], errors[i], strict=True):
-            # Of a square that may be 0, the width is known to the root of the standard error of the square.
             width = math.sqrt(max(float(square), 0.0))
-            # d(sqrt s) = ds / (2 sqrt s), which diverges at 0.
+            # ds / (2 sqrt(s)) diverges at s = 0; there the standard error of the width is sqrt(ds).
             off = float(error) / max(2.0 * width, math.sqrt(float(error)), 1e-300)
             if name == "Gaussian":
                 several.append((Jitter(width * pitch), off * pitch))
@@ -818,49 +819,49 @@ def _blurs(
 
 
 def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]:
-    """Return the finding on the shape of blur that the stars prefer, and by how much."""
+    """Return the finding on the most likely shape of blur, and its log-likelihood relative to another shape."""
     if not shapes:
         return []
     outer = stars.blur.outer
     seeing = "Kolmogorov" if outer is None else f"von Karman with an outer scale of {outer:.0f} r0"
     gain = shapes["Gaussian"] - shapes["seeing"]
     numbers = {"gain": gain, "outer_over_r0": outer}
-    if abs(gain) < _ALIKE:
-        text = f"Kolmogorov and a Gaussian are alike within lnL {abs(gain):.1f}: the images do not tell them apart"
+    if abs(gain) < _MIN_GAIN:
+        text = f"the images do not distinguish Kolmogorov from a Gaussian blur (lnL differs by {abs(gain):.1f})"
     elif gain > 0.0:
         also = " and a Gaussian" if "Gaussian" in stars.blur.names else ""
-        text = f"blur by {seeing} turbulence{also}, preferred to a Gaussian by lnL {gain:.0f}"
+        text = f"blur by {seeing} turbulence{also}, more likely than a Gaussian by lnL {gain:.0f}"
     else:
         also = " and seeing" if "seeing" in stars.blur.names else ""
-        text = f"blur by a Gaussian{also}, preferred to Kolmogorov by lnL {-gain:.0f}"
+        text = f"blur by a Gaussian{also}, more likely than Kolmogorov by lnL {-gain:.0f}"
     return [Finding("blur_shape", "note", text, numbers)]
 
 
 def _unsure(one: StarImages, found: Found, covariance: Array, *, one_focus: bool) -> list[Finding]:
-    """Return the finding on standard errors beyond which images are not linear."""
+    """Return the finding that images are not linear within the standard errors of the wavefront."""
     basis = found.model.basis
     k, m = one.directions.shape[0], basis.shape[1]
     blocks = covariance.reshape(k, m, k, m)
     metric = (one.directions * one.mean_squares) @ one.directions.T
     rms = math.sqrt(float(np.einsum("ni,kilj,nj,kl->n", basis, blocks, basis, metric, optimize=True).mean()))
-    # In one focus minima of other signs are near, for each way in which a wavefront can vary over the field.
+    # In one focus there are other minima nearby, one for each of the m polynomials: the limit decreases with m.
     limit = LINEAR / math.sqrt(m) if one_focus else LINEAR
     if rms <= limit:
         return []
     text = (
-        f"the wavefront is known to {rms:.2g} rad rms in the mean of the stars: images are not linear within its "
-        "standard errors, and other wavefronts may fit as well"
+        f"the standard error of the wavefront is {rms:.2g} rad rms, averaged over the stars: images are not linear "
+        "within it, and other wavefronts may fit as well"
     )
     return [Finding("too_dim", "doubt", text, {"rms": rms, "limit": limit})]
 
 
 def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tuple[Array, Array]:
-    """Return x and y of a map's grid: cubic splines are exact to degree 3, higher degrees need a finer one."""
+    """Return x and y of a map's grid: cubic splines are exact to degree 3, higher degrees require a finer grid."""
     return chip.grid(5 if max(degree, 0 if distortion is None else distortion.degree) <= 3 else 17)
 
 
 def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]) -> Distortion | None:
-    """Return the distortion from ideal places; None without them."""
+    """Return the distortion relative to the ideal places; None without ideal places."""
     ideal, pose, degree = grid
     if ideal is None:
         return None
@@ -874,11 +875,11 @@ def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | N
 
 
 def _twin_is_nearer(search: Search, found: Found, one: Array, other: Array) -> bool:
-    """Return whether the other of two fields is to be given."""
+    """Return whether `other` is to be returned, and not `one`: the field nearer to the start."""
     basis, stars = found.model.basis, search.stars
     near = stars.start[found.model.chosen]
     far = [float(np.einsum("ni,ij,nj->", d, search.metric, d)) for d in (basis @ p.T - near for p in (one, other))]
-    # Both equally far from the start: the sign is that of a positive mean of the first even term.
+    # At equal distances, choose the field whose first even term has a positive mean.
     if not math.isclose(far[0], far[1], rel_tol=1e-6):
         return far[1] < far[0]
     even = next(j for j, row in enumerate(stars.one.directions) if row[stars.one.even].any())

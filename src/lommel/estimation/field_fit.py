@@ -31,7 +31,7 @@ from lommel.estimation.distortion import (
     places_of,
 )
 from lommel.estimation.field_checks import negated
-from lommel.estimation.field_search import Found, Outcome, Search
+from lommel.estimation.field_search import Outcome, Search, Solution
 from lommel.estimation.field_signs import highest_degree, monomials, with_errors
 from lommel.estimation.field_stars import FieldStars
 from lommel.estimation.star_checks import missing_findings
@@ -741,7 +741,7 @@ def _build_field_fit(
 
 
 def _fitted_stars(
-    search: Search, found: Found, lost: NDArray[np.intp], polynomials: Array, places: Array, excess: float
+    search: Search, found: Solution, lost: NDArray[np.intp], polynomials: Array, places: Array, excess: float
 ) -> tuple[FittedStars, Array]:
     """Return the table of all stars, used and rejected, and the expected electrons."""
     stars, squares = search.stars, found.squares()
@@ -837,7 +837,7 @@ def _blur_findings(stars: FieldStars, shapes: dict[str, float]) -> list[Finding]
     return [Finding("blur_shape", "note", text, numbers)]
 
 
-def _unsure(one: StarImages, found: Found, covariance: Array, *, one_focus: bool) -> list[Finding]:
+def _unsure(one: StarImages, found: Solution, covariance: Array, *, one_focus: bool) -> list[Finding]:
     """Return the finding that images are not linear within the standard errors of the wavefront."""
     basis = found.model.basis
     k, m = one.directions.shape[0], basis.shape[1]
@@ -860,7 +860,9 @@ def _positions(chip: Sensor, degree: int, distortion: Distortion | None) -> tupl
     return chip.grid(5 if max(degree, 0 if distortion is None else distortion.degree) <= 3 else 17)
 
 
-def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]) -> Distortion | None:
+def _distortion(
+    found: Solution, chip: Sensor, places: Array, grid: tuple[Array | None, str, int]
+) -> Distortion | None:
     """Return the distortion relative to the ideal places; None without ideal places."""
     ideal, pose, degree = grid
     if ideal is None:
@@ -874,7 +876,7 @@ def _distortion(found: Found, chip: Sensor, places: Array, grid: tuple[Array | N
     return fit_distortion(ideal, used, places_of(blocks, seen, tilt), pose=pose, degree=degree, sensor=chip)
 
 
-def _twin_is_nearer(search: Search, found: Found, one: Array, other: Array) -> bool:
+def _twin_is_nearer(search: Search, found: Solution, one: Array, other: Array) -> bool:
     """Return whether `other` is to be returned, and not `one`: the field nearer to the start."""
     basis, stars = found.model.basis, search.stars
     near = stars.start[found.model.chosen]

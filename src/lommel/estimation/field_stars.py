@@ -352,7 +352,7 @@ class FieldStars:
         if self.cornered:
             np.clip(own[:, _OWN:], before[:, _OWN:] - _TURNED, before[:, _OWN:] + _TURNED, out=own[:, _OWN:])
 
-    def begun(self, rows: NDArray[np.intp], tilts: Array) -> Array:
+    def start_values(self, rows: NDArray[np.intp], tilts: Array) -> Array:
         """Return start values of the parameters of each image (r, own, e), from tilts (r, 2, e)."""
         rest = np.ones((len(rows), self.own - 2, self.exposures))
         rest[:, 2:] = self._crossings[rows][:, 2:] if self.cornered else 0.0

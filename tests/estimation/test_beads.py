@@ -11,7 +11,7 @@ import pytest
 
 import lommel as lm
 import plane_waves
-from lommel.estimation.bead_checks import _NEVER, missing_findings, possible
+from lommel.estimation.bead_checks import _NEVER_TESTED, missing_findings, possible
 from lommel.estimation.bead_images import AMPLITUDES, CONSTANTS, BeadImages, Place, Setup, Stack, changed
 from lommel.estimation.bead_search import Prior
 from lommel.fit.score_tests import ScoreTest
@@ -86,7 +86,7 @@ def test_dry_samples_are_fitted_and_the_index_of_air_is_known():
     assert not {"sample", "immersion"} & set(found.coefficients)
     errors = np.array([found.coefficients[term] for term in TERMS]) - true
     assert np.sqrt(np.mean((errors / np.sqrt(np.diag(found.covariance))[: len(TERMS)]) ** 2)) < 2.0
-    with pytest.raises(ValueError, match=r"priors must be without 'sample', .* or is that of air"):
+    with pytest.raises(ValueError, match=r"priors must be without 'sample': .* or the medium is air"):
         lm.fit_beads(image, dry, **(GIVEN | {"z": z}), terms=TERMS, priors={"sample": 0.01})
 
 
@@ -241,7 +241,7 @@ def test_a_constant_that_would_leave_physics_is_named_without_a_value():
 def test_what_is_held_and_not_tested_is_named():
     found = lm.fit_beads(recorded(3, waves(3, 0.1), light=3e3)[0], OIL, **GIVEN, terms=TERMS, priors={})
     told = found.findings.get("untested")
-    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", *_NEVER])
+    assert (told.severity, found.reliable, [*told.numbers]) == ("note", True, ["coverslip", *_NEVER_TESTED])
     assert "not tested: coverslip (5 um of it changes noll 11 spherical by " in told.text
     bright = [
         lm.fit_beads(recorded(3, waves(3, 0.1), one, light=1e5)[0], OIL, **GIVEN, terms=TERMS, priors={})
@@ -255,7 +255,7 @@ def test_unknowns_that_are_as_their_priors_say_are_named():
     images, _ = recorded(3, waves(3, 0.1), changed(OIL, "sample", 1.345), light=3e3)
     found = lm.fit_beads(images, OIL, **GIVEN, terms=TERMS, priors={"sample": (1.33, 0.003), "depth": 5e-9})
     told = found.findings.get("untested")
-    assert told.text.endswith(f"sample, depth (known by their priors), {', '.join(_NEVER)}")
+    assert told.text.endswith(f"sample, depth (known by their priors), {', '.join(_NEVER_TESTED)}")
     assert told.numbers["sample"] == {}
 
 
@@ -472,12 +472,12 @@ STACK = recorded(11, waves(11), light=2e3)[0]
         ({"z": 1e6 * Z}, "z is in metres"),
         ({"depth": 10e-9}, "depth is that of the centre of a bead, at least its radius"),
         ({"depth": [1e-6, 2e-6]}, "depth must be a number, or one for each of 1 beads"),
-        ({"terms": ["noll 4", "noll 5"]}, "no stack tells from the place of the bead"),
+        ({"terms": ["noll 4", "noll 5"]}, "no stack separates from the position of the bead"),
         ({"terms": [(2, 2), "noll 6"]}, "terms must not name one thing twice"),
         ({"priors": {"index": 0.1}}, "priors must be"),
         ({"priors": {"sample": 0.0}}, "the error of priors.*sample.* must be > 0"),
         ({"priors": {"immersion": math.inf, "coverslip": math.inf}}, "depend on their sum only"),
-        ({"priors": {"NA": math.inf}, "depth": 2e-6}, "NA where all beads are deeper than a wavelength"),
+        ({"priors": {"NA": math.inf}, "depth": 2e-6}, "NA if all beads are deeper than a wavelength"),
         ({"priors": {"depth": (1e-6, 1e-9)}}, "a standard error alone"),
         ({"diameter": 1.0}, "diameter must be"),
         ({"stacks": np.full((9, 17, 17), 100.0)}, "must show a bead"),

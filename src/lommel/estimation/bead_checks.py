@@ -1,4 +1,8 @@
-"""Checks of a fit of beads: what the model lacks, planes in reversed order or moved, a bead that was left out."""
+"""Checks of a fit of beads: neglected effects, planes in reversed order or displaced, a bead held out of the fit.
+
+A constant is fixed, or estimated with a prior. A score test estimates the size of a neglected effect without a new
+fit; `joint` is the model of all used beads, and `found` its fit.
+"""
 
 from __future__ import annotations
 
@@ -34,28 +38,29 @@ from lommel.fit.score_tests import (
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import psf
 
-_REVERSED = 12.0  # of log-likelihood, by which a reversed stack has to fit better
-_FAR_BETTER = 0.25  # of chi2 - 1: a reversed stack that leaves more is not the only fault
-_HELD = 3  # beads, from which on one is left out for a test
-_STEPS = 20  # largest number of steps of a search that starts at the answer
-_TERM = 0.1  # radians rms: expected size of a missing term
-_AMPLITUDE = "apodization_2"  # the only amplitude term that is tested where it is not estimated
-_TRIED, _LIKELY = 4, 0.4  # candidates that are fitted, and their least log of the Bayes factor over the largest
-_WIDER = 3.0  # standard deviations of a prior that a tested constant may be off
-_NEIGHBOR = 0.3  # of the light of a bead: expected light of a second one beside it
-_BESIDE = 2.0  # Rayleigh distances: a nearer neighbour counts as another shape of the bead
-_JUMP = 4.0  # times the median shift of the planes, from which on a plane has moved
-_MOVED = 5.0  # standard deviations of the same
-_CONTRADICTED = 3.5  # standard deviations of both, by which the beads contradict a prior
-_NEVER = "wavelength", "dye that does not radiate alike in all directions"  # which look like other constants
+_REVERSED_GAIN = 12.0  # smallest gain of log-likelihood at which planes are reported as reversed
+_REVERSED_CHI2 = 0.25  # largest ratio of chi2 - 1 of a reversed stack that fits badly to chi2 - 1 of the original
+_MIN_BEADS = 3  # smallest number of beads at which one is held out
+_STEPS = 20  # maximum number of steps of a search that starts at a fit
+_TERM = 0.1  # expected size of a missing term, radians rms
+_AMPLITUDE = "apodization_2"  # the only amplitude term that is tested if it is not estimated
+_MAX_REFITS = 4  # maximum number of candidates that are estimated in a new fit
+_MIN_BAYES_RATIO = 0.4  # smallest log of the Bayes factor of such a candidate, divided by the largest
+_WIDER = 3.0  # expected error of a constant whose prior is too narrow, in standard deviations of the prior
+_NEIGHBOR = 0.3  # expected light of a neighbour, divided by the light of the bead
+_MIN_DISTANCE = 2.0  # smallest distance of a neighbour, in Rayleigh distances: a nearer one looks like a larger bead
+_MOVED_RATIO = 4.0  # smallest significance of a displaced plane, divided by the median of all planes
+_MOVED_SIGMAS = 5.0  # smallest significance of a displaced plane, standard deviations
+_CONTRADICTED = 3.5  # difference of prior and beads that counts as a contradiction, standard deviations
+_NEVER_TESTED = "wavelength", "dye that does not radiate alike in all directions"  # errors look like other constants'
 
 
 def available_constants(setup: Setup) -> list[str]:
-    """Return the constants that this microscope has."""
+    """Return the names of the constants that may be estimated for this microscope; the index of air is known."""
     one = setup.objective
-    lacks = {"coverslip": one.coverslip is None, "diameter": setup.diameter == 0.0, "sample": one.sample == 1.0}
-    lacks["immersion"] = one.working_distance is None or one.immersion == 1.0  # air
-    return [name for name in CONSTANTS if not lacks.get(name, False)]
+    absent = {"coverslip": one.coverslip is None, "diameter": setup.diameter == 0.0, "sample": one.sample == 1.0}
+    absent["immersion"] = one.working_distance is None or one.immersion == 1.0
+    return [name for name in CONSTANTS if not absent.get(name, False)]
 
 
 def possible(setup: Setup, name: str, value: float) -> bool:
@@ -71,51 +76,51 @@ def possible(setup: Setup, name: str, value: float) -> bool:
     return False
 
 
-def _held_constants(joint: BeadModel, setup: Setup) -> list[str]:
-    """Return the constants that the fit holds and its stacks may test."""
-    unheld = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors})
-    # Beyond a wavelength from the glass no light of larger NA than the sample's index arrives: NA leaves no trace.
+def _fixed_constants(joint: BeadModel, setup: Setup) -> list[str]:
+    """Return the names of the constants that are fixed in the fit and can be tested."""
+    excluded = {*joint.priors, *joint.own, *AMPLITUDES} - ({_AMPLITUDE} - {*joint.priors})
+    # Deeper than a wavelength, light does not reach an NA above the index of the sample: images do not depend on NA.
     if min(d.value for d in joint.depths) > setup.wavelength and setup.objective.sample < setup.objective.NA:
-        unheld.add("NA")
-    return [name for name in available_constants(setup) if name not in unheld]
+        excluded.add("NA")
+    return [name for name in available_constants(setup) if name not in excluded]
 
 
 def _prior_candidates(joint: BeadModel, found: Evaluated, names: Sequence[object]) -> list[Candidate]:
-    """Return candidates for priors that are too narrow, at the columns of the `names` of all parameters."""
+    """Return a candidate for each prior that may be too narrow; `names` are those of all columns of parameters."""
     setup, candidates = found.state.setup, []
-    for name, (value, known) in joint.priors.items():
-        if math.isfinite(known):
-            candidates.append(Candidate(name, (names.index(name),), _WIDER * known, known, setup.value(name) - value))
+    for name, (value, sigma) in joint.priors.items():
+        if math.isfinite(sigma):
+            candidates.append(Candidate(name, (names.index(name),), _WIDER * sigma, sigma, setup.value(name) - value))
     if "depth" in joint.own:
         at = joint.own.index("depth")
         columns = tuple(joint.columns(j, len(names))[at] for j in range(len(joint.stacks)))
         off = [place.depth - prior.value for place, prior in zip(found.state.places, joint.depths, strict=True)]
-        known = joint.depths[0].error
-        candidates.append(Candidate("depth", columns, _WIDER * known, known, np.array(off)))
+        sigma = joint.depths[0].error
+        candidates.append(Candidate("depth", columns, _WIDER * sigma, sigma, np.array(off)))
     return candidates
 
 
 def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, ...], Marginal | None, list[Finding]]:
-    """Return score tests of what the model may lack: further terms, other constants, drift, background, gain.
+    """Return score tests of neglected effects: further terms, other constants, drift, background, nonlinear gain.
 
-    And steps of the shared parameters that allow for those that the stacks favour, where there are such; and the
-    finding of constants that are held and that the stacks do not test.
+    Also return steps of the shared parameters that allow for favoured effects (None if there are no such effects),
+    and the finding on fixed constants that the stacks do not test.
     """
     setup, images = found.state.setup, joint.images
     more_terms = next_terms(images.solved, ((2, 0), *images.fixed))
     wide = replace(joint, images=images.with_terms(more_terms))
     waves = np.concatenate([found.state.waves, np.zeros(len(more_terms))])
-    constants = _held_constants(joint, setup)
+    constants = _fixed_constants(joint, setup)
     drift = () if joint.drifts else DRIFT
-    more = [*constants, *drift, *GRADIENT, NONLINEAR]
+    more = [*constants, *drift, *GRADIENT, NONLINEAR]  # columns after the shared parameters
     _, information, slope = wide.normal(replace(found.state, waves=waves), found.values, more)
     names = [*wide.names, *more]
     unknowns = [*map(names.index, joint.names), *range(len(names), len(slope))]
     candidates = [Candidate(label(term), (names.index(term),), _TERM) for term in more_terms]
     candidates += _prior_candidates(joint, found, names)
-    held = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
-    candidates += held
-    # Sizes in pixels over half the stack, in electrons over the window, and in the share that is lost at 10^4.
+    fixed = [Candidate(n, (names.index(n),), setup.scale(n) * CONSTANTS[n].size) for n in constants]
+    candidates += fixed
+    # Expected sizes: pixels over half the stack; electrons over the window; fraction lost at 10^4 electrons.
     groups = {"drift": (drift, 0.3), "background gradient": (GRADIENT, 5.0), "non-linear gain": ((NONLINEAR,), 0.05)}
     for name, (group, size) in groups.items():
         if group:
@@ -128,37 +133,38 @@ def missing_tests(joint: BeadModel, found: Evaluated) -> tuple[tuple[ScoreTest, 
     lacking = [one for one in likely if not one.known]
     marginal = marginalized(information, slope, unknowns, lacking, len(joint.names)) if likely else None
     shown = {label(name): at for at, name in enumerate(images.solved)}
-    unseen = untested(information, unknowns, shown, held, tests)
+    unseen = untested(information, unknowns, shown, fixed, tests)
     errors = {test.name: float(test.errors.max()) for test in tests}
     priors = [one.name for one in candidates if 0.0 < one.known < errors.get(one.name, math.inf)]
-    sizes = {one.name: f"{_size(one.name, one.scale)} of it" for one in held}
-    notes = untested_findings(unseen, sizes, priors, _NEVER)
+    sizes = {one.name: f"{_size(one.name, one.scale)} of it" for one in fixed}
+    notes = untested_findings(unseen, sizes, priors, _NEVER_TESTED)
     return tuple(sorted(tests, key=lambda test: -test.log_bayes)), marginal, notes
 
 
 def _size(name: str, value: float) -> str:
-    """Return a difference of a constant with its unit: "0.05 um"."""
+    """Return the difference `value` of a constant with its unit, such as "0.05 um"."""
     factor, unit = UNITS[CONSTANTS[name].unit]
     return f"{factor * value:.3g}{unit}"
 
 
 def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
-    """Return a test for a second bead at the same focus beside each one, where it is likeliest."""
-    setup, made = found.state.setup, []
+    """Return for each bead the test of a second bead at the same focus, at its most likely position."""
+    setup, tests = found.state.setup, []
     # Rayleigh's distance, 0.61 lambda / NA, in pixels of the camera.
-    least = _BESIDE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
+    least = (
+        _MIN_DISTANCE * 0.61 * setup.wavelength * setup.objective.magnification / (setup.objective.NA * setup.pixel)
+    )
     for k, (stack, values, light) in enumerate(zip(joint.stacks, found.values, found.state.light, strict=True)):
         bead, mean = light[0][:, None, None] * values, expected(light, values)
         counted, read, valid = stack.planes
-        # Variance of a Poisson count is the mean; not below a quarter of that of reading, where the model is
-        # negative.
+        # The variance is the mean of the Poisson counts plus read noise; the limit matters where `mean` is negative.
         weight = valid / np.maximum(mean + read, 0.25 * read)
-        # Twice the sides: the correlation of images with the bead must not wrap around.
+        # Twice the sides of the images, so that correlations do not wrap around.
         size = tuple(2 * side for side in stack.shape)
-        turned = np.conj(np.fft.rfft2(bead, size))
-        # Slope and information for a copy of the bead at every shift, as correlations: sums of weight (counts - mean)
-        # times the shifted bead, and of weight times its square.
-        slope = np.fft.irfft2((np.fft.rfft2(weight * (counted - mean), size) * turned).sum(axis=0), size)
+        conjugate = np.conj(np.fft.rfft2(bead, size))
+        # Slope and information for a copy of the bead at every shift are correlations: sums over pixels of
+        # weight * (counted - mean) * (shifted bead), and of weight * (shifted bead)^2.
+        slope = np.fft.irfft2((np.fft.rfft2(weight * (counted - mean), size) * conjugate).sum(axis=0), size)
         squares = np.fft.rfft2(weight, size) * np.conj(np.fft.rfft2(bead**2, size))
         square = np.fft.irfft2(squares.sum(axis=0), size)
         down, across = (np.fft.fftfreq(side, 1.0 / side) for side in size)
@@ -168,29 +174,30 @@ def _neighbor_tests(joint: BeadModel, found: Evaluated) -> list[ScoreTest]:
             continue
         sigmas = np.where(beside, slope, 0.0) / np.sqrt(np.where(beside, square, 1.0))
         row, column = np.unravel_index(int(sigmas.argmax()), sigmas.shape)
-        share, error = slope[row, column] / square[row, column], 1.0 / math.sqrt(square[row, column])
-        chance = math.log(beside.sum() / max(math.pi * (least / _BESIDE) ** 2, 1.0) + 1.0)  # of so many places
-        evidence = log_bayes_factor(np.array([share]), np.array([[error**2]]), 0.0, _NEIGHBOR) - chance
+        ratio, error = slope[row, column] / square[row, column], 1.0 / math.sqrt(square[row, column])
+        # The penalty is the log of the number of independent positions.
+        chance = math.log(beside.sum() / max(math.pi * (least / _MIN_DISTANCE) ** 2, 1.0) + 1.0)
+        evidence = log_bayes_factor(np.array([ratio]), np.array([[error**2]]), 0.0, _NEIGHBOR) - chance
         name = f"a neighbor of bead {k} by {down[row]:.0f} rows and {across[column]:.0f} columns, share of its light"
-        made.append(ScoreTest(name, np.array([share]), np.array([error]), float(sigmas.max()), evidence))
-    return made
+        tests.append(ScoreTest(name, np.array([ratio]), np.array([error]), float(sigmas.max()), evidence))
+    return tests
 
 
 def missing_findings(
     joint: BeadModel, found: Evaluated, tests: Sequence[ScoreTest], stated: Setup
 ) -> tuple[list[Finding], float | None]:
-    """Return the finding of what the data favour, and the log-posterior of a fit with the first of it unknown.
+    """Return the finding on significant effects, and the log-posterior of a fit with the best of them estimated.
 
-    Steps of tests are linear: the likeliest are ranked by fits with each of them unknown, where there is such a fit.
+    Score tests are linear approximations: the most likely effects are ranked by new fits that estimate each of them.
     """
     likely = seen(tests)
     if not likely:
-        # Of few constants with priors the chance of these is small, though all candidates together may be as likely.
+        # Contradictions of the few priors are significant, even if a test among all candidates is not.
         against = [test for test in tests if test.name in joint.priors and abs(test.sigmas) > _CONTRADICTED]
         words = [f"{_in_words(test, joint, stated, None)}, against its prior" for test in against]
         return [other_explanation(against, words)] if against else [], None
-    least = min(_LIKELY * tests[0].log_bayes, likely[-1].log_bayes)
-    likely = tuple(test for test in tests[:_TRIED] if test.log_bayes >= least)
+    least = min(_MIN_BAYES_RATIO * tests[0].log_bayes, likely[-1].log_bayes)
+    likely = tuple(test for test in tests[:_MAX_REFITS] if test.log_bayes >= least)
     ends = [_refit_with_free(joint, found, test.name, stated) for test in likely]
     gains = [
         test.log_bayes if end is None else end.log_posterior - found.log_posterior
@@ -203,7 +210,7 @@ def missing_findings(
 
 
 def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluated | None) -> str:
-    """Return the result of a test in words, from a fit with it free if any: "sample = 1.379 +- 0.005"."""
+    """Return the result of a test in words, like "sample = 1.379 +- 0.005"; `solved` is a fit that estimates it."""
     name, size, error = test.name, float(test.size[0]), float(test.errors[0])
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > 1 and name in CONSTANTS:
@@ -232,7 +239,7 @@ def _in_words(test: ScoreTest, joint: BeadModel, stated: Setup, solved: Evaluate
 
 
 def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setup) -> Evaluated | None:
-    """Return the fit with a constant or a term free and without prior; None if it is neither."""
+    """Fit with a constant, a term or drift estimated without prior; return None if `name` is of another kind."""
     state, depths, priors, images = found.state, joint.depths, dict(joint.priors), joint.images
     if name == "depth":
         depths = tuple(Prior(prior.value, math.inf) for prior in depths)
@@ -252,20 +259,20 @@ def _refit_with_free(joint: BeadModel, found: Evaluated, name: str, stated: Setu
 
 
 def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) -> list[Finding]:
-    """Return the finding of planes in reversed order, where they fit far better than a log-posterior of `best`.
+    """Return the finding of planes in reversed order, if they fit well, and better than a log-posterior of `best`.
 
-    And fit well: where chi2 is little nearer to 1 than `chi2` was, the step or the objective is wrong.
+    If the reversed planes leave chi2 nearly at `chi2`, the step or the objective is wrong rather than the order.
     """
     turned = tuple(replace(stack, z=-stack.z) for stack in joint.stacks)
     places = tuple(start_of(s, start.setup, d.value, 0.0) for s, d in zip(turned, joint.depths, strict=True))
     try:
-        there = climb(replace(joint, stacks=turned), State(start.setup, start.waves, places), _STEPS)
+        end = climb(replace(joint, stacks=turned), State(start.setup, start.waves, places), _STEPS)
     except (Declined, ValueError):
         return []
-    (turned_chi2, spread), gain = there.quality, there.log_posterior - best
-    # Chi2 well below what it was is enough: another fault may be left.
-    well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _FAR_BETTER * (chi2 - 1.0)
-    if gain < _REVERSED or not well:
+    (turned_chi2, spread), gain = end.quality, end.log_posterior - best
+    # A much smaller chi2 suffices, because the model may have another error.
+    well = turned_chi2 < goodness_of_fit.most(spread) or turned_chi2 - 1.0 < _REVERSED_CHI2 * (chi2 - 1.0)
+    if gain < _REVERSED_GAIN or not well:
         return []
     text = (
         f"planes in reversed order fit far better, chi2 {turned_chi2:.4g}; z increases towards the sample, change "
@@ -275,37 +282,37 @@ def reversed_findings(joint: BeadModel, start: State, best: float, chi2: float) 
 
 
 def held_out(joint: BeadModel, found: Evaluated) -> tuple[float, list[Finding]]:
-    """Return chi2 of the last bead with the answer of a fit of the others, and the finding if it differs."""
+    """Return chi2 of the last bead with the parameters of a fit of the others, and the finding if it is too large."""
     count, state = len(joint.stacks), found.state
-    if count < _HELD:
+    if count < _MIN_BEADS:
         return math.nan, []
     others, out = joint.having(range(count - 1)), joint.having([count - 1])
     try:
         start = replace(state, places=state.places[:-1], light=state.light[:-1])
         rest = climb(others, start, _STEPS).state
-        held = replace(out, images=joint.images.without_terms(rest.waves), priors={})
-        end = climb(held, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS)
+        fixed = replace(out, images=joint.images.without_terms(rest.waves), priors={})
+        end = climb(fixed, State(rest.setup, np.zeros(0), state.places[-1:], state.light[-1:]), _STEPS)
     except (Declined, ValueError):
         return math.nan, []
     chi2, limit = end.quality[0], float(goodness_of_fit.most(end.quality[1]))
-    text = f"noise alone keeps chi2 of the held-out bead below {limit:.4g}: beads differ, in size or depth"
+    text = f"chi2 of the held-out bead is above {limit:.4g}, the limit for noise alone: beads differ in size or depth"
     return chi2, [Finding("held_out", "doubt", text, {"chi2": chi2, "limit": limit})] if chi2 >= limit else []
 
 
 def moved_planes(shifts: Array, sigmas: Array) -> dict[int, tuple[float, float]]:
-    """Return the planes whose shifts are beyond chance and beyond those of the others."""
-    far = np.flatnonzero(sigmas > max(_MOVED, _JUMP * float(np.median(sigmas))))
+    """Return the indices and shifts of planes whose shift is significant, and larger than those of other planes."""
+    far = np.flatnonzero(sigmas > max(_MOVED_SIGMAS, _MOVED_RATIO * float(np.median(sigmas))))
     return {int(k): (float(shifts[k, 0]), float(shifts[k, 1])) for k in far}
 
 
 def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int) -> list[Finding]:
-    """Return the finding on moved planes, of each bead."""
+    """Return the finding on displaced planes; `moved` has the planes of each bead, `planes` is the number of all."""
     each = [(math.hypot(*by), plane, j) for j, one in enumerate(moved) for plane, by in one.items()]
     if not each:
         return []
     numbers = {f"bead {j}": dict(one) for j, one in enumerate(moved) if one}
     if len(each) > planes // 4:
-        return [Finding("moved", "doubt", "planes are shifted beside each other: estimate drift", numbers)]
+        return [Finding("moved", "doubt", "planes are shifted against each other: estimate drift", numbers)]
     each.sort(reverse=True)
     named = ", ".join(f"plane {plane} of bead {j} by {by:.2g} pixels" for by, plane, j in each[:3])
     more = f" and {len(each) - 3} more" if len(each) > 3 else ""
@@ -313,18 +320,20 @@ def moved_findings(moved: Sequence[dict[int, tuple[float, float]]], planes: int)
 
 
 def model_error(model: BeadModel, state: State) -> float:
-    """Return the error of the search's images against certified ones of a point, over the peak; inf without these."""
-    # Of a point: certified images are those of points.
+    """Return the largest difference between images of the search and `psf`, relative to the peak.
+
+    The images are those of a point, because `psf` is. The result is inf if `psf` does not support the aberrations.
+    """
     setup, place, stack = replace(state.setup, diameter=0.0, blur=0.0), state.places[0], model.stacks[0]
     wave = Wavefront.zernike(model.images.edge(state.waves), normalization="edge")
-    # Both ends of the stack, where defocus is largest, and the middle.
+    # Use the middle of the stack, and the two ends, where defocus is largest.
     ends = np.unique([0, len(stack.z) // 2, len(stack.z) - 1])
     pupil = setup.pupil(wave, place.depth, place.focus + setup.step * stack.z[ends], "coverslip")
     center = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
     try:
         true = psf(pupil, stack.shape, setup.pixel, tol=1e-4, integrate=setup.integrate, center=center)
-    except ValueError:  # aberrations beyond what is certified
+    except ValueError:  # the aberrations are too strong
         return math.inf
-    few = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
-    quick = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), few)
+    planes = Stack(stack.star[:, ends], stack.shape, stack.z[ends])
+    quick = model.images.values(setup, state.waves, place._replace(drift_row=0.0, drift_column=0.0), planes)
     return float(np.abs(quick - true.values).max() / true.values.max())

@@ -1,8 +1,8 @@
-"""Stacks of fluorescent beads as a model of wavefront, microscope and places, and their likelihood.
+"""Images of fluorescent beads in z stacks, as functions of wavefront, microscope and position, and their likelihood.
 
-Photons and background of each plane are eliminated: for any model they are those of maximum likelihood, and the
-information about all else is the Schur complement. Beads share the wavefront and the constants of the microscope and
-have places of their own.
+All beads have the same wavefront and constants of the microscope; each bead has its own position (`Place`). Flux and
+background of each plane are eliminated: they have their maximum-likelihood values, and the information on the other
+parameters is the Schur complement. v = 2 pi NA r / lambda is the dimensionless radius in the object plane.
 """
 
 from __future__ import annotations
@@ -35,18 +35,19 @@ from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
-GRADIENT = ("gradient_row", "gradient_column")  # of the background, electrons from edge to edge
-NONLINEAR = "nonlinear"  # share of electrons missing from counts at 10^4
-_MOST_NODES = 160  # largest number of chords
-_TURNS = 4  # iterations for the light of a plane
-_FAINTEST = 1e-3  # of the largest light: least light of a plane in the search
+GRADIENT = ("gradient_row", "gradient_column")  # gradients of the background, electrons from edge to edge
+NONLINEAR = "nonlinear"  # nonlinearity of the camera: fraction of electrons that is lost at 10^4 electrons
+_MAX_CHORDS = 160  # maximum number of chords of the pupil, the nodes of the quadrature rule
+_ITERATIONS = 4  # iterations for flux and background of a plane
+_MIN_FLUX = 1e-3  # smallest flux of a plane in the search, relative to the largest flux of all planes
 
 
 class Constant(NamedTuple):
-    """A number of the microscope that may be an unknown: step of differences, unit, most of a step of a search.
+    """A constant of the microscope that may be estimated.
 
-    `size` is that of a mistake that is looked for, `usual` the standard error by default; 0 of one that is fixed.
-    Step and reach are `relative` where stated; size and usual error of pixel and diameter are, too.
+    `step` is the step of finite differences, `reach` the largest change in a step of the search, `size` the expected
+    size of a wrong value in score tests, and `usual` the default standard error of the prior (0: fixed by default).
+    `step` and `reach` are relative to the value if `relative`; `size` and `usual` of pixel and diameter always are.
     """
 
     step: float
@@ -57,8 +58,8 @@ class Constant(NamedTuple):
     relative: bool = False
 
 
-# Differences over these steps err by their square: below 1e-3 of a derivative. The cover glass is of No. 1.5H: were
-# it fixed, terms of spherical aberration would be stated as if it were exact.
+# The relative error of differences is quadratic in the step, below 1e-3. The default error of the cover glass is that
+# of No. 1.5H; with a fixed thickness the standard errors of spherical aberration would be too small.
 CONSTANTS: Mapping[str, Constant] = {
     "sample": Constant(1e-3, "", 0.05, 0.02, 3e-3),
     "immersion": Constant(1e-4, "", 5e-3, 2e-3),
@@ -72,16 +73,16 @@ CONSTANTS: Mapping[str, Constant] = {
     **{f"apodization_{n}": Constant(1e-2, "", 0.3, 0.1) for n in (2, 4, 6, 8)},
 }
 UNITS = {"m": (1e6, " um"), "pixels^2": (1.0, " pixels^2"), "rad": (1.0, " rad"), "": (1.0, "")}
-"""Factors and words of units in texts."""
+"""For each SI unit: the factor to convert to the unit of texts, and the name of the latter."""
 AMPLITUDES: Mapping[str, int] = {name: int(name[-1]) for name in CONSTANTS if name.startswith("apodization")}
-"""Degrees of the radial terms of the logarithm of the amplitude, whose coefficients (nepers rms) are constants."""
+"""Constants of the apodization, coefficients (nepers rms) of radial terms of the log amplitude: name -> degree."""
 
 
 @dataclass(frozen=True)
 class Setup:
-    """The microscope of the model: all that is not a place, a wavefront or light.
+    """Constants of the microscope and of the beads.
 
-    `blur` is the variance of a Gaussian, in pixels squared; `step` a factor of the positions of the stage.
+    `blur` is the variance of a Gaussian, in pixels squared; `step` is a factor of the positions of the stage.
     """
 
     objective: Objective
@@ -103,39 +104,39 @@ class Setup:
         return float(getattr(self if name in _OWN else self.objective, name))
 
     def scale(self, name: str) -> float:
-        """Return the unit of size and usual error of a constant: its value where these are relative, else 1."""
+        """Return the unit of `size` and `usual` of a constant: its value for pixel and diameter, otherwise 1."""
         return self.value(name) if name in ("pixel", "diameter") else 1.0
 
     def beside(self, name: str) -> tuple[float, float]:
-        """Return values of a constant on either side, for differences, within its possible range."""
-        given, at, one = CONSTANTS[name], self.value(name), self.objective
-        h = given.step * (at if given.relative else 1.0)
+        """Return a smaller and a larger possible value of a constant, for finite differences."""
+        constant, at, one = CONSTANTS[name], self.value(name), self.objective
+        h = constant.step * (at if constant.relative else 1.0)
         least = {"diameter": 0.25 * at, "immersion": max(1.0, at - 0.5 * (at - one.NA)), "sample": 1.0}
-        most = {"NA": at + 0.5 * (min(one.immersion, one.design.immersion) - at)}  # below the indices
+        most = {"NA": at + 0.5 * (min(one.immersion, one.design.immersion) - at)}  # NA < index of the immersion
         return max(at - h, least.get(name, -math.inf)), min(at + h, most.get(name, math.inf))
 
     def having(self, name: str, value: float) -> Setup:
         """Return the microscope with another value of a constant; ValueError if no such microscope exists."""
-        given: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
-        return replace(self, **given)
+        new: dict[str, Any] = {name: value} if name in _OWN else {"objective": changed(self.objective, name, value)}
+        return replace(self, **new)
 
     def pupil(
         self, aberrations: Wavefront | None, depth: ArrayLike, z: ArrayLike = 0.0, origin: str = "brightest"
     ) -> ObjectivePupil:
-        """Return the pupil of an emitter at a depth with the stage at z, as of :meth:`lommel.Objective.pupil`."""
+        """Return the pupil of an emitter at a depth with the stage at z; see :meth:`lommel.Objective.pupil`."""
         return self.objective.pupil(
             depth=depth, z=z, wavelength=self.wavelength, origin=origin, emitter=self.emitter, aberrations=aberrations
         )
 
     @property
     def across(self) -> float:
-        """Pixel pitch in v."""
+        """Pixel pitch in units of v."""
         one = self.objective
         return 2.0 * math.pi * one.NA * self.pixel / (self.wavelength * one.magnification)
 
     @property
     def radius(self) -> float:
-        """Radius of the bead in v."""
+        """Radius of the bead in units of v."""
         return math.pi * self.objective.NA * self.diameter / self.wavelength
 
 
@@ -143,21 +144,22 @@ _OWN = ("pixel", "diameter", "blur", "step")
 
 
 def changed(objective: Objective, name: str, value: float) -> Objective:
-    """Return an objective with another sample, immersion, NA, cover glass or apodization, of the same design."""
-    given: dict[str, Any] = {name: value}
+    """Return an objective of the same design, with another sample, immersion, NA, cover glass or apodization."""
+    new: dict[str, Any] = {name: value}
     if name == "coverslip":
         assert objective.coverslip is not None
-        given = {name: replace(objective.coverslip, thickness=value)}
+        new = {name: replace(objective.coverslip, thickness=value)}
     elif name in AMPLITUDES:
         terms = illumination(objective.apodization).to_zernike()
-        given = {"apodization": Apodization.zernike(terms | {AMPLITUDES[name]: value})}
-    return replace(objective, **given)
+        new = {"apodization": Apodization.zernike(terms | {AMPLITUDES[name]: value})}
+    return replace(objective, **new)
 
 
 class Place(NamedTuple):
-    """Where a bead is: pixels from the middle of its window, stage position from paraxial focus on the glass, depth.
+    """Position of a bead: row and column in pixels from the middle of the window, focus and depth in metres.
 
-    The drift is how far it moves, in pixels, from the middle of the stack to either end.
+    `focus` is the stage position at z = 0, from paraxial focus on the cover glass; the drift is the displacement in
+    pixels from the middle to the end of the stack.
     """
 
     row: float
@@ -175,7 +177,7 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Stack:
-    """The recorded stack of a bead: electrons as :func:`star_likelihood` takes them, and positions of the stage."""
+    """The recorded stack of a bead: `star_counts` of the planes, and positions of the stage."""
 
     star: Array  # (4, planes, pixels)
     shape: tuple[int, int]
@@ -183,37 +185,37 @@ class Stack:
 
     @property
     def times(self) -> Array:
-        """Time from -1 to 1 over the stack, for drift."""
+        """Times of the planes for the drift, -1 to 1 over the stack."""
         return np.linspace(-1.0, 1.0, len(self.z))
 
     @property
     def planes(self) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """Electrons, variances of reading, and known pixels, (planes, height, width) each."""
+        """Electrons, variances of the read noise, and masks of valid pixels; three arrays (planes, height, width)."""
         counted, _, read, valid = self.star.reshape(4, -1, *self.shape)
         return counted, read, valid > 0.0
 
     @staticmethod
     def of(counts: Counts, noise: Noise, z: Array) -> Stack:
-        """Return the stack of recorded images, (planes, height, width)."""
-        shape, alike = counts.values.shape, noise.poisson
-        star = star_counts(alike.electrons(counts.filled()), alike.variance(np.zeros(shape)), counts.known)
+        """Return the stack of recorded images (planes, height, width)."""
+        shape, camera = counts.values.shape, noise.poisson
+        star = star_counts(camera.electrons(counts.filled()), camera.variance(np.zeros(shape)), counts.known)
         return Stack(star, (shape[1], shape[2]), z)
 
 
 @lru_cache(maxsize=16)
 def heights(radius: float) -> tuple[Array, Array]:
-    """Return heights of discs of a ball, over its radius in v, and their shares of its volume."""
+    """Return heights of discs that represent a ball, divided by its radius, and the volume fractions of the discs."""
     if radius == 0.0:
         return np.zeros(1), np.ones(1)
-    # The area of a disc at height u is 1 - u^2: Gauss and Jacobi's rule for that weight.
+    # The area of the cross-section at height u is proportional to 1 - u^2: Gauss-Jacobi rule for this weight.
     u, w = special.roots_jacobi(max(2, math.ceil(1.0 + 1.35 * radius)), 1.0, 1.0)
     return u, w / w.sum()
 
 
 class BeadImages:
-    """Images of a bead in the planes of a stack, by rules of stated size, and their derivatives.
+    """Images of a bead in the planes of a stack, by quadrature rules of fixed size, and their derivatives.
 
-    Parameters are a `Setup`, coefficients of Zernike `terms` (radians rms), and a `Place`.
+    Parameters of an image are a `Setup`, coefficients `waves` of the Zernike terms (radians rms), and a `Place`.
     """
 
     def __init__(self, terms: Sequence[Term], fixed: Mapping[Term, float], threads: int) -> None:
@@ -226,32 +228,32 @@ class BeadImages:
         self.threads = threads
 
     def with_terms(self, more: Sequence[Term]) -> BeadImages:
-        """Return the images with further terms, after those that are estimated."""
+        """Return a model with the terms `more` appended to the estimated ones."""
         return BeadImages((*self.solved, *more), self.fixed, self.threads) if more else self
 
     def without_terms(self, waves: Array) -> BeadImages:
-        """Return the images with all terms fixed at these coefficients."""
+        """Return a model in which no terms are estimated, and all are fixed at the coefficients `waves`."""
         return BeadImages((), self.edge(waves), self.threads)
 
     def edge(self, waves: Array) -> dict[Term, float]:
-        """Return all terms, radians at the edge."""
+        """Return the coefficients of all terms, radians at the pupil edge."""
         return dict(zip(self.solved, (waves * self.factors).tolist(), strict=True)) | self.fixed
 
     def values(self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool = True) -> Array:
-        """Return the share of all light in each pixel, (planes, height, width).
+        """Return the fraction of the total light in each pixel, (planes, height, width).
 
-        Without `ball`, of the middle of the bead, with a blur of its width: for differences.
+        If not `ball`, the bead is approximated by a point with a blur of the bead's width (for finite differences).
         """
         return np.asarray(self._images_and_slopes(setup, waves, place, stack, ball=ball, by=None)[0])
 
     def slopes(self, setup: Setup, waves: Array, place: Place, stack: Stack, amplitudes: Sequence[str] = ()) -> Array:
-        """Return derivatives by the waves, focus (1 / metres), row, column and `amplitudes`, (k, planes, ...)."""
+        """Return derivatives by the waves, focus (per metre), row, column and `amplitudes`, (k, planes, ...)."""
         return self._images_and_slopes(setup, waves, place, stack, ball=False, by=amplitudes)[1:]
 
     def _images_and_slopes(
         self, setup: Setup, waves: Array, place: Place, stack: Stack, *, ball: bool, by: Sequence[str] | None
     ) -> Array:
-        """Return images and, unless `by` is None, their slopes, also by these amplitudes."""
+        """Return images and, unless `by` is None, their derivatives; `by` are names of `AMPLITUDES`."""
         objective, across, count = setup.objective, setup.across, len(stack.z)
         layers = objective._layers(setup.wavelength)
         middle = (stack.shape[0] // 2 + place.row, stack.shape[1] // 2 + place.column)
@@ -261,124 +263,127 @@ class BeadImages:
             edge = np.repeat(edge, count, axis=0)
             edge[:, -2:] = across * np.outer(stack.times, place.drift)
         rule = self.rule(samples, edge)
-        u, shares = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
-        # No part of a bead lies within the glass.
+        u, fractions = heights(setup.radius) if ball else (np.zeros(1), np.ones(1))
+        # No disc may lie inside the cover glass.
         depths = np.maximum(place.depth + 0.5 * setup.diameter * u, 0.0)
         focus, amplitudes = np.tile(place.focus + setup.step * stack.z, len(u)), by or ()
         planes = Planes(np.repeat(depths, count), focus, np.tile(edge, (len(u), 1)) if len(edge) > 1 else edge)
         light = partial(light_by_rule.light, layers, setup.emitter, planes, samples, rule, self.terms)
         if by is None:
-            found = light(threads=self.threads)
+            sampled = light(threads=self.threads)
         else:
             terms, degrees = (*self.solved, *SHIFTS.values()), tuple(AMPLITUDES[name] for name in amplitudes)
-            found = light(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
+            sampled = light(by=terms, by_focus=True, by_amplitude=degrees, threads=self.threads)
         power = light_by_rule.collected(layers, setup.emitter, depths)
-        scale = across**2 / (4.0 * math.pi * float(shares @ power))
+        scale = across**2 / (4.0 * math.pi * float(fractions @ power))
         total: Array | float = 0.0
-        for k, (up, share) in enumerate(zip(u, shares.tolist(), strict=True)):
-            # The projected ball has the variance of a fifth of its radius squared.
+        for k, (up, fraction) in enumerate(zip(u, fractions.tolist(), strict=True)):
+            # The variance of a projected ball along an axis is radius^2 / 5.
             disc, variance = (setup.radius * math.sqrt(1.0 - up**2), 0.0) if ball else (0.0, setup.radius**2 / 5.0)
-            part = found[:, k * count : (k + 1) * count]
+            part = sampled[:, k * count : (k + 1) * count]
             blurred = variance + setup.blur * samples.step**2
             pixels = light_by_rule.pixel_filter(samples, disc, blurred, integrate=setup.integrate)
-            total = total + share * pixels.of(part if by is None else part.astype(np.float32))
-        made = np.asarray(scale * total)
+            total = total + fraction * pixels.of(part if by is None else part.astype(np.float32))
+        images = np.asarray(scale * total)
         if by is not None:
-            # By the focus first; then by amplitudes and by terms at the edge.
+            # Order of the derivatives: focus, amplitudes, terms at the pupil edge, tilts.
             first, last = 2 + len(amplitudes), 2 + len(amplitudes) + len(self.solved)
-            made[first:last] *= self.factors[:, None, None, None]
-            # Shifts in pixels are tilts of `across` radians at the edge each.
-            made[-2:] *= across
+            images[first:last] *= self.factors[:, None, None, None]
+            # A shift by one pixel is a tilt of `across` radians at the pupil edge.
+            images[-2:] *= across
             for k, name in enumerate(amplitudes, 2):
-                # Images are over the collected light, which amplitudes change as well.
-                made[k] -= _light_slope(setup, name, depths) * made[0]
-            made = made[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
-        return made
+                # Images are normalized to the collected light, which depends on the amplitudes.
+                images[k] -= _light_slope(setup, name, depths) * images[0]
+            images = images[[0, *range(first, last), 1, last, last + 1, *range(2, first)]]
+        return images
 
     def rule(self, samples: Samples, edge: Array) -> Rule:
-        """Return the quadrature rule for these phases; Declined if they are too strong, as with too long a step."""
+        """Return the quadrature rule for phases `edge` (radians at the edge); Declined if they are too strong."""
         window = samples.window
         ends = [max(at, side - 1.0 - at) for at, side in zip(window.center, window.shape, strict=True)]
-        plain = edge[0, :-2]
+        coefficients = edge[0, :-2]
         squares = [1.0 / zernike.rms_factor(n, m) ** 2 for n, m in self.terms[:-2]]
-        # The rms phase of the terms, and the largest tilt by drift.
-        phase = math.sqrt(float((plain * plain) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
-        made = light_by_rule.search_rule(max(ends) * window.step, phase)
-        if made.chords > _MOST_NODES:
+        # The rms phase of the terms, plus the largest tilt due to drift.
+        phase = math.sqrt(float((coefficients**2) @ squares)) + float(np.abs(edge[:, -2:]).max(initial=0.0))
+        rule = light_by_rule.search_rule(max(ends) * window.step, phase)
+        if rule.chords > _MAX_CHORDS:
             raise Declined("aberrations are too strong")
-        return made
+        return rule
 
     def differences(self, setup: Setup, waves: Array, place: Place, stack: Stack, name: str) -> Array:
-        """Return the derivative by a constant or the depth, by central differences over the steps of `CONSTANTS`."""
-        given = CONSTANTS[name]
+        """Return the derivative with respect to a constant or the depth, by finite differences (`CONSTANTS`)."""
+        step = CONSTANTS[name].step
         if name == "depth":
-            # A bead on the glass has no lower depth: the difference is one-sided there.
-            h = min(given.step, max(place.depth - 0.5 * setup.diameter, 0.0))
-            up, down = place._replace(depth=place.depth + given.step), place._replace(depth=place.depth - h)
-            pair = [self.values(setup, waves, at, stack) for at in (up, down)]
-            return np.asarray((pair[0] - pair[1]) / (given.step + h))
+            # A bead on the cover glass cannot be nearer to it: the difference is one-sided there.
+            h = min(step, max(place.depth - 0.5 * setup.diameter, 0.0))
+            deeper, nearer = place._replace(depth=place.depth + step), place._replace(depth=place.depth - h)
+            pair = [self.values(setup, waves, at, stack) for at in (deeper, nearer)]
+            return np.asarray((pair[0] - pair[1]) / (step + h))
         low, high = setup.beside(name)
-        whole = name in ("diameter", "sample")  # which change the light along the height of the bead
+        whole = name in ("diameter", "sample")  # constants that change the light at different heights differently
         pair = [self.values(setup.having(name, value), waves, place, stack, ball=whole) for value in (high, low)]
         return np.asarray((pair[0] - pair[1]) / (high - low))
 
 
 def _light_slope(setup: Setup, name: str, depth: Array) -> float:
-    """Return the logarithmic derivative of the collected light by a term of the amplitude."""
-    h, n, found = CONSTANTS[name].step, AMPLITUDES[name], []
+    """Return the derivative of the logarithm of the collected light with respect to an amplitude coefficient."""
+    h, n, logarithms = CONSTANTS[name].step, AMPLITUDES[name], []
     for value in (setup.value(name) + h, setup.value(name) - h):
         layers = setup.having(name, value).objective._layers(setup.wavelength)
-        # Derivatives of images are those of the terms alone, without the factor that makes the largest amplitude 1.
+        # Derivatives of images neglect the normalization of the largest amplitude to 1: compensate for it here.
         factor = (layers.exponent[0] if layers.exponent else 0.0) + value * math.sqrt(n + 1.0) * (-1.0) ** (n // 2)
-        found.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)
-    return (found[0] - found[1]) / (2.0 * h)
+        logarithms.append(math.log(float(light_by_rule.collected(layers, setup.emitter, depth)[0])) + 2.0 * factor)
+    return (logarithms[0] - logarithms[1]) / (2.0 * h)
 
 
 def _half(setup: Setup) -> int:
-    """Return the number of samples beyond a pixel that its filter uses: more for large beads and blurs."""
+    """Return the number of samples on either side of a pixel that its filter uses; it grows with bead and blur."""
     stride = max(1, math.ceil(setup.across / 1.535))
     wide = 2.0 * math.sqrt(max(setup.blur, 0.0)) * setup.across + setup.radius
     return HALF + (stride - 1) * 2 + math.ceil(wide * stride / setup.across)
 
 
 def flux_background(values: Array, star: Array, before: Array | None = None) -> Array:
-    """Return photons and background of each plane, (2, planes), of maximum likelihood for PSFs (planes, ...)."""
+    """Return the maximum-likelihood flux and background of each plane, (2, planes), for PSFs (planes, ...)."""
     psf = values.reshape(len(values), -1).astype(np.float64)
     counted, _, read, valid = star
-    # The first weights are those of the counts; 1 electron keeps dark pixels from an infinite weight.
+    # Initial weights use the counts as variances; the added 1 keeps the weights of dark pixels finite.
     weight = valid / (np.maximum(counted, 0.0) + read + 1.0)
-    found = before
-    for _ in range(_TURNS):
-        if found is not None:
-            mean = found[0][:, None] * psf + found[1][:, None]
+    light = before
+    for _ in range(_ITERATIONS):
+        if light is not None:
+            mean = light[0][:, None] * psf + light[1][:, None]
             weight = valid / np.maximum(mean + read, 0.25 * read)
         flux, level, middle = weighted_light(psf, counted, weight)
-        # A plane without light would leave its places undetermined.
-        flux = np.maximum(flux, _FAINTEST * np.abs(flux).max() + 1e-9)
-        # The level is that at the mean of the PSF, where flux and level are uncorrelated.
-        found = np.stack([flux, level - flux * middle])
-    return np.asarray(found)
+        # Without light, the position of the bead in a plane would be undetermined.
+        flux = np.maximum(flux, _MIN_FLUX * np.abs(flux).max() + 1e-9)
+        # `level` is the expected value where the PSF has its weighted mean: there it does not correlate with flux.
+        light = np.stack([flux, level - flux * middle])
+    return np.asarray(light)
 
 
 def expected(light: Array, values: Array) -> Array:
-    """Return the mean electrons of planes with this light, (2, planes)."""
+    """Return the expected electrons of planes, from `light` (2, planes), flux and background, and PSFs."""
     return np.asarray(light[0][:, None, None] * values + light[1][:, None, None])
 
 
 class Part(NamedTuple):
-    """Contribution of one bead's planes to the shared parameters, then to its own, with the light eliminated."""
+    """Contribution of one bead to likelihood and information, with flux and background eliminated.
+
+    Parameters are those common to all beads, then those of this bead.
+    """
 
     slope: Array  # (planes, parameters)
     information: Array  # (planes, parameters, parameters)
     chi2: float  # Pearson's sum of squares
     expected: float
     spread: float
-    visible: float  # of the light of all planes, standard deviations
-    scatter: Array  # (planes, 2, 2), covariance of the light where all parameters are held
-    carried: Array  # (planes, parameters, 2), what the light falls by as parameters rise
+    visible: float  # total flux of all planes, in standard deviations
+    scatter: Array  # (planes, 2, 2), covariance of flux and background for fixed parameters
+    carried: Array  # (planes, parameters, 2), minus the derivative of flux and background by the parameters
 
     def shifts(self, columns: list[int]) -> tuple[Array, Array]:
-        """Return steps of parameters in each plane (planes, q), all others held, and their size in sigmas."""
+        """Return steps of q parameters in each plane (planes, q), others fixed, and their significance in sigmas."""
         square, slope = self.information[:, columns][:, :, columns], self.slope[:, columns]
         square = _regular(square) + 1e-300 * np.eye(len(columns))
         step = np.asarray(np.linalg.solve(square, slope[..., None])[..., 0])
@@ -386,14 +391,14 @@ class Part(NamedTuple):
 
 
 def _regular(square: Array) -> Array:
-    """Return matrices (planes, q, q) with a small diagonal added, so that they have an inverse."""
+    """Return matrices (planes, q, q), made invertible by a small addition to the diagonal."""
     return np.asarray(square + 1e-12 * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(square.shape[1]))
 
 
 def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Array, threads: int) -> Part:
-    """Return likelihood, information and slope of a stack.
+    """Return the contribution of a stack to likelihood and information.
 
-    Derivatives by parameters are `chain` (planes, parameters, slopes) times the images `slopes`.
+    Derivatives with respect to parameters are `chain` (planes, parameters, slopes) times the images `slopes`.
     """
     numbers, products = star_likelihood([values.astype(slopes.dtype), *slopes], light[None], stack.star, threads)
     _, expected, spread = numbers.sum(axis=(-1, -2))
@@ -401,10 +406,10 @@ def part_of(values: Array, slopes: Array, chain: Array, stack: Stack, light: Arr
     flux = light[0][:, None, None]
     inner, cross = _regular(each[:, k : k + 2, k : k + 2]), flux * each[:, :k, k : k + 2]
     carried = np.linalg.solve(inner, cross.swapaxes(1, 2)).swapaxes(1, 2)  # (planes, k, 2)
-    # Schur's complement: information on the parameters when the light of each plane is fitted.
+    # Schur complement: information on the parameters with flux and background of each plane eliminated.
     square = flux * flux * each[:, :k, :k] - carried @ cross.swapaxes(1, 2)
     slope = flux[..., 0] * each[:, :k, -1] - np.einsum("pkl,pl->pk", carried, each[:, k : k + 2, -1])
-    # Information on the photons with the background eliminated.
+    # Information on the flux, with the background eliminated.
     alone = inner[:, 0, 0] - inner[:, 0, 1] ** 2 / inner[:, 1, 1]
     return Part(
         np.einsum("pak,pk->pa", chain, slope),

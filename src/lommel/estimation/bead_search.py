@@ -1,6 +1,6 @@
 """Maximum-likelihood search for stacks of beads: Fisher scoring, starts, and beads that are left out.
 
-Flux and background of each plane are eliminated: for given other parameters they have closed-form estimates.
+Flux and background of each plane (`light`) are eliminated: they are estimated for given other parameters.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ OWN = ("row", "column", "focus")
 DRIFT = ("drift_row", "drift_column")
 _MAX_WAVE_STEP = 1.0  # radians rms: largest change of the wavefront in a step
 _SAME_MAXIMUM = 1.0  # difference of log-likelihood below which two starts have found the same maximum
-_MAX_CHI2_RATIO = 1.5  # beads with a larger chi2 over the median of all beads are left out
+_MAX_CHI2_RATIO = 1.5  # beads whose chi2 exceeds this times the median of all beads are left out
 ORIGINS = (0.0, -0.35e-6, 0.35e-6, -0.7e-6, 0.7e-6)
 """Shifts of the focus, metres of the stage, of successive starts."""
 # Largest changes in a step: metres, and pixels of rows and columns.
@@ -33,9 +33,9 @@ _MAX_STEPS = {"focus": 0.3e-6, "row": 1.0, "column": 1.0, "drift_row": 1.0, "dri
 
 
 def lowest(setup: Setup) -> float:
-    """Return the smallest allowed depth (m) of a bead, half of that of a bead that touches the glass.
+    """Return the smallest allowed depth (m) of a bead: half the depth of a bead that touches the cover glass.
 
-    The margin is for the uncertainties of the bead's diameter and of the position of the glass.
+    The margin allows for errors of the bead's diameter and of the position of the cover glass.
     """
     return 0.25 * setup.diameter
 
@@ -47,7 +47,7 @@ class Prior(NamedTuple):
     error: float
 
     def pull(self, at: float) -> tuple[float, float, float]:
-        """Return the deviance of the prior at a value, minus its slope, and its information."""
+        """Return the deviance of the prior at a value, minus the derivative of the deviance, and its information."""
         square = 1.0 / self.error**2
         difference = self.value - at
         return 0.5 * difference * difference * square, difference * square, square
@@ -71,8 +71,8 @@ class State:
 class Evaluated:
     """A state with its images and scores, and the course of the search that led to it.
 
-    `values` are the PSFs of each stack and `parts` its contributions to the scores. In `scores`, for a single set of
-    parameters, those that all beads share come first, then those of each bead; priors are included.
+    `values` are the PSFs of each stack, `parts` its contributions to the scores. `scores` have one row (a single set
+    of parameters), with the shared parameters first, then those of each bead; they include the priors.
     """
 
     state: State
@@ -89,7 +89,7 @@ class Evaluated:
 
     @property
     def quality(self) -> tuple[float, float]:
-        """Chi2 and its standard deviation."""
+        """Chi2 and the standard deviation of chi2."""
         return float(self.scores.chi2[0]), float(self.scores.spread[0])
 
 
@@ -97,7 +97,8 @@ class Evaluated:
 class BeadModel:
     """A model of several stacks of beads with shared parameters and parameters of each bead, for `fisher_scoring`.
 
-    `names` are the shared parameters (terms of the wavefront and constants with a prior), `own` those of each bead.
+    `names` are the shared parameters (terms of the wavefront and constants with a prior), `own` the parameters of
+    each bead.
     """
 
     images: BeadImages
@@ -116,7 +117,7 @@ class BeadModel:
         self.own = (*OWN, *depth, *(DRIFT if self.drifts else ()))
         self.names = (*self.images.solved, *self.priors)
         self.size = len(self.names) + len(self.own) * len(self.stacks)
-        # Flux and background of each plane are parameters, too.
+        # Flux and background are two more parameters for each plane.
         self.tested = sum(int(stack.star[3].sum()) - 2 * len(stack.z) for stack in self.stacks) - self.size
 
     def alone(self, k: int) -> BeadModel:
@@ -132,7 +133,7 @@ class BeadModel:
         return range(shared + bead * len(self.own), shared + (bead + 1) * len(self.own))
 
     def _prior_terms(self, state: State, names: Sequence[object]) -> Iterator[tuple[int, Prior, float]]:
-        """Yield column, prior and present value of each parameter with a prior, given the shared names."""
+        """Yield column, prior and present value of each parameter with a prior; `names` are the shared parameters."""
         for name, prior in self.priors.items():
             yield names.index(name), prior, state.setup.value(name)
         if "depth" in self.own:
@@ -144,8 +145,8 @@ class BeadModel:
         """Return a state with its images and scores, and with maximum-likelihood flux and background.
 
         Raises Declined or ValueError if the deviance is not below `most`, if the aberrations are too strong, or if
-        the constants are impossible. The first is tested before slopes are computed, which takes far longer than
-        images.
+        the constants are impossible. Slopes, which take far longer than images, are computed only if the deviance is
+        below `most`.
         """
         light, values = [], []
         total = sum(prior.pull(at)[0] for _, prior, at in self._prior_terms(state, self.names))
@@ -183,9 +184,9 @@ class BeadModel:
         return parts, information, slope
 
     def _slopes(self, state: State, bead: int, names: Sequence[object], psf: Array) -> tuple[Array, Array]:
-        """Return derivatives of the images of a bead, and the matrices by which parameters change these, per plane.
+        """Return derivatives of the images of a bead, and the chain rule from these to the parameters.
 
-        The matrices have the shape (planes, parameters, derivatives).
+        The chain rule is a matrix for each plane, shape (planes, parameters, derivatives).
         """
         images, setup, waves = self.images, state.setup, state.waves
         stack, place, light = self.stacks[bead], state.places[bead], state.light[bead]
@@ -194,11 +195,11 @@ class BeadModel:
         order = (*images.solved, "focus", "row", "column", *amplitudes)
         # Index of the derivative for each parameter, and its factor in each plane.
         chain_rule: dict[object, tuple[int, Array]] = {name: (j, ones) for j, name in enumerate(order)}
-        # Drift moves rows and columns in proportion to time, a longer step the focus in proportion to z.
+        # Drift shifts rows and columns in proportion to time; the step shifts the focus in proportion to z.
         chain_rule |= {DRIFT[0]: (k + 1, stack.times), DRIFT[1]: (k + 2, stack.times), "step": (k, stack.z)}
         for name in (*GRADIENT, bead_images.NONLINEAR):
             if name in names:
-                # Divided by the flux, because `part_of` multiplies all derivatives by it: these are in electrons.
+                # These derivatives are in electrons: division by the flux, by which `part_of` multiplies all of them.
                 chain_rule[name] = len(slopes), 1.0 / light[0]
                 slopes.append(_camera_slope(name, bead_images.expected(light, psf)).astype(slopes[0].dtype))
         for name in map(str, (*names, *self.own)):
@@ -212,7 +213,7 @@ class BeadModel:
         return np.stack(slopes), chain
 
     def step(self, x: Evaluated, now: Scores, at: Rows, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step, (1, parameters), and its predicted gain."""
+        """Return a damped step (1, parameters), and the gain in deviance that it predicts."""
         scores, state = now, x.state
         step = damped_steps(scores, damping)
         if "depth" in self.own:
@@ -244,7 +245,7 @@ class BeadModel:
         limits = [
             kind.reach * (value if kind.relative else 1.0) for kind, value in zip(kinds, constants, strict=True)
         ]
-        # Changes over the largest allowed ones.
+        # Changes divided by their largest allowed values.
         ratios = [math.sqrt(float(step[:k] @ step[:k])) / _MAX_WAVE_STEP, *(np.abs(step[k:shared]) / limits)]
         ratios += [*(np.abs(bead_steps) / [_MAX_STEPS[name] for name in self.own]).ravel()]
         # A common factor for all parameters keeps the direction of the step.
@@ -295,7 +296,7 @@ def _camera_slope(name: str, mean: Array) -> Array:
 
 
 def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_: None) -> Evaluated:
-    """Take at most so many damped steps from a start until they converge, and return the end."""
+    """Take damped steps from a start until they converge, at most `most` steps, and return the end."""
     begin = model.evaluated(start)
     end = fisher_scoring(model, begin, begin.scores, most, report, _POLICY)
     best: Evaluated = end.x
@@ -304,7 +305,7 @@ def climb(model: BeadModel, start: State, most: int, report: Report = lambda *_:
 
 @dataclass(eq=False)
 class Search:
-    """Search for the maximum likelihood of a model: for single beads from several starts, then for all beads."""
+    """Search for the maximum likelihood: first for single beads from several starts, then for all beads jointly."""
 
     model: BeadModel
     setup: Setup
@@ -316,7 +317,7 @@ class Search:
     _done: float = 0.0
 
     def all(self) -> tuple[Evaluated, list[bool]]:
-        """Return the best joint fit of the beads that fit, and for each bead whether it is part of it."""
+        """Fit all beads jointly, except those with a bad individual fit; return the fit, and a list of used beads."""
         model, count = self.model, len(self.model.stacks)
         singles = [self.one(model.alone(k), 0.6 / count) for k in range(count)]
         median = float(np.median([single.quality[0] for single in singles]))
@@ -325,51 +326,51 @@ class Search:
         kept = [k for k in range(count) if used[k]]
         if count == 1 and not model.priors and "depth" not in model.own:
             return singles[0], used
-        # A median, so that a bead in another local maximum does not shift it.
+        # The median is robust against a bead that ended in another local maximum.
         waves = np.median([singles[k].state.waves for k in kept], axis=0)
         start = State(self.setup, waves, tuple(singles[k].state.places[0] for k in kept))
         return self.climb(model.having(kept), start, 0.4), used
 
-    def one(self, model: BeadModel, share: float) -> Evaluated:
-        """Return the best fit of a single stack over the starts; the first takes a `share` of the progress."""
+    def one(self, model: BeadModel, fraction: float) -> Evaluated:
+        """Return the best fit of a single stack over the starts; the first counts as a `fraction` of the progress."""
         best: Evaluated | None = None
         for origin in ORIGINS[: self.starts]:
             place = start_of(model.stacks[0], self.setup, model.depths[0].value, origin)
-            end = self.climb(model, State(self.setup, self.waves, (place,)), share)
+            end = self.climb(model, State(self.setup, self.waves, (place,)), fraction)
             same = best is not None and abs(end.log_posterior - best.log_posterior) < _SAME_MAXIMUM
             if best is None or end.log_posterior > best.log_posterior:
                 best = end
             fits = best.quality[0] < goodness_of_fit.most(best.quality[1], goodness_of_fit.SURE)
             if best.settled and (same or fits):
                 break
-            share = 0.0
+            fraction = 0.0
         assert best is not None
         return best
 
-    def climb(self, model: BeadModel, start: State, share: float) -> Evaluated:
-        """Return the end of one search, which takes a `share` of the progress."""
+    def climb(self, model: BeadModel, start: State, fraction: float) -> Evaluated:
+        """Return the end of one search, which counts as a `fraction` of the progress."""
         before = self._done
 
         def report(step: int, chi2: float) -> None:
-            # The number of steps is not known in advance: each is reported as a fifth of the remaining share.
+            # The number of steps is not known in advance: each step is reported as a fifth of the remaining fraction.
             if self.progress is not None:
-                self.progress(min(before + share * (1.0 - 0.8**step), 1.0), chi2)
+                self.progress(min(before + fraction * (1.0 - 0.8**step), 1.0), chi2)
 
         end = climb(model, start, self.most, report)
         self.steps += end.steps
-        self._done = before + share
+        self._done = before + fraction
         return end
 
 
 def start_of(stack: Stack, setup: Setup, depth: float, origin: float) -> Place:
-    """Return the start for a bead: its centroid in the sharpest planes, and the mean focus weighted by sharpness.
+    """Return the start for a bead: centroid in the sharpest planes, and mean focus, weighted by sharpness.
 
-    `origin` is added to the focus (m).
+    `origin` (m) is added to the focus.
     """
     counted, _, valid = stack.planes
     images = np.where(valid, counted, np.nan)
     light = np.nan_to_num(images - np.nanmedian(images, axis=(1, 2), keepdims=True))
-    # Squares with their sign, to which noise adds nothing on average.
+    # Squares with the sign of the light: the mean contribution of noise is 0.
     sharpness = (light * np.abs(light)).sum(axis=(1, 2))
     sharpness = np.clip(sharpness - np.median(sharpness), 0.0, None)
     total = float(sharpness.sum())

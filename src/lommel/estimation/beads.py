@@ -1,4 +1,4 @@
-"""The aberrations and constants of a microscope from stacks of beads, with standard errors and a verdict."""
+"""Estimate aberrations and constants of a microscope from z stacks of beads, with standard errors and checks."""
 
 from __future__ import annotations
 
@@ -35,44 +35,45 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_PLANES = 5  # least number of planes
-_VISIBLE = 10.0  # standard deviations of the light of all planes together: less is no light
-_OFF = 2e-3  # over the peak: largest error of the search's images
+_PLANES = 5  # minimum number of planes in a stack, and number of planes in a plot
+_VISIBLE = 10.0  # smallest signal of a visible bead, all planes together, in standard deviations
+_MAX_IMAGE_ERROR = 2e-3  # largest error of the images in the search, relative to the peak
 _CAUSES = "pixel, noise, z or the objective are wrong, terms are missing, or beads overlap"
 _FIRST = 5  # Noll's index of the first term after defocus
 
 
 @dataclass(frozen=True, eq=False)
 class FittedBead:
-    """What was found of one bead.
+    """Estimates for one bead.
 
     Attributes
     ----------
     row, column : float
-        Position of its axis in the window, pixels, as `center` of :func:`lommel.psf`.
+        Position of the bead in the window, pixels, like `center` of :func:`lommel.psf`.
     z : float
-        Position of the stage, metres, at which the bead is at the origin of :meth:`lommel.Objective.pupil`: the
-        brightest focus without aberrations.
+        Position of the stage, metres, at which the bead is in the brightest focus without aberrations, the origin of
+        :meth:`lommel.Objective.pupil`.
     depth : float
-        Of its centre below the glass, metres.
+        Depth of the bead's centre below the cover glass, metres.
     errors : dict of str to float
-        Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, where
-        estimated, "depth", "drift_row", "drift_column".
+        Standard errors of "row", "column", "z", the means of "flux" and "background" over planes and, if estimated,
+        of "depth", "drift_row", "drift_column".
     drift : (float, float)
-        How far it moves along rows and columns from the middle to the end of the stack, pixels.
+        Displacement along rows and columns from the middle to the end of the stack, pixels.
     flux, background : ndarray, shape (planes,)
-        Electrons of the bead, and electrons a pixel.
+        Electrons of the bead, and background in electrons per pixel, in each plane.
     flux_errors, background_errors : ndarray, shape (planes,)
-        Standard errors of these; NaN of a bead that is not used.
+        Standard errors of `flux` and `background`; NaN for a bead that was not used.
     moved : dict of int to (float, float)
-        Planes that are not where the others are, and how far off along rows and columns, pixels: score tests beyond
-        five standard deviations and four times those of most planes.
+        Planes that are displaced relative to the other planes, and the displacement along rows and columns, pixels.
+        The score test of such a plane exceeds five standard deviations, and four times the value of most planes.
     chi2 : float
-        Pearson's, per degree of freedom.
+        Pearson's chi2 per degree of freedom.
     used : bool
-        Whether it was part of the joint fit; a bead that does not fit beside the others is left out.
+        Whether the bead was part of the joint fit; a bead that is inconsistent with the others is left out.
     images, model, residual : ndarray, shape (planes, height, width)
-        The images, NaN where left out; the model in their unit; the difference in standard deviations of the noise.
+        Images, NaN at pixels left out; the fitted model, in the unit of the images; the residual, in standard
+        deviations of the noise.
     """
 
     row: float
@@ -93,56 +94,56 @@ class FittedBead:
     residual: Array = field(repr=False)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return everything but images as plain data.
+        """Return all attributes except images as plain data.
 
         Returns
         -------
         dict
         """
         light = ("flux", "background", "flux_errors", "background_errors")
-        found: dict[str, Any] = plain(fields_of(self) | {name: getattr(self, name) for name in light})
-        return found
+        data: dict[str, Any] = plain(fields_of(self) | {name: getattr(self, name) for name in light})
+        return data
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class BeadFit(FitReport):
-    """The microscope that stacks of beads were taken with: the answer of :func:`lommel.fit_beads`.
+    """Aberrations and constants of a microscope: the result of :func:`lommel.fit_beads`.
 
     Attributes
     ----------
     aberrations : Wavefront
-        Estimated terms and fixed ones, as `aberrations` of :meth:`lommel.Objective.pupil`.
+        Estimated and fixed terms; an argument `aberrations` of :meth:`lommel.Objective.pupil`.
     objective : Objective
-        With the estimated constants.
+        The objective, with the estimated constants.
     wavelength, pixel, diameter : float
-        Metres: the pixel on the camera and the diameter of the beads as estimated.
+        Wavelength, estimated pixel on the camera and estimated diameter of the beads, metres.
     emitter : Dipole, Beam or Scalar
     coefficients : dict
-        What all beads share: Zernike terms (n, m) in radians rms, and constants by name.
+        Parameters common to all beads: Zernike terms (n, m) in radians rms, and constants by name.
     errors : dict
-        Standard error of each.
+        Standard errors of `coefficients`, by the same keys.
     covariance : ndarray, shape (k, k)
-        Of `coefficients`, in their order.
+        Covariance of `coefficients`, in their order.
     beads : tuple of FittedBead
     tests : tuple of lommel.fit.ScoreTest
-        Score tests of what the model may lack, the likeliest first: Zernike terms of the next two radial orders, all
-        constants, estimated or not, drift, a gradient of the background, a gain that is not linear, a second bead.
+        Score tests of effects that the model may lack, the most likely first: Zernike terms of the next two radial
+        orders, all constants, drift, a gradient of the background, a nonlinear gain, a second bead.
     chi2 : float
         Pearson's chi2 per degree of freedom.
     held_out : float
-        The same of one bead with the aberrations and constants that a fit of the others alone finds, only its place
-        and light being fitted: near 1 where these hold for other beads. NaN of fewer than three beads.
+        Chi2 of one bead with the aberrations and constants of a fit of the other beads; only its position, flux and
+        background are fitted. It is near 1 if the estimates hold for other beads; NaN for fewer than three beads.
     findings : lommel.fit.Findings
-        What the checks found. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts:
-        "other_explanation" where the data favour something of `tests`, "too_dim", "held_out", "moved",
-        "model_error", "too_quiet". Notes: "untested", single planes that moved, beads and pixels left out.
+        Findings of the checks. Errors: "misfit", "no_light", "not_settled", "reversed_z". Doubts: "other_explanation"
+        (the data favour an effect in `tests`), "too_dim", "held_out", "moved", "model_error", "too_quiet". Notes:
+        "untested", single displaced planes, beads and pixels left out.
     summary : str
         Chi2, and the number of steps.
     converged, reliable, status, message
-        The verdict that follows from these, as of :class:`lommel.fit.FitReport`.
+        The verdict that follows from `findings`; see :class:`lommel.fit.FitReport`.
     model_error : float
-        Largest difference between images of the search and certified ones at the answer, over the peak; inf where
-        aberrations are too strong for these.
+        Largest difference between images of the search and images with a proven error bound, at the estimate,
+        relative to the peak; inf if the aberrations are too strong to compute the latter.
     steps : int
     """
 
@@ -170,7 +171,8 @@ class BeadFit(FitReport):
         Parameters
         ----------
         depth, z : array_like
-            As of :meth:`lommel.Objective.pupil`, from the brightest focus.
+            Depth of the emitter, and position of the stage from the brightest focus; see
+            :meth:`lommel.Objective.pupil`.
 
         Returns
         -------
@@ -189,16 +191,17 @@ class BeadFit(FitReport):
         Parameters
         ----------
         depth : float
-            Of an emitter below the glass, metres.
+            Depth of the emitter below the cover glass, metres.
         z : array_like, shape (planes,)
-            Of the stage from the brightest focus, metres.
+            Positions of the stage from the brightest focus, metres.
         shape : int or (int, int), default 31
-            Window, of the fitted pixels.
+            Shape of the window, in fitted pixels.
 
         Returns
         -------
         ndarray, shape (planes, height, width)
-            Of values as ``lommel.psf(found.pupil(depth=depth, z=z), shape, found.pixel)`` has, shares of all light.
+            Standard errors of the values of ``lommel.psf(fit.pupil(depth=depth, z=z), shape, fit.pixel)``, which are
+            fractions of the total light.
 
         Raises
         ------
@@ -207,8 +210,9 @@ class BeadFit(FitReport):
 
         Notes
         -----
-        The root of ``diag(J C J^T)``, C being the covariance and J derivatives of the PSF: by Zernike terms analytic,
-        by constants of the microscope central differences at fixed z from the brightest focus, which moves with them.
+        The result is the square root of ``diag(J C J^T)``, where C is the covariance and J the Jacobian of the PSF.
+        Derivatives with respect to Zernike terms are analytic. Those with respect to constants are central
+        differences at fixed z, measured from the brightest focus, which depends on the constants.
         """
         height, width = validation.image_shape(shape)
         deep = length("depth", depth, DEPTH_MOST)
@@ -222,7 +226,7 @@ class BeadFit(FitReport):
         jacobian = [*images.slopes(setup, waves, _focused(setup, deep), stack)[: len(images.solved)]]
         for name in [*self.coefficients][len(images.solved) :]:
             if name in ("diameter", "blur", "step"):
-                # Of a point with the stage as it is: these change nothing.
+                # The PSF is that of a point at exact z: it does not depend on these constants.
                 jacobian.append(np.zeros((at.size, height, width)))
             else:
                 ends = setup.beside(name)
@@ -230,7 +234,7 @@ class BeadFit(FitReport):
                 low, high = (images.values(one, waves, _focused(one, deep), stack) for one in beside)
                 jacobian.append((high - low) / (ends[1] - ends[0]))
         rows = np.asarray(jacobian, dtype=np.float64)
-        # First-order propagation: J C J^T, in each pixel.
+        # First-order error propagation: the diagonal of J C J^T.
         square = np.einsum("ipyx,ij,jpyx->pyx", rows, self.covariance, rows)
         return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
@@ -241,7 +245,7 @@ class BeadFit(FitReport):
         ----------
         bead : int, default 0
         unit : {"waves", "radians"}
-            Of the coefficients, rms.
+            Unit of the coefficients (rms).
 
         Returns
         -------
@@ -275,7 +279,7 @@ class BeadFit(FitReport):
 
 
 def _focused(setup: Setup, depth: float) -> Place:
-    """Return the place of an emitter at its brightest focus."""
+    """Return the place of an emitter in brightest focus, in the middle of the window."""
     return Place(0.0, 0.0, brightest(setup, depth), depth)
 
 
@@ -292,20 +296,20 @@ class BeadKeywords(FitKeywords, total=False):
 
 @dataclass(frozen=True)
 class UnknownsOptions:
-    """Options on what is estimated beside the wavefront.
+    """Options for the parameters that are estimated in addition to the wavefront.
 
     Parameters
     ----------
     priors : mapping, optional
-        Constants that are unknowns: a standard error, or (value, standard error), inf for nothing known.
-        Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel", "diameter",
-        "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one of each bead). By
-        default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 where a bead is
-        within a wavelength of the glass. Empty to fix all.
+        Constants to estimate, by name, with a prior standard error or (value, standard error); inf means no prior
+        knowledge. Names are "sample" and "immersion" (refractive indices), "coverslip" (thickness), "NA", "pixel",
+        "diameter", "blur" (variance of a Gaussian, pixels squared), "step" (a factor of z), "depth" (one for each
+        bead). By default depth 20 nm, sample 0.003, coverslip 5 um, pixel 1 %, diameter 10 %, and NA 0.02 if a bead
+        is within a wavelength of the cover glass. An empty mapping fixes all constants.
     apodization : int, default 0
-        Number of radial terms of the amplitude over the pupil to estimate, 0 to 4. They are the coefficients of its
-        logarithm of degree 2, 4, ... that :meth:`lommel.Apodization.zernike` takes, and are named "apodization_2",
-        ..., also in `priors`.
+        Number of radial terms of the pupil amplitude to estimate, 0 to 4: coefficients of the logarithm of the
+        amplitude, of degree 2, 4, ..., see :meth:`lommel.Apodization.zernike`. Their names are "apodization_2", ...,
+        also in `priors`.
     drift : bool, default False
         Estimate a lateral drift of each bead, linear in time.
     """
@@ -317,14 +321,14 @@ class UnknownsOptions:
 
 @dataclass(frozen=True)
 class BeadOptions(FitOptions, UnknownsOptions):
-    """Options of :func:`fit_beads`: what is estimated, then those of every fit, of which two differ.
+    """Options of :func:`fit_beads`: parameters to estimate, then options of every fit, two with other defaults.
 
     Parameters
     ----------
     integrate : bool, default True
-        Whether pixels integrate.
+        Pixel-integrated (True) or point-sampled (False) images.
     starts : int, default 5
-        Maximum number of starts, which differ in focus, while none fits.
+        Maximum number of starts, which differ in focus; the first that fits ends the search.
     """
 
     integrate: bool = True
@@ -351,35 +355,36 @@ def fit_beads(
 ) -> BeadFit:
     """Estimate the aberrations and constants of a microscope from stacks of fluorescent beads.
 
-    All beads share the wavefront and the constants; each has a place, and each plane photons and a background, which
-    are estimated jointly. What is held fixed or left out is tested: `findings` says what the data favour.
+    The wavefront and the constants are common to all beads. They are estimated jointly with the position of each
+    bead, and with flux and background in each plane. Fixed constants and neglected effects are tested: `findings`
+    reports those that the data favour.
 
     Parameters
     ----------
-    stacks : array_like, shape (planes, height, width), or a sequence of these
-        Windows around one bead each, as recorded, proportional to light but for the offset of `noise`. NaN, infinite
-        and masked values are left out, and in images of integers the largest value of their type.
+    stacks : array_like, shape (planes, height, width), or a sequence of stacks
+        Recorded z stacks, each a window around one bead; linear in the light, with the gain and offset of `noise`.
+        NaN, infinite and masked values are left out, and so are saturated pixels of integer images.
     objective : Objective
     z : array_like, shape (planes,)
-        Position of the stage in each plane, metres, increasing towards the sample (decreasing if planes were taken
-        the other way).
+        Position of the stage in each plane, metres; positive towards the sample. It must increase or decrease from
+        plane to plane.
     wavelength : float
-        Of the emission, metres in vacuum.
+        Emission wavelength in vacuum, metres.
     pixel : float
-        Metres on the camera.
+        Pixel pitch of the camera, metres.
     noise : Noise
         Gain, offset and read noise.
     diameter : float, default 0
-        Of the beads, metres; 0 for a point.
+        Diameter of the beads, metres; 0 for points.
     depth : float or sequence, optional
-        Of the centre of each bead below the glass, metres; by default its radius: beads lie on the glass.
+        Depth of the centre of each bead below the cover glass, metres; by default the radius (beads on the glass).
     emitter : default "isotropic"
-        As of :meth:`lommel.Objective.pupil`.
+        See :meth:`lommel.Objective.pupil`.
     terms : int or sequence, default 18
-        Zernike terms to estimate. A number: so many from Noll's 5 on. Else pairs (n, m) or names such as "noll 11",
-        without piston, tilts and defocus, which the places of the beads stand for.
+        Zernike terms to estimate: a number of terms from Noll's index 5 on, or a sequence of pairs (n, m) or names
+        such as "noll 11". Piston, tilts and defocus are excluded: the positions of the beads replace them.
     aberrations : Wavefront, optional
-        Where the search starts; its other terms are fixed.
+        Wavefront from which the search starts. Terms that are not estimated stay as given.
     {options}
 
     Returns
@@ -389,22 +394,22 @@ def fit_beads(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, a stack has fewer than 5 planes or is constant, or what is asked for cannot be
-        told by any stack: Noll's 4, immersion and cover glass together without a prior.
+        If an argument is out of range, a stack has fewer than 5 planes or is constant, or no stack can determine the
+        parameters: Noll's 4, or immersion and cover glass together without a prior.
 
     Notes
     -----
     Fisher scoring maximizes the likelihood of Poisson counts with read noise (Snyder et al. 1993,
     doi:10.1364/JOSAA.10.001014) with priors. A bead is a sum of discs at two or more heights. Images of the search
-    are by rules of stated size; `model_error` compares them with a certified image at the answer.
+    use quadrature rules of fixed size; `model_error` compares them with images of proven error bound at the estimate.
 
-    Score tests (Rao) give sizes by one step of Fisher scoring, all that is estimated being eliminated, ranked by
-    their Bayes factors. The likeliest, if it is beyond chance, is then solved for. What the beads favour within
-    chance (Bayes factors above 1) is marginalized: `coefficients`, errors and `aberrations` allow for it. Constants
-    that are held and that these beads do not tell, though an error of them would change a term by more than a
-    standard error, are named ("untested"), and so are those of which a prior says more than the beads, and the
-    wavelength, an error of which is one of pixel and NA. Stripes, and offsets of rows or columns, that noise leaves
-    in one of 1000 fits are in doubt ("pattern").
+    Score tests (Rao) estimate the size of each neglected effect by one step of Fisher scoring, with all estimated
+    parameters eliminated; they are ranked by Bayes factor. The most likely effect, if significant, is then estimated.
+    Effects that are favoured but not significant (Bayes factors above 1) are marginalized: `coefficients`, `errors`
+    and `aberrations` allow for them. Reported as "untested" are fixed constants that the beads do not determine, if
+    an error of the constant would change a term by more than a standard error; constants determined more by the prior
+    than by the beads; and the wavelength, whose errors are equivalent to errors of pixel and NA. Stripes, and offsets
+    of rows or columns, that noise causes in fewer than one of 1000 fits are reported as doubts ("pattern").
 
     Examples
     --------
@@ -416,10 +421,10 @@ def fit_beads(
     >>> truth = oil.pupil(depth=50e-9, z=z, wavelength=600e-9, aberrations=wave)
     >>> camera = lm.Noise(read=1.6)
     >>> bead = camera.record(2e4 * lm.microscopy.bead(truth, 100e-9, 17, 6.5e-6).values + 10, seed=1)
-    >>> found = lm.fit_beads(
+    >>> fit = lm.fit_beads(
     ...     bead, oil, z=z, wavelength=600e-9, pixel=6.5e-6, noise=camera, diameter=100e-9, terms=5, priors={}
     ... )
-    >>> found.converged, abs(found.coefficients[2, -2] - 0.4) < 0.02
+    >>> fit.converged, abs(fit.coefficients[2, -2] - 0.4) < 0.02
     (True, True)
     """
     require_known(fit_beads, options, BeadKeywords)
@@ -438,8 +443,8 @@ def fit_beads(
     places, planes = np.atleast_1d(validation.real_array("z", z)), len(recorded[0].values)
     if planes < _PLANES:
         raise ValueError(
-            f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer do not tell "
-            "aberrations from the place of the bead; give all planes as one stack"
+            f"stacks must have at least {_PLANES} planes above and below focus, got {planes}: fewer do not separate "
+            "aberrations from the position of the bead; pass all planes as one stack"
         )
     if places.shape != (planes,):
         raise ValueError(f"z must have a position for each of {planes} planes, got shape {places.shape}")
@@ -457,7 +462,7 @@ def fit_beads(
     known |= {name: Prior(setup.value(name), math.inf) for name in list(AMPLITUDES)[:count_of] if name not in known}
     start = {term: float(c) for term, c in (aberrations or Wavefront()).edge_terms().items()}
     if start.get((2, 0)):
-        notes.append(Finding("stated", "note", "defocus (Noll 4) of the start is kept: z of the beads says the rest"))
+        notes.append(Finding("stated", "note", "defocus (Noll 4) of aberrations is fixed: z of the beads adds to it"))
     images = BeadImages(solved, start, settings.threads or 0)
     waves = np.array([start.get(term, 0.0) for term in solved]) / images.factors
     made = tuple(Stack.of(each, noise, places) for each in recorded)
@@ -478,8 +483,8 @@ def _terms(terms: int | Sequence[tuple[int, int] | str]) -> tuple[Term, ...]:
         raise ValueError(f"terms must not name one thing twice, got {validation.shown(terms)}")
     if of_place := [term for term in ((2, 0), *SHIFTS.values()) if term in found]:
         raise ValueError(
-            f"terms must be without {label(of_place[0])}, which no stack tells from the place of the bead: z, row "
-            "and column stand for it"
+            f"terms must be without {label(of_place[0])}, which no stack separates from the position of the bead: z, "
+            "row and column are estimated instead"
         )
     return found
 
@@ -495,7 +500,7 @@ def _depths(depth: Any, radius: float, count: int) -> list[float]:
 
 
 def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dict[str, Prior], float, list[Finding]]:
-    """Return the setup at the priors' values, the priors, the standard error of depths, and findings."""
+    """Return the setup with the values of the priors, the priors, the standard error of depths, and findings."""
     known, notes = bead_checks.available_constants(setup), list[Finding]()
     blind = min(deep) > setup.wavelength and setup.objective.sample < setup.objective.NA
     if given is None:
@@ -508,7 +513,7 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
     for name, prior in given.items():
         validation.choice("priors", name, CONSTANTS)
         if name not in known:
-            raise ValueError(f"priors must be without {name!r}, which objective or bead lack, or is that of air")
+            raise ValueError(f"priors must be without {name!r}: objective or bead have none, or the medium is air")
         pair = prior if isinstance(prior, tuple | list) else (None, prior)
         if len(pair) != 2:
             raise ValueError(f"priors[{name!r}] must be a standard error or (value, standard error), got {prior!r}")
@@ -522,16 +527,16 @@ def _priors(given: Any, setup: Setup, deep: Sequence[float]) -> tuple[Setup, dic
             raise ValueError("priors['depth'] must be a standard error alone: values are those of depth")
     if all(name in found and math.isinf(found[name].error) for name in ("immersion", "coverslip")):
         raise ValueError(
-            "priors must state one of immersion and coverslip: images depend on their sum only, give a "
-            "standard error such as 5e-6 metres of the cover glass"
+            "priors must have a finite error for immersion or coverslip, because images depend on their sum only: "
+            "give a standard error such as 5e-6 metres for the cover glass"
         )
     if "NA" in found and blind:
         if math.isinf(found["NA"].error):
             raise ValueError(
-                "priors must state NA where all beads are deeper than a wavelength: of NA above the index of the "
-                "sample no such light arrives; add a bead on the glass, or leave NA out"
+                "priors must have a finite error for NA if all beads are deeper than a wavelength: their light does "
+                "not reach an NA above the index of the sample; add a bead on the glass, or leave NA out"
             )
-        notes = [Finding("stated", "note", "NA is as its prior says: no bead is within a wavelength of the glass")]
+        notes = [Finding("stated", "note", "the prior determines NA: no bead is within a wavelength of the glass")]
     return setup, found, of_depth, notes
 
 
@@ -561,14 +566,14 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
         windows = off.reshape(-1, *off.shape[-2:])
         findings += goodness_of_fit.stripe_findings(windows, (light + read).reshape(windows.shape), noise.excess)
         backwards: list[Finding] = []
-        # Reversed planes are looked for only where something is wrong: that takes another search.
+        # The check for reversed planes requires another search: it is run only if something is wrong.
         if missing or not Findings(findings).converged:
             best = found.log_posterior if other is None else max(other, found.log_posterior)
             start = State(search.setup, search.waves, state.places)
             backwards = bead_checks.reversed_findings(joint, start, best, chi2)
         findings += [*(backwards or missing), *untested]
-        if marginal is not None and not missing:  # what the stacks favour, though not beyond chance
-            inverse, state = marginal.covariance, _moved(state, joint, marginal.shift)
+        if marginal is not None and not missing:  # effects that are favoured but not significant
+            inverse, state = marginal.covariance, _add_shift(state, joint, marginal.shift)
         if "reversed_z" not in Findings(findings).codes:
             planes = sum(len(s.z) for s in joint.stacks)
             findings += bead_checks.moved_findings([one.moved for one in beads if one.used], planes)
@@ -578,7 +583,7 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
     findings += _error_findings(inverse[: len(state.waves), : len(state.waves)], error)
     if not all(used):
         left = ", ".join(map(str, np.flatnonzero(np.logical_not(used))))
-        findings.append(Finding("left_out", "note", f"left out, beside which the others do not fit: bead {left}"))
+        findings.append(Finding("left_out", "note", f"left out because inconsistent with the others: bead {left}"))
     findings += [*stated, *recording_findings(recorded, noise, "bead")]
     summary = f"chi2 {chi2:.4g} per degree of freedom, {search.steps} steps"
     if math.isfinite(held_out):
@@ -604,36 +609,37 @@ def _build_bead_fit(search: Search, recorded: list[Counts], noise: Noise, stated
     )
 
 
-def _moved(state: State, joint: BeadModel, by: Array) -> State:
-    """Return a state with other shared parameters, as far as such a microscope exists."""
+def _add_shift(state: State, joint: BeadModel, shift: Array) -> State:
+    """Return a state with `shift` added to the common parameters; impossible values of constants are not changed."""
     count, setup = len(state.waves), state.setup
-    for name, step in zip(joint.priors, by[count:].tolist(), strict=True):
+    for name, step in zip(joint.priors, shift[count:].tolist(), strict=True):
         if bead_checks.possible(setup, name, value := setup.value(name) + step):
             setup = setup.having(name, value)
-    return replace(state, waves=state.waves + by[:count], setup=setup)
+    return replace(state, waves=state.waves + shift[:count], setup=setup)
 
 
 def _error_findings(covariance: Array, error: float) -> list[Finding]:
-    """Return findings on invalid standard errors, from the covariance of the terms."""
+    """Return findings on large standard errors of the terms, and on a large `error` of the images in the search."""
     found = []
     unsure = math.sqrt(float(np.trace(covariance)))
     if unsure > LINEAR:
         text = (
-            f"too little light for so many unknowns: the wavefront is known to {unsure:.2g} radians rms alone, "
-            "beyond which images are not linear, standard errors are too small, and other wavefronts fit as well; "
-            "take brighter or more beads, or fewer terms"
+            f"too little light for so many unknowns: the standard error of the wavefront is {unsure:.2g} radians "
+            f"rms, above {LINEAR} images are not linear in it, and other wavefronts may fit as well; use brighter or "
+            "more beads, or fewer terms"
         )
         found.append(Finding("too_dim", "doubt", text, {"rms": unsure, "limit": LINEAR}))
-    if error >= _OFF:
-        off = f"images of the search are {error:.2g} of the peak off those that are certified"
-        text = off if math.isfinite(error) else "aberrations are too strong for certified images"
+    if error >= _MAX_IMAGE_ERROR:
+        text = f"images of the search differ from images with a proven error bound by {error:.2g} of the peak"
+        if not math.isfinite(error):
+            text = "aberrations are too strong to compute images with a proven error bound"
         found.append(Finding("model_error", "doubt", text, {"error": error}))
     return found
 
 
 def _inverse(square: Array) -> Array:
-    """Return the covariance of an information matrix."""
-    # Scaled to a diagonal of 1, so that the cut of small singular values does not depend on units.
+    """Return the covariance, the pseudo-inverse of an information matrix."""
+    # With a diagonal of 1, the cutoff for small singular values does not depend on units.
     scale = np.sqrt(np.maximum(np.diag(square), 1e-300))
     return np.asarray(np.linalg.pinv(square / np.outer(scale, scale), rcond=1e-12) / np.outer(scale, scale))
 
@@ -641,7 +647,7 @@ def _inverse(square: Array) -> Array:
 def _beads(
     model: BeadModel, fit: Evaluated, inverse: Array, used: list[bool], recorded: list[Counts], noise: Noise
 ) -> tuple[FittedBead, ...]:
-    """Return the fit of each bead; of beads left out, with all shared parameters fixed."""
+    """Return the estimates of all beads; those left out of the fit are fitted with all common parameters fixed."""
     found, k, setup = [], len(model.names), fit.state.setup
     names = ["z" if name == "focus" else name for name in model.own]
     for j, stack in enumerate(model.stacks):
@@ -655,12 +661,12 @@ def _beads(
             at = [*range(k), *model.columns(t, k)]
             whole, carried = inverse[np.ix_(at, at)], part.carried
             errors = dict(zip(names, np.sqrt(np.diag(whole)[k:]).tolist(), strict=True))
-            # In metres of the stage: the focus moves by `step` times as much.
+            # Convert to metres of the stage: the focus moves by `step` metres per metre of the stage.
             errors["z"] /= setup.step
-            # Own scatter of the light, and the part that the uncertain parameters carry into it.
+            # Covariance of flux and background: from their own noise, and from uncertain parameters.
             scatter = np.diagonal(part.scatter + carried.swapaxes(1, 2) @ whole @ carried, axis1=1, axis2=2)
-            alike = carried.mean(axis=0)  # all planes depend on the same parameters
-            mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(alike.T @ whole @ alike)
+            common = carried.mean(axis=0)  # errors of parameters are the same in all planes, and do not average out
+            mean = np.diag(part.scatter.mean(axis=0)) / len(scatter) + np.diag(common.T @ whole @ common)
             errors |= dict(zip(("flux", "background"), (noise.excess * np.sqrt(mean)).tolist(), strict=True))
         mean, row = expected(light, image), part.slope.shape[1] - len(model.own)
         counted, read, valid = stack.planes

@@ -1,4 +1,8 @@
-"""Checks of the localisations of a movie: noise, background, wavefront, other tables, crowds, recurring spots."""
+"""Checks of the localisations of a movie: noise, background, wavefront, other tables, crowds, recurring spots.
+
+A table has the PSF as a function of z and position. `along` is the axis of z: the stage, the depth, or "none". The
+discrepancy of a molecule is the excess of chi2 of its fit, in standard deviations.
+"""
 
 from __future__ import annotations
 
@@ -32,29 +36,29 @@ from lommel.recorded.noise import Noise
 from lommel.special import zernike
 
 TILTED = 5.0
-"""Standard deviations, from which on backgrounds are tilted."""
-_MOLECULES = 1000  # molecules that noise, sign and background are tested with
-_LEAST_FRAMES, _OFTEN = 20, 0.3  # frames of a movie, and their share in which a spot recurs
-_WIDEST, _PER_UNIT = 50, 100  # of the histogram of discrepancies: largest one, and bins per unit
-_FINE = 0.1  # of Nyquist's pixel: a smaller one is probably not divided by the magnification
-_DARK = 0.75  # share of counts below the offset: half of them where there is no light
-_DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancies; smaller ones come from imperfections of every PSF
-_BY_CHANCE, _CROWDED = 0.01, 0.05  # shares of doubtful molecules: by chance, and in a crowd
-_MANY = 0.1  # share of the spots at an end of the range of z
-_LEAST_TRIED = 10  # molecules, so that the spread is known
-_DEEPER = 0.4e-6  # metres, change of the depth in focus that is tried
-# What the images may show beside the table: Zernike terms, of so many radians rms, and constants that are off by so
-# much; and how many molecules are looked at for them.
+"""Significance, in standard deviations, above which backgrounds count as tilted."""
+_MOLECULES = 1000  # number of molecules for the tests of noise, background and other tables
+_MIN_FRAMES, _RECURRING = 20, 0.3  # shortest movie for the test of recurring spots; fraction of frames with the spot
+_WIDEST, _PER_UNIT = 50, 100  # histogram of discrepancies: largest value, and number of bins per unit
+_FINE = 0.1  # smallest plausible pixel divided by Nyquist's: a smaller one was divided by the magnification twice
+_DARK = 0.75  # largest fraction of counts below the offset: without light it is one half
+_DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancy of a doubt and of an error; no PSF is perfect
+_BY_CHANCE, _CROWDED = 0.01, 0.05  # fractions of doubtful molecules: largest due to chance; limit of a doubt
+_MANY = 0.1  # largest fraction of spots at an end of the range of z
+_MIN_COMPARED = 10  # smallest number of molecules that yields the spread of the gain
+_DEEPER = 0.4e-6  # change of the depth in focus for another table, metres
+# Changes of the images that are tested: Zernike terms of expected size _TERM (radians rms), and errors of constants,
+# with their expected sizes; _TESTED is the number of molecules for these tests.
 _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
-_TERM, _LOOKED = 0.1, 300
+_TERM, _TESTED = 0.1, 300
 _CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "wavelength": 0.02}
 _UNITS = {"depth": " m", "wavelength": " of it"}
-_STEP, _STATED = 0.05, 0.5  # of these sizes: steps of differences, and errors of what is stated that are spoken of
+_STEP, _STATED = 0.05, 0.5  # fractions of these sizes: step of differences; largest error of a constant in a message
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
-_TURN, _PARTS = 1.0, 3  # radians between planes of these images, and samples along a side of a pixel
-_BETTER = 1.5  # gain of terms over that of other tables from which on terms alone are reported
-_BIASED = 0.5  # rms bias of estimates, in standard errors, from which on they are in doubt
-# What no image of a molecule tells, or that of no single one.
+_TURN, _SUBPIXELS = 1.0, 3  # phase between neighbouring planes of these images, radians; samples per side of a pixel
+_MIN_GAIN_RATIO = 1.5  # gain of changes divided by gain of other tables, above which only changes are reported
+_BIASED = 0.5  # rms bias of estimates, in standard errors, from which on estimates are in doubt
+# Effects that images of single molecules do not reveal.
 _UNTESTED = (
     "light that is uneven across the pupil, or clipped on one side (moves molecules sideways in proportion to z)",
     "molecules that do not turn freely, or move while they shine",
@@ -64,21 +68,21 @@ _LIKELIER = 10.0  # smallest difference of log-likelihoods that is reported
 
 
 class Checks:
-    """Checks on blocks of frames, one after the other."""
+    """Checks of successive blocks of frames; `refit` fits boxes with another table."""
 
-    def __init__(self, recording: Recording, table: Table, again: partial[Molecules], background: str) -> None:
-        self._recording, self._table, self._again, self._background = recording, table, again, background
-        self._noise: Noise = again.keywords["noise"]
+    def __init__(self, recording: Recording, table: Table, refit: partial[Molecules], background: str) -> None:
+        self._recording, self._table, self._refit, self._background = recording, table, refit, background
+        self._noise: Noise = refit.keywords["noise"]
         self._once: dict[str, Finding] = {}
         self._counts = np.zeros((recording.rows, recording.columns), np.int64)
         self._sums = dict.fromkeys(("spots", "saturated", "left_out", "ends", "doubtful"), 0)
         self._discrepancies = np.zeros(2 * _WIDEST * _PER_UNIT + 1, np.int64)
         self._residuals: list[tuple[Array, ...]] = []
         self._excess: list[Finding] = []
-        self._rivals = {} if recording.along == "none" else rivals(table, again.keywords["threads"])
+        self._rivals = {} if recording.along == "none" else rivals(table, refit.keywords["threads"])
         self._gains: dict[str, list[float]] = {name: [] for name in self._rivals}
-        self._tried = 0
-        self._changes = TableTest(table, again.keywords["threads"])
+        self._compared = 0
+        self._changes = TableTest(table, refit.keywords["threads"])
         pupil, pixel = table.pupil, recording.pixel
         if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _FINE > pixel:
             text = (
@@ -98,8 +102,8 @@ class Checks:
         self._once.setdefault(code, Finding(code, severity, text, numbers))
 
     def first(self, counts: Counts) -> None:
-        """Look at the counts of the first block."""
-        # Read noise alone puts half of the counts below the offset.
+        """Check the counts of the first block."""
+        # Without light, read noise puts half of the counts below the offset.
         dark = float(np.mean(counts.values < self._noise.offset))
         if dark > _DARK:
             text = f"{percent(dark)} of the counts of the first frames are below the offset: check `offset`"
@@ -110,9 +114,9 @@ class Checks:
             self._add_once("saturation_assumed", "note", counts.assumed)
 
     def tilt(self, spots: Spots, found: Molecules, *, fitted: bool) -> float:
-        """Test the wavefront of the table and, unless it was `fitted`, the slope of the background, and the noise.
+        """Test the wavefront of the table and, unless slopes of the background were `fitted`, slopes and noise.
 
-        Returns the standard deviations of the slope, 0 where it was fitted.
+        Returns the significance of the slope in standard deviations, 0 if it was fitted.
         """
         if fitted and self._changes.done:
             return 0.0
@@ -129,7 +133,7 @@ class Checks:
             self._excess = excess_test(residual, mean, read).findings(self._noise.excess)
         sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
         if sigmas > TILTED:
-            # Fits count electrons without excess noise.
+            # Fits use electrons divided by the excess noise.
             slope, error = slope * self._noise.excess, error * self._noise.excess
             flat = self._background == "flat"
             text = (
@@ -142,16 +146,16 @@ class Checks:
         return sigmas
 
     def compare(self, spots: Spots, background: str) -> None:
-        """Compare the fits of the first molecules, on a flat or tilted background, with those of other tables."""
-        kept = slice(_MOLECULES - self._tried)
-        if not self._rivals or self._tried >= _MOLECULES or not len(spots):
+        """Compare fits of the first molecules with fits by other tables; `background` is "flat" or "tilted"."""
+        first = slice(_MOLECULES - self._compared)
+        if not self._rivals or self._compared >= _MOLECULES or not len(spots):
             return
-        self._tried += len(spots)
-        again = partial(self._again, images=spots.images[kept], corners=spots.corners[kept], background=background)
-        one = again(self._table)
+        self._compared += len(spots)
+        refit = partial(self._refit, images=spots.images[first], corners=spots.corners[first], background=background)
+        one = refit(self._table)
         for name, table in self._rivals.items():
-            other = again(table)
-            # Crowded molecules tell nothing of the PSF.
+            other = refit(table)
+            # Images of crowded molecules do not test the PSF.
             both = one.converged & other.converged & (np.minimum(one.discrepancy, other.discrepancy) < DOUBTFUL)
             self._gains[name] += (other.log_likelihood - one.log_likelihood)[both].tolist()
 
@@ -169,14 +173,14 @@ class Checks:
 
     @property
     def molecules(self) -> int:
-        """Number of those that converged."""
+        """Number of molecules whose fits converged."""
         return int(self._discrepancies.sum())
 
     @property
     def median(self) -> float:
-        """Median of the discrepancies, but for those that are far above it, as of molecules beside others."""
+        """Median of the discrepancies, without large ones such as those of crowded molecules."""
         sums = np.cumsum(self._discrepancies)
-        # The median of the molecules below the first median plus DOUBTFUL: crowded ones do not shift it.
+        # The median of the discrepancies below the median of all plus DOUBTFUL.
         middle = int(np.searchsorted(sums, 0.5 * self.molecules)) + int(DOUBTFUL * _PER_UNIT)
         middle = int(np.searchsorted(sums, 0.5 * sums[min(middle, sums.size - 1)]))
         return middle / _PER_UNIT - _WIDEST if self.molecules else 0.0
@@ -190,25 +194,25 @@ class Checks:
 
     @property
     def findings(self) -> Findings:
-        """What was found so far."""
-        changes, tables = self._changes, self._of_rivals()
+        """Findings of the blocks checked so far."""
+        changes, tables = self._changes, self._rival_findings()
         gains = (math.fsum(each) / max(len(each), 1) for each in self._gains.values())
-        if changes.gain > _BETTER * max(gains, default=0.0):
-            tables = iter(())  # which look like these changes
-        each = self._excess, tables, changes.findings, self._of_fits(), self._once.values(), self._of_spots()
-        return Findings(chain(*each))
+        if changes.gain > _MIN_GAIN_RATIO * max(gains, default=0.0):
+            tables = iter(())  # the changes explain the gain of other tables
+        of_fits, of_spots = self._fit_findings(), self._spot_findings()
+        return Findings(chain(self._excess, tables, changes.findings, of_fits, self._once.values(), of_spots))
 
-    def _of_rivals(self) -> Iterator[Finding]:
-        """Yield the table with which molecules are far likelier.
+    def _rival_findings(self) -> Iterator[Finding]:
+        """Yield the finding on another table, if molecules are far more likely with it.
 
-        A thousand tell the sign of an astigmatism on the cover glass with 500 photons each: there one molecule alone
-        is likelier with the right sign by 0.1.
+        For molecules of 500 photons on the cover glass, the right sign of an astigmatism increases the log-likelihood
+        by only 0.1 per molecule: a thousand molecules determine the sign.
         """
         likelier: dict[str, tuple[float, int, float]] = {}
         for name, each in self._gains.items():
-            # A sum of n independent gains has the standard deviation sqrt(n) times that of one.
+            # The standard deviation of a sum of n independent gains is sqrt(n) times that of one gain.
             gain, error = math.fsum(each), float(np.std(each or 0.0)) * math.sqrt(len(each))
-            if len(each) >= _LEAST_TRIED and gain > max(_LIKELIER, 4.0 * error):
+            if len(each) >= _MIN_COMPARED and gain > max(_LIKELIER, 4.0 * error):
                 likelier[name] = gain, len(each), error
         if not likelier:
             return
@@ -231,7 +235,7 @@ class Checks:
             )
             yield Finding("other_explanation", "doubt", text, numbers | {"parameter": "depth", "shift": shift})
 
-    def _of_fits(self) -> Iterator[Finding]:
+    def _fit_findings(self) -> Iterator[Finding]:
         sums, n = self._sums, self.molecules
         if not sums["spots"]:
             text = "no spot is above `threshold`: check `offset`, `white` and `read`, or lower it"
@@ -240,7 +244,7 @@ class Checks:
             yield Finding("not_settled", "error", f"none of {sums['spots']} fits converged within the table")
         if not n:
             return
-        # The standard error of the median of n normal deviates: sqrt(pi / (2 n)).
+        # The standard error of the median of n normal deviates is sqrt(pi / (2 n)).
         median, error = self.median, math.sqrt(0.5 * math.pi / n)
         numbers = {"median": median, "error": error}
         text = f"the median discrepancy, {median:.2g}, is not 0 within its error, {error:.1g}: the "
@@ -250,65 +254,68 @@ class Checks:
         elif median < -max(_DISCREPANT, 4.0 * error):
             text += "gain or the offset may be wrong: check `white` and `offset`"
             yield Finding("too_quiet", "doubt", text, numbers)
-        # Doubtful ones by chance, and four standard deviations of their number more.
+        # Report doubtful molecules if their number exceeds the one due to chance by four standard deviations.
         if median < _MISFIT and sums["doubtful"] > 1.0 + _BY_CHANCE * n + 4.0 * math.sqrt(_BY_CHANCE * n):
-            share = sums["doubtful"] / n
+            fraction = sums["doubtful"] / n
             text = (
-                f"{sums['doubtful']} of {n} molecules have images that noise does not explain, as with another "
-                f"molecule within their box: leave out those of a discrepancy of {DOUBTFUL:g} or more"
+                f"{sums['doubtful']} of {n} molecules have images that noise does not explain, for example because "
+                f"of a second molecule in the box: leave out molecules with a discrepancy of {DOUBTFUL:g} or more"
             )
             numbers = {"doubtful": sums["doubtful"], "molecules": n}
-            yield Finding("crowded", "doubt" if share > _CROWDED else "note", text, numbers)
+            yield Finding("crowded", "doubt" if fraction > _CROWDED else "note", text, numbers)
         if self._recording.along != "none":
             untested = self._changes.untested
             stated = [
-                f"{name} ({_shown(name, size)} changes {what} by {by:.2g} standard errors)"
+                f"{name} ({_format_error(name, size)} changes {what} by {by:.2g} standard errors)"
                 for name, (size, what, by) in untested.items()
             ]
             sizes: Json = {name: {"error": size, what: by} for name, (size, what, by) in untested.items()}
             yield Finding("untested", "note", f"not tested: {', '.join((*stated, *_UNTESTED))}", sizes)
 
-    def _of_spots(self) -> Iterator[Finding]:
+    def _spot_findings(self) -> Iterator[Finding]:
         sums = self._sums
         words = {"saturated": "saturated", "left_out": "NaN, infinite or masked"}
         if counts := [f"{sums[name]} {word}" for name, word in words.items() if sums[name]]:
-            text = f"pixels of boxes that do not count: {', '.join(counts)}"
+            text = f"pixels of boxes that were left out: {', '.join(counts)}"
             yield Finding("left_out", "note", text, {name: sums[name] for name in words})
         if places := self._recurring():
             row, column, count = places[0]
             many = "a spot is" if len(places) == 1 else f"{len(places)} spots are"
             text = (
                 f"{many} in the same place in many frames, the first in {count} of {self._recording.frames} at row "
-                f"{row}, column {column}: a bead, or a hot pixel, which `mask`, or a map by `read` with {DEFECT:g} "
-                "electrons there, leaves out"
+                f"{row}, column {column}: a bead, or a hot pixel; to leave it out, use `mask`, or a map `read` with "
+                f"{DEFECT:g} electrons there"
             )
             yield Finding("recurring", "note", text, {"places": places})
         if self._recording.along != "none" and sums["ends"] > _MANY * sums["spots"]:
             ends, spots = sums["ends"], sums["spots"]
-            text = f"{ends} of {spots} spots are at an end of the range of z: a wider one may hold them"
+            text = f"{ends} of {spots} spots are at an end of the range of z: use a wider range"
             yield Finding("z_range", "note", text, {"ends": ends, "spots": spots})
 
     def _recurring(self) -> list[tuple[int, int, int]]:
-        """Return row, column and number of spots within a pixel where they are in many frames, most first."""
-        counts, often = self._counts, _OFTEN * self._recording.frames
-        if self._recording.frames < _LEAST_FRAMES or counts.sum() < often:
+        """Return row, column and number of spots (within a pixel) of recurring spots, the most frequent first."""
+        counts, least = self._counts, _RECURRING * self._recording.frames
+        if self._recording.frames < _MIN_FRAMES or counts.sum() < least:
             return []
-        # Spots of one emitter may fall on neighbouring pixels.
+        # Spots of one emitter may be located on neighbouring pixels.
         near = ndimage.convolve(counts, np.ones((3, 3), np.int64), mode="constant")
-        row, column = np.nonzero((near >= often) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
+        row, column = np.nonzero((near >= least) & (counts == ndimage.maximum_filter(counts, 5)) & (counts > 0))
         order = np.argsort(-near[row, column], kind="stable")
         return [(int(row[k]), int(column[k]), int(near[row[k], column[k]])) for k in order]
 
 
-def _shown(name: str, size: float) -> str:
-    """Return the size of an error of a constant in words."""
+def _format_error(name: str, size: float) -> str:
+    """Return the size of an error of a constant as text."""
     if name == "depth":
         return format_length(size, digits=2)
     return f"{100.0 * size:.2g} % of it" if name == "wavelength" else f"{size:.2g} of it"
 
 
-def _changed(pupil: ObjectivePupil, along: str, name: str, by: float) -> ObjectivePupil:
-    """Return planes of a pupil with another constant; a depth along the stage, along the depth what is in focus."""
+def _change_constant(pupil: ObjectivePupil, along: str, name: str, by: float) -> ObjectivePupil:
+    """Return a pupil with the constant `name` increased by `by` (wavelength: relative).
+
+    "depth" is the depth of the molecules if z is along the stage, and the depth in focus if z is the depth.
+    """
     if name == "wavelength":
         return pupil.in_light(pupil.wavelength * (1.0 + by))
     if name == "depth":
@@ -317,14 +324,14 @@ def _changed(pupil: ObjectivePupil, along: str, name: str, by: float) -> Objecti
 
 
 class ChangeImages:
-    """Changes of the images of a table by Zernike terms, radians rms, and by constants, anywhere in its range.
+    """Derivatives of the images of a table by Zernike terms (radians rms) and constants, in the range of the table.
 
     Attributes
     ----------
     names : list of str
         Labels of the terms, and names of the constants.
     scales : ndarray
-        The size that each may have.
+        Expected size of each term and of the error of each constant.
     """
 
     def __init__(self, table: Table, threads: int | None) -> None:
@@ -332,10 +339,10 @@ class ChangeImages:
         low, high = table.z
         planes = max(4, math.ceil((high - low) * waves.rate / _TURN) + 1)
         self._per_plane = (planes - 1) / (high - low)
-        height, width = (_PARTS * (2 * (side // 2 + math.ceil(table.reach) + 1) + 1) for side in table.shape)
+        height, width = (_SUBPIXELS * (2 * (side // 2 + math.ceil(table.reach) + 1) + 1) for side in table.shape)
         self._middle = height // 2, width // 2
         image = partial(
-            psf, shape=(height, width), pixel=table.pixel / _PARTS, tol=1e-3, integrate=True, threads=threads
+            psf, shape=(height, width), pixel=table.pixel / _SUBPIXELS, tol=1e-3, integrate=True, threads=threads
         )
         pupil = waves.at(np.linspace(low, high, planes))
         stated, slopes = image(pupil).values, image(pupil, derivatives=_TERMS).derivatives
@@ -346,35 +353,36 @@ class ChangeImages:
             if name == "immersion" and layers.immersion == 1.0:
                 continue
             if name in ("immersion", "NA") and layers.NA + 2.0 * step >= layers.immersion:
-                continue  # no such microscope
-            # A step up alone: molecules may be on the glass.
-            changes.append((image(_changed(pupil, table.along, name, step)).values - stated) / step)
+                continue  # NA must be less than the index of the immersion
+            # A forward difference, because the depth of molecules on the cover glass cannot be reduced.
+            changes.append((image(_change_constant(pupil, table.along, name, step)).values - stated) / step)
             self.names.append(name)
             scales.append(size)
         self.scales = np.array(scales)
-        whole = (_PARTS**2 * ndimage.uniform_filter(each, (0, _PARTS, _PARTS)) for each in changes)
+        whole = (_SUBPIXELS**2 * ndimage.uniform_filter(each, (0, _SUBPIXELS, _SUBPIXELS)) for each in changes)
         self._splines = [ndimage.spline_filter(each) for each in whole]
 
     def together(self, sizes: Array) -> ChangeImages:
-        """Return the one change that changes of these sizes make together."""
-        made = copy(self)
-        made._splines = [np.tensordot(sizes, self._splines, 1)]
-        return made
+        """Return a single change, the sum of all changes multiplied by `sizes`."""
+        total = copy(self)
+        total._splines = [np.tensordot(sizes, self._splines, 1)]
+        return total
 
     def __call__(self, row: Array, column: Array, z: Array) -> Array:
-        """Return the changes of molecules at places in their boxes, as of the table, (n, changes, height, width)."""
+        """Return the changes of the images of molecules, (n, changes, height, width); arguments are as of `Table`."""
         height, width = self._table.shape
         at = np.empty((3, len(row), height, width))
         at[0] = ((z - self._table.z[0]) * self._per_plane)[:, None, None]
-        at[1] = self._middle[0] + _PARTS * (np.arange(height) - row[:, None])[:, :, None]
-        at[2] = self._middle[1] + _PARTS * (np.arange(width) - column[:, None])[:, None, :]
+        at[1] = self._middle[0] + _SUBPIXELS * (np.arange(height) - row[:, None])[:, :, None]
+        at[2] = self._middle[1] + _SUBPIXELS * (np.arange(width) - column[:, None])[:, None, :]
         return np.stack([ndimage.map_coordinates(one, at, prefilter=False) for one in self._splines], axis=1)
 
 
 class Score(NamedTuple):
-    """Slopes and information of two ramps and terms beside all unknowns, residuals, and where molecules are.
+    """Score and information of n molecules, with all parameters of the fits eliminated; positions and residuals.
 
-    `bias` is what a term changes row, column, z and photons by, in their standard errors (n, 4, terms).
+    Columns are two ramps of the background, along rows and columns, then the changes of the images. `bias` (n, 4,
+    changes) is the bias of row, column, z and photons due to a unit of each change, in standard errors.
     """
 
     slope: Array
@@ -387,14 +395,15 @@ class Score(NamedTuple):
     read: Array
 
     def beside(self, sizes: Array) -> Score:
-        """Return the score of the ramps alone, with changes of these sizes."""
-        # To first order changes of size s change the slopes by the mixed information times s.
+        """Return the score with the contribution of changes of these `sizes` subtracted."""
+        # To first order the contribution is the information between columns and changes, times the sizes.
         return self._replace(slope=self.slope - self.information[:, :, 2:] @ sizes)
 
     def tilt(self, shape: tuple[int, int]) -> tuple[float, float, float]:
-        """Return how far slopes that flat fits leave out are beyond 0, and the largest and its standard error.
+        """Return the significance of background slopes (standard deviations), the largest slope, and its error.
 
-        All molecules together, and each of 4 x 4 parts of the frame; that which is less by chance.
+        There are two tests: a single slope for all molecules, and one slope for each of 4 x 4 parts of the frame. The
+        result is that of the more significant test.
         """
         place = np.clip((4 * self.row / shape[0]).astype(int), 0, 3) * 4
         place += np.clip((4 * self.column / shape[1]).astype(int), 0, 3)
@@ -405,35 +414,36 @@ class Score(NamedTuple):
             sizes = np.linalg.solve(information, slopes[..., None])[..., 0]
             errors = np.sqrt(np.diagonal(np.linalg.inv(information), axis1=1, axis2=2))
             most = np.unravel_index(np.abs(sizes / errors).argmax(), sizes.shape)
-            # A sum of squares of 2 n normal deviates: chi-squared with 2 n degrees of freedom.
+            # The sum of squares of 2 n normal deviates has a chi-squared distribution with 2 n degrees of freedom.
             chance = float(special.gammaincc(len(chosen), 0.5 * (slopes * sizes).sum()))
             tests.append((chance, abs(float(sizes[most])), float(errors[most])))
         chance, size, error = min(tests)
-        # As standard deviations of a normal deviate, two-sided.
+        # Convert the probability to standard deviations of a normal deviate, two-sided.
         return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
 
 
-def _eliminated(information: Array, slope: Array, count: int) -> tuple[Array, Array, Array]:
-    """Return information and slope of columns with the first `count` eliminated, of each molecule, and their shares.
+def _eliminate(information: Array, slope: Array, count: int) -> tuple[Array, Array, Array]:
+    """Eliminate the first `count` columns of each molecule; return information, slope and regression coefficients.
 
-    Schur's complement; the shares (n, count, columns) are what the first take up of the others.
+    The information is the Schur complement. The coefficients (n, count, columns) are those of the regression of the
+    remaining columns on the eliminated ones.
     """
-    shares = np.asarray(np.linalg.solve(information[:, :count, :count], information[:, :count, count:]), float)
-    left = information[:, count:, count:] - information[:, count:, :count] @ shares
-    return left, slope[:, count:] - np.einsum("nki,nk->ni", shares, slope[:, :count]), shares
+    regression = np.asarray(np.linalg.solve(information[:, :count, :count], information[:, :count, count:]), float)
+    left = information[:, count:, count:] - information[:, count:, :count] @ regression
+    return left, slope[:, count:] - np.einsum("nki,nk->ni", regression, slope[:, :count]), regression
 
 
 def scored(
     spots: Spots, found: Molecules, table: Table, camera: Noise, changes: ChangeImages | None = None
 ) -> Score | None:
-    """Return score tests of background slopes, and of terms, in the boxes of fits, with all unknowns eliminated."""
+    """Return the score of background slopes and of `changes` in the boxes of fits; None if no fit converged."""
     height, width = table.shape
     at = np.column_stack([found.row, found.column]) - spots.corners
     middle = np.array([height // 2, width // 2])
     good = found.converged & (np.abs(at - middle) < table.reach).all(axis=1)
     if not good.any():
         return None
-    # Neighbours look like slopes.
+    # Leave out molecules with neighbours, which look like slopes.
     kept = np.flatnonzero(good & (found.discrepancy < np.median(found.discrepancy[good]) + DOUBTFUL))[:_MOLECULES]
     light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
     places = at[kept, 0], at[kept, 1], found.z[kept]
@@ -448,15 +458,15 @@ def scored(
         columns = np.concatenate([columns, photons[:, None] * changes(*places)], axis=1)
     mean = np.maximum(photons * values + level, 0.01)
     weight = np.where(np.isfinite(light), 1.0 / (mean + read), 0.0)
-    # The score of a Poisson mean: sum of (count - mean) / variance times its derivative.
+    # The score: sum over pixels of (count - mean) / variance * (derivative of the mean).
     score = np.einsum("nkyx,nyx->nk", columns, np.nan_to_num(light - mean) * weight)
     flat = columns.reshape(len(kept), columns.shape[1], -1)
     information = (flat * weight.reshape(len(kept), 1, -1)) @ flat.swapaxes(1, 2)
-    left, slope, taken = _eliminated(information, score, 5)
+    left, slope, regression = _eliminate(information, score, 5)
     errors = [getattr(found.errors, name)[kept] for name in _BIASES]
     errors[2], errors[3] = errors[2] / _MICRON, errors[3] / camera.excess
-    bias = taken[:, :4, 2:] / np.stack(errors, axis=1)[:, :, None]
-    # Fits make residuals smaller; those of images that noise does not explain tell nothing of noise.
+    bias = regression[:, :4, 2:] / np.stack(errors, axis=1)[:, :, None]
+    # Correct residuals for the five fitted parameters.
     pixels = np.isfinite(light).sum(axis=(1, 2))
     residual = (light - mean) * np.sqrt(pixels / np.maximum(pixels - 5, 1))[:, None, None]
     read = np.broadcast_to(read, mean.shape)
@@ -464,37 +474,37 @@ def scored(
 
 
 class TableTest:
-    """Score tests of what the images of the first molecules, whose backgrounds may slope, have beside a table."""
+    """Score tests of changes of a table's images, with the first molecules, whose backgrounds may slope."""
 
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, self._threads = table, threads
         self._square, self._pull, self._bias = np.zeros((0, 0)), np.zeros(0), np.zeros((0, len(_BIASES), 0))
         self._sizes: Array = np.zeros(0)
-        self._together: ChangeImages | None = None
+        self._sum: ChangeImages | None = None
 
     @property
     def done(self) -> bool:
         """Whether enough molecules were tested."""
-        return len(self._bias) >= _LOOKED
+        return len(self._bias) >= _TESTED
 
     @property
     def _images(self) -> ChangeImages:
-        kept = vars(self._table)
-        if "_changes" not in kept:
-            kept["_changes"] = ChangeImages(self._table, self._threads)
-        made: ChangeImages = kept["_changes"]
-        return made
+        cache = vars(self._table)
+        if "_changes" not in cache:
+            cache["_changes"] = ChangeImages(self._table, self._threads)
+        images: ChangeImages = cache["_changes"]
+        return images
 
     @property
     def images(self) -> ChangeImages | None:
-        """Images of the changes; those that were seen in one, or None, once enough molecules were tested."""
-        return self._together if self.done else self._images
+        """Images of the changes; once enough molecules were tested, the sum of significant changes, or None."""
+        return self._sum if self.done else self._images
 
     def add(self, score: Score) -> Array:
-        """Add the molecules of a block; return the sizes of the changes that its score has columns of."""
+        """Add the molecules of a block; return the sizes of the changes in the columns of its score."""
         if self.done:
             return np.ones(score.bias.shape[-1])
-        left, slope, _ = _eliminated(score.information, score.slope, 2)  # of ramps, too
+        left, slope, _ = _eliminate(score.information, score.slope, 2)  # of ramps, too
         square, pull = left.sum(axis=0), slope.sum(axis=0)
         if len(self._bias):
             square, pull = square + self._square, pull + self._pull
@@ -502,45 +512,45 @@ class TableTest:
         else:
             self._bias = score.bias
         self._square, self._pull = square, pull
-        self._sizes = self._seen_sizes()
-        # Blocks that follow need the sum of what was seen.
-        if len(self._bias) >= _LOOKED and self._sizes.any():
-            self._together = self._images.together(self._sizes)
+        self._sizes = self._significant_sizes()
+        # Later blocks use the sum of significant changes.
+        if len(self._bias) >= _TESTED and self._sizes.any():
+            self._sum = self._images.together(self._sizes)
         return self._sizes
 
     def tests(self, beside: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
-        """Tests of all changes, each by itself, `beside` some of them."""
+        """Tests of each change by itself, with the changes of indices `beside` eliminated."""
         if not len(self._bias):
             return ()
         names = enumerate(zip(self._images.names, self._images.scales.tolist(), strict=True))
         each = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in beside]
         return score_tests(self._square, self._pull, beside, each)
 
-    def _seen_sizes(self) -> Array:
-        """Return the sizes of changes that are seen, each beside those that are clearer; 0 of the others."""
+    def _significant_sizes(self) -> Array:
+        """Return the sizes of changes, selected one by one while one is significant; 0 for the other changes."""
         sizes, chosen = np.zeros(len(self._pull)), list[int]()
         while likely := seen(self.tests(chosen)):
             chosen.append(self._images.names.index(likely[0].name))
         if chosen:
-            # Within the sizes that they may have: together they may be nearly alike.
+            # The expected sizes are a prior, because chosen changes may be nearly linearly dependent.
             square = self._square[np.ix_(chosen, chosen)] + np.diag(self._images.scales[chosen] ** -2.0)
             sizes[chosen] = np.linalg.solve(square, self._pull[chosen])
         return sizes
 
     @property
     def gain(self) -> float:
-        """By how much a molecule is likelier with these changes, at first order."""
+        """Mean gain of log-likelihood per molecule due to the significant changes, to second order in their sizes."""
         return 0.5 * float(self._sizes @ self._pull) / max(len(self._bias), 1)
 
     @property
     def findings(self) -> list[Finding]:
-        """The finding of changes that the images have and the table has not."""
+        """The finding on significant changes."""
         likely = seen(self.tests())
         if not likely:
             return []
         first, sizes = self._images.names.index(likely[0].name), self._sizes
         off = np.abs(sizes[first]) * np.sqrt(np.square(self._bias[:, :, first]).mean(axis=0))
-        together = np.sqrt(np.square(self._bias @ sizes).mean(axis=0))
+        total = np.sqrt(np.square(self._bias @ sizes).mean(axis=0))
         words = [
             f"{test.name} {'off by' if test.name in _CONSTANTS else '='} "
             f"{' +- '.join(with_error(test.size[0], test.errors[0]))}{_UNITS.get(test.name, '')}"
@@ -551,17 +561,20 @@ class TableTest:
         worst = _BIASES[int(off.argmax())]
         text = f"{found.text}: this moves {worst} by {off.max():.2g} standard errors rms; fit the pupil to beads"
         numbers = {**found.numbers, "bias": dict(zip(_BIASES, off.tolist(), strict=True))}
-        severity: Severity = "doubt" if max(off.max(), together.max()) >= _BIASED else "note"
+        severity: Severity = "doubt" if max(off.max(), total.max()) >= _BIASED else "note"
         return [Finding(found.code, severity, text, numbers)]
 
     @property
     def untested(self) -> dict[str, tuple[float, str, float]]:
-        """Errors of constants that the molecules do not exclude; what these change, by how many standard errors."""
+        """Errors of constants that the molecules do not exclude: by name, (error, biased estimate, bias).
+
+        The bias is in standard errors of the estimate.
+        """
         errors, found = {test.name: float(test.errors[0]) for test in self.tests()}, {}
         for name, size in _CONSTANTS.items():
             if not len(self._bias) or name not in self._images.names:
                 continue
-            left = min(2.0 * errors.get(name, np.inf), _STATED * size)  # what the molecules do not exclude
+            left = min(2.0 * errors.get(name, np.inf), _STATED * size)
             off = left * np.sqrt(np.square(self._bias[:, :, self._images.names.index(name)]).mean(axis=0))
             if off.max() > _BIASED:
                 found[name] = left, _BIASES[int(off.argmax())], float(off.max())
@@ -569,18 +582,18 @@ class TableTest:
 
 
 def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
-    """Return the tables that a wrong statement would turn this one into, kept with it, by their difference."""
-    kept: dict[str, Table] = vars(table).setdefault("_rivals", {})
-    if not kept:
-        made: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
-        for name, pupil, shift in _others(table.pupil, table):
+    """Return tables for other astigmatism or depth, by the name of the difference; they are cached in `table`."""
+    cache: dict[str, Table] = vars(table).setdefault("_rivals", {})
+    if not cache:
+        same: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}
+        for name, pupil, shift in _other_pupils(table.pupil, table):
             low, high = (max(0.0, end + shift) if shift else end for end in table.z)
-            kept[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **made)
-    return kept
+            cache[name] = Table(pupil, table.shape, table.pixel, z=(low, high), threads=threads, **same)
+    return cache
 
 
-def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
-    """Yield pupils of opposite astigmatism and of other depths in focus, with the shift of the range of z."""
+def _other_pupils(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, ObjectivePupil, float]]:
+    """Yield pupils with opposite astigmatism or another depth in focus: name, pupil, shift of the range of z."""
     wave = pupil.aberrations
     if wave is not None and any(abs(m) == 2 for _, m in wave.amplitudes()):
         # Terms with |m| = 2 are astigmatism of all orders.
@@ -589,7 +602,7 @@ def _others(pupil: ObjectivePupil, table: Table) -> Iterator[tuple[str, Objectiv
     moving = table.along == "depth"
     depth = sum(table.z) / 2.0 if moving else float(pupil.depth)
     for way in (-1.0, 1.0):
-        # Not above the cover glass.
+        # The depth must not become negative.
         shift = max(way * _DEEPER, -depth)
         if abs(shift) >= 0.5 * _DEEPER:
             focus = pupil.focus + brightest(pupil.layers, depth + shift).brightest

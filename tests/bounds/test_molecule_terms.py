@@ -165,7 +165,7 @@ def test_samples_are_as_exact_as_they_are_said_to_be(made):
 
 def test_waves_of_the_depth_are_refused_where_light_could_vanish():
     waves = Waves(OBJECTIVE.pupil(depth=0.2e-6, wavelength=600e-9), "depth")
-    most = waves.most_of_quotients(0.0, 0.4e-6)
+    most = waves.log_bound_of_quotients(0.0, 0.4e-6)
     turned = FADING * 0.2e-6 * np.sinh(ETA) <= 0.5 * math.pi
     np.testing.assert_array_equal(np.isfinite(most), turned)
     assert turned.any()

@@ -376,7 +376,7 @@ def test_channels_that_do_not_match_are_refused(table):
         ValueError, match=re.escape("images must be of as many molecules in each channel, got [2, 1]")
     ):
         fit([table, table], [ONE, ONE[:1]])
-    with pytest.raises(ValueError, match="noise must be one, or one for each of 2 channels, got 3"):
+    with pytest.raises(ValueError, match="noise must be a Noise, or one for each of 2 channels, got 3"):
         fit([table, table], [ONE, ONE], noise=[None] * 3)
     with pytest.raises(ValueError, match="transforms must not map the camera to a line"):
         fit([table, table], [ONE, ONE], transforms=np.zeros((1, 2, 3)))

@@ -20,7 +20,8 @@ from lommel.recorded.noise import Noise
 
 STATES = ("converged", "border", "steps", "undetermined")
 BACKGROUNDS = ("flat", "tilted")
-_SPACING, _PHASE_STEP = 1.15, 0.85  # between templates: in v laterally, and radians of the fastest phase along z
+_SPACING = 1.15  # lateral distance of templates, in v = 2 pi NA r / lambda
+_PHASE_STEP = 0.85  # distance of templates along z, radians of the phase that changes fastest
 _BLOCK = 20000  # molecules fitted in one call
 _MAX_TEMPLATES = 20000
 
@@ -51,25 +52,25 @@ class Molecules:
     row, column : ndarray, shape (n,)
         Position in pixels; 0 is the middle of the first pixel of the box or, with `corners`, of the camera.
     z : ndarray, shape (n,)
-        Metres: stage position at which the table's molecule has this image; with a table along the depth, the depth.
+        Position of the stage, or depth (`Table.along`), at which the table has the image of the molecule, metres.
     photons : ndarray, shape (n,) or (n, channels)
-        Electrons in an infinite window.
+        Electrons of the molecule in an infinite window.
     background : ndarray, shape (n,) or (n, channels)
         Electrons per pixel, at least 0.01.
     errors : MoleculeErrors
-        Standard errors of these estimates by the Cramer-Rao bound.
+        Standard errors of the above estimates by the Cramer-Rao bound.
     log_likelihood : ndarray, shape (n,)
-        Logarithm of the likelihood, less that of a model whose mean equals the counts in every pixel.
+        Log-likelihood, minus the log-likelihood of a model whose mean equals the counts in every pixel.
     discrepancy : ndarray, shape (n,)
-        Pearson's chi2 less its expectation, over its standard deviation: about 0 +- 1 if PSF and noise are correct;
-        large with a second molecule in the box, a wrong PSF or a wrong gain.
+        (Pearson's chi2 - expectation) / standard deviation of chi2: about 0 +- 1 if PSF and noise are correct; large
+        for a second molecule in the box, a wrong PSF or a wrong gain.
     state : ndarray of int, shape (n,)
         Index into ``states``.
     steps : ndarray of int, shape (n,)
         Number of steps of all starts together.
     states : tuple of str
-        "converged"; "border", the estimate is at a limit of the table; "steps", not converged after 50 steps; and
-        "undetermined", too few pixels, no light or no information.
+        "converged"; "border": the estimate is at a limit of the table; "steps": not converged after 50 steps;
+        "undetermined": too few pixels, no light or no information.
     """
 
     row: Array
@@ -113,7 +114,7 @@ class Molecules:
         -------
         Molecules
         """
-        # In the concatenation of both, the replacements follow all molecules.
+        # In the concatenated arrays, the replacements follow all molecules.
         order = np.arange(len(self))
         order[which] = len(self) + np.arange(len(others))
         result: Molecules = _map_arrays(lambda *parts: np.concatenate(parts)[order], self, others)
@@ -152,11 +153,11 @@ def fit(
     Parameters
     ----------
     table : Table or sequence of Table
-        Images of a molecule. Several tables are those of channels in which each molecule is recorded simultaneously,
-        for example two planes (biplane) or colours.
+        Table of the images of a molecule, or one table for each channel of a camera that records every molecule in
+        several channels, such as two planes (biplane) or colours.
     images : array_like, shape (n, height, width)
-        One box for each molecule, in the shape of the table, in electrons or, with `noise`, in the unit of the
-        camera; NaN for pixels to be ignored. For several channels a sequence of such arrays, or an array of shape
+        A box around each molecule, of the shape of the table, in electrons or, with `noise`, in the unit of the
+        camera; NaN for pixels to be ignored. For several channels, a sequence of such arrays, or an array of shape
         (channels, n, height, width).
     noise : Noise or sequence of Noise, optional
         Gain, offset and read noise of the camera, or of the camera of each channel; by default images are in
@@ -167,14 +168,14 @@ def fit(
         of channels other than shifts by whole pixels. Rows and columns of the estimates then count from the first
         pixel of the camera.
     transforms : array_like, shape (channels - 1, 2, 3), optional
-        Matrices that map (row, column, 1) of a molecule on the camera of the first channel to its row and column on
-        that of each other channel, for example from beads recorded in all channels; by default the identity.
+        Matrices that map (row, column, 1) of a molecule on the camera of the first channel to row and column on the
+        camera of each other channel, for example from beads recorded in all channels; by default the identity.
     saturation : float, optional
-        Value from which on pixels are saturated, and ignored, in the unit of `images`. By default the largest value
+        Pixels of this value or more are saturated, and ignored; in the unit of `images`. By default the largest value
         of the integer type or, if many pixels have the largest value of 8 to 16 bits, this value.
     starts : int, default 4
-        Number of starts, in different ranges of z, for a molecule whose first estimate is in doubt: at a limit of the
-        table, or with a discrepancy above 2.5. 1 to 20.
+        Number of starts, in different ranges of z, for a molecule whose first estimate is at a limit of the table or
+        has a discrepancy above 2.5; 1 to 20.
     background : {"flat", "tilted"}, default "flat"
         Background of a box: uniform, or with a slope along rows and one along columns. The two additional parameters
         remove the bias of positions in an uneven background; standard errors are 2 to 4 % larger.
@@ -190,18 +191,18 @@ def fit(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another shape.
+        If an argument is out of range or of the wrong shape.
 
     Notes
     -----
-    The mean of a pixel is ``mu = photons h + background`` with the table's image h. The counts plus ``read**2`` are
-    taken as Poisson-distributed with the mean ``mu + read**2`` (Huang et al. 2013, doi:10.1038/nmeth.2488). Damped
-    Fisher scoring (Smith et al. 2010, doi:10.1038/nmeth.1449) ends when no estimate would move by 0.01 of its
-    standard error. It starts from the most similar of a bank of templates over the whole range of z and up to 1.5
-    pixels off the middle of the box: boxes should be centred on molecules, not on the brightest part of their images.
-    Pixels with negative ``counts + read**2``, for example by a wrong offset, contradict the model and make the
-    `discrepancy` large. Systematic errors due to the table are below 1e-3 of the standard error for 10^4 photons and
-    ``tol=1e-4``. Those of a wrong PSF are not included; test it with beads.
+    The mean of a pixel is ``mu = photons h + background``, where h is the image in the table. ``counts + read**2`` is
+    assumed to have a Poisson distribution of mean ``mu + read**2`` (Huang et al. 2013, doi:10.1038/nmeth.2488).
+    Damped Fisher scoring (Smith et al. 2010, doi:10.1038/nmeth.1449) ends when no estimate would change by 0.01
+    standard errors. The start is the most similar of a set of template images over the whole range of z and up to 1.5
+    pixels off the middle of the box: boxes should be centred on molecules, not on the brightest part of the images.
+    Pixels with negative ``counts + read**2``, for example due to a wrong offset, contradict the model and increase
+    the `discrepancy`. Systematic errors due to the table are below 1e-3 standard errors for 10^4 photons and
+    ``tol=1e-4``. Errors due to a wrong PSF are not included; test the PSF with beads.
 
     Examples
     --------
@@ -212,8 +213,8 @@ def fit(
     >>> pupil = objective.pupil(depth=1e-6, wavelength=600e-9, aberrations=astigmatism)
     >>> table = lm.localize.Table(pupil, shape=15, pixel=6.5e-6, z=(-0.6e-6, 0.6e-6))
     >>> image = 2000 * table(7.3, 6.8, 0.2e-6) + 10
-    >>> found = lm.localize.fit(table, np.random.default_rng(1).poisson(image)[None])
-    >>> abs(found.z[0] - 0.2e-6) < 4 * found.errors.z[0]
+    >>> molecules = lm.localize.fit(table, np.random.default_rng(1).poisson(image)[None])
+    >>> abs(molecules.z[0] - 0.2e-6) < 4 * molecules.errors.z[0]
     np.True_
     """
     validation.integer("starts", starts, least=1, most=20)
@@ -228,7 +229,7 @@ def fit(
     total = len(boxes[0])
     box_corners = _corners(corners, len(boxes), total, several)
     matrices, shifts = _transforms(transforms, len(boxes))
-    # Offsets: position in the box of a channel less its matrix times the position in the box of the first channel.
+    # offset = (position in the box of a channel) - matrix * (position in the box of the first channel)
     differences = np.einsum("cij,nj->cni", matrices.reshape(-1, 2, 2), box_corners[0])
     differences = differences + shifts[:, None] - box_corners
     offsets = np.ascontiguousarray(differences.swapaxes(0, 1))
@@ -248,7 +249,7 @@ def fit(
         if progress is not None:
             progress(min(block.stop, total), total)
     values[:, :2] += box_corners[0]
-    # Photons and background are fitted to electrons over the excess noise factor.
+    # The fit is to electrons divided by the excess noise factor.
     for c, camera in enumerate(cameras):
         for columns in (values, errors):
             columns[:, 3 + per_channel * c : 3 + per_channel * (c + 1)] *= camera.excess
@@ -275,25 +276,25 @@ def _named(estimates: Array, several: bool, per_channel: int) -> dict[str, Any]:
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
     """Return the compiled fitter of these tables with its templates, cached in the first table."""
     if len({(table.z, table.along) for table in tables}) > 1:
-        raise ValueError("table must have channels of one range of z along the same direction")
+        raise ValueError("table must have channels with the same range of z and the same `along`")
     first = tables[0]
     key = (tuple(map(id, tables)), matrices)
     cached = vars(first).get("_fitter")
     if cached is None or cached[0] != key:
         spacing = _SPACING * first.pupil.scale / (math.pi * first.pixel)  # pixels
-        # Molecules are near the middle of their box: templates do not fill the table's lateral range.
+        # Molecules are near the middle of the box: templates need not cover the lateral range of the table.
         most = min(first.reach, max(1.5, spacing))
         sides = np.arange(-math.floor(most / spacing), math.floor(most / spacing) + 1) * spacing
         layers = max(2, math.ceil((first.z[1] - first.z[0]) * first.rate / _PHASE_STEP) + 1)
         if layers * len(sides) ** 2 > _MAX_TEMPLATES:
-            raise ValueError(f"table must span less than {layers} templates along z; make several")
+            raise ValueError(f"table must span less than {layers} templates along z; use several tables")
         heights = (np.arange(layers) + 0.5) * ((first.z[1] - first.z[0]) / layers) + first.z[0]
         z, row, column = np.meshgrid(heights, first.shape[0] // 2 + sides, first.shape[1] // 2 + sides, indexing="ij")
         templates = np.stack([row, column, z], axis=-1).reshape(layers, -1, 3)
         channels = np.frombuffer(matrices).reshape(len(tables), 4)
         cores = [table.core for table in tables]
         fitter = engine.MoleculeFitter(cores, channels, first.limits, 2.5 / first.rate, templates)
-        # The tables are kept, so that their ids are not reused.
+        # The cache also holds the tables, so that Python does not reuse the ids in the key.
         cached = vars(first)["_fitter"] = (key, fitter, tables)
     return cached[1]
 
@@ -320,13 +321,13 @@ def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[V
 
 
 def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, *, placed: bool) -> list[Noise]:
-    """Return the camera of each channel; `placed`: the positions of boxes on it are given."""
+    """Return the camera of each channel; `placed` is True if the positions of boxes on the camera are known."""
     channels = len(tables)
     noises = [noise] * channels if noise is None or isinstance(noise, Noise) else noise
     for channel_noise in noises if isinstance(noises, Sequence) else [noises]:
         validation.optional("noise", channel_noise, Noise)
     if len(noises) != channels:
-        raise ValueError(f"noise must be one, or one for each of {channels} channels, got {len(noises)}")
+        raise ValueError(f"noise must be a Noise, or one for each of {channels} channels, got {len(noises)}")
     cameras = [Noise(read=0.0) if channel_noise is None else channel_noise for channel_noise in noises]
     for camera, table in zip(cameras, tables, strict=True):
         shapes = {getattr(part, "shape", ()) for part in (camera.white, camera.read, camera.offset)} - {()}
@@ -363,9 +364,9 @@ def _transforms(transforms: ArrayLike | None, channels: int) -> tuple[Array, Arr
 
 
 def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
-    """Return boxes in electrons over the excess noise factor, and the read variance of these, as float32.
+    """Return boxes in electrons, divided by the excess noise factor, and their read variance, as float32.
 
-    The variance has the shape of the boxes, or one for all of them, (1, height, width).
+    The variance has the shape of the boxes, or (1, height, width) if it is the same for all of them.
     """
     parts: dict[str, Any] = {"white": camera.white, "read": camera.read, "offset": camera.offset}
     pixels = box_pixels(corners.astype(np.int64), box.shape[1:])
@@ -382,6 +383,6 @@ def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
         light = np.where(parts["read"] < DEFECT, light, np.nan)
     variance = np.asarray(parts["read"] / camera.excess, dtype=np.float64) ** 2
     variance = variance if variance.ndim == 3 else np.broadcast_to(variance, (1, *box.shape[1:]))
-    # Electrons over the excess noise factor are Poisson-distributed (Noise.poisson).
+    # Electrons divided by the excess noise factor have a Poisson distribution (Noise.poisson).
     light = np.ascontiguousarray(light / camera.excess, dtype=np.float32)
     return light, np.ascontiguousarray(variance, dtype=np.float32)

@@ -1,10 +1,11 @@
-"""Tables of the images of a molecule, from which its image anywhere follows in microseconds with a proven error.
+"""Tables of the images of a molecule: interpolation of the image at any position, with a proven error bound.
 
-Along z they hold Chebyshev series in pieces, whose errors are proven from the waves that images are made of. Along
-the stage an image is a sum of waves ``exp(i w z)``, ``abs(w) <= k (n_i - sqrt(n_i^2 - NA^2))``, whose moduli add up
-to at most the light collected; along the depth one of ``exp(i k n_s d (c - c'*))``, over the light there, which falls
-as that beyond the critical angle fades. Both are analytic in ellipses, on which they are bounded: L. N. Trefethen,
-Approximation Theory and Approximation Practice, theorem 8.2.
+Along z a table has piecewise Chebyshev series. As a function of the stage position z an image is a sum of waves
+``exp(i w z)``, ``abs(w) <= k (n_i - sqrt(n_i^2 - NA^2))``, whose moduli add up to at most the collected light. As a
+function of the depth d it is a sum of waves ``exp(i k n_s d (c - c'*))``, divided by the collected light, which
+decreases with d because light beyond the critical angle decays. These functions are analytic and bounded on ellipses
+in the complex plane, which bounds the error of the series: L. N. Trefethen, Approximation Theory and Approximation
+Practice, theorem 8.2.
 """
 
 from __future__ import annotations
@@ -30,22 +31,22 @@ from lommel.psf import psf
 from lommel.special import interpolation
 
 Floats = NDArray[np.float32]
-_LEAST_SIDE, _MOST_SIDE, _MOST_REACH = 5, 64, 16.0
-_BAND = 1.75  # largest band limit of images, radians a sample
-_AT_ONCE = 40000  # samples computed together
-_MOST_BYTES = 1 << 28
+_MIN_SIDE, _MAX_SIDE, _MAX_REACH = 5, 64, 16.0
+_BAND = 1.75  # largest band limit of images, radians per sample
+_BLOCK_SAMPLES = 40000  # number of samples that are computed together
+_MAX_BYTES = 1 << 28
 _EPS = 2.0**-24  # unit roundoff of float32
-# How often each term along z is rounded: stored, times a stored polynomial, and added to all that follow it, the last
-# first. The first polynomial is 1.
-_OF_TERMS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
-# Of the planes that values are computed at, and the pieces of the range.
-_MOST_PLANES, _MOST_PIECES = 400, 200
-_INNER = 24  # Chebyshev points of a piece
-_ETA = np.geomspace(0.02, 6.0, 300)  # tried ellipses: semi-axes cosh and sinh of these
+# Number of roundings of each term of a series along z: when stored, when multiplied by a stored polynomial, and when
+# added to the later terms (the sum starts at the last term). The first polynomial is 1.
+_TERM_ROUNDINGS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
+# Maximum numbers of planes at which images are computed, and of pieces of the range of z.
+_MAX_PLANES, _MAX_PIECES = 400, 200
+_INNER = 24  # number of Chebyshev points of a piece
+_ETA = np.geomspace(0.02, 6.0, 300)  # ellipses of bounds: semi-axes cosh(eta) and sinh(eta) times half the range
 
 
 class Bounds(NamedTuple):
-    """Bounds on an error of images and of their slopes along z, over the collected light."""
+    """Bounds on an error of images (`value`) and of their derivatives along z, relative to the collected light."""
 
     value: float
     slope: float
@@ -53,9 +54,9 @@ class Bounds(NamedTuple):
 
 @dataclass(frozen=True)
 class Waves:
-    """What images of a pupil are made of along "z" or "depth": how large they are away from the real axis.
+    """Waves that images consist of, as functions of "z" or "depth": bounds on intensities in the complex plane.
 
-    Intensities are over the light collected, as of an :class:`ObjectivePupil`.
+    Intensities are relative to the light collected from a molecule at the same depth.
     """
 
     pupil: ObjectivePupil
@@ -63,73 +64,78 @@ class Waves:
 
     def at(self, places: Array) -> ObjectivePupil:
         """Return a stack of the pupil at positions along this axis, metres."""
-        pupil, still = self.pupil, np.zeros(places.shape)
+        pupil, zeros = self.pupil, np.zeros(places.shape)
         if self.along == "depth":
-            return replace(pupil, depth=places, focus=pupil.focus + still, z=pupil.z + still)
-        return replace(pupil, depth=pupil.depth + still, z=places, focus=pupil.focus + (places - pupil.z))
+            return replace(pupil, depth=places, focus=pupil.focus + zeros, z=pupil.z + zeros)
+        return replace(pupil, depth=pupil.depth + zeros, z=places, focus=pupil.focus + (places - pupil.z))
 
     @cached_property
     def rate(self) -> float:
-        """Largest rate of a phase difference, radians a metre."""
+        """Largest rate of change of a phase difference, radians per metre."""
         layers = self.pupil.layers
         index = layers.immersion if self.along == "z" else layers.sample
-        # The phase rates of the extreme rays: along the axis and at the edge of the aperture (or the critical angle).
+        # The extreme rays are those along the axis and at the edge of the aperture (or at the critical angle).
         return layers.wavenumber * (index - math.sqrt(max(0.0, index**2 - layers.NA**2)))
 
     @cached_property
     def fading(self) -> float:
-        """Largest rate at which light fades with the depth, nepers a metre; 0 along z."""
+        """Largest decay rate of intensities with the depth, nepers per metre; 0 along z."""
         layers = self.pupil.layers
         if self.along == "z":
             return 0.0
-        # Beyond the critical angle waves decay with exp(-k sqrt(NA^2 - n_s^2) d); their products twice as fast.
+        # Beyond the critical angle waves decay as exp(-k sqrt(NA^2 - n_s^2) d), and intensities twice as fast.
         return 2.0 * layers.wavenumber * math.sqrt(max(0.0, layers.NA**2 - layers.sample**2))
 
     def light(self, places: Array) -> Array:
-        """Return the collected light at positions, over that far from the glass; 1 along z."""
+        """Return the collected light at positions, relative to that far from the cover glass; 1 along z."""
         if self.fading == 0.0:
             return np.ones(places.shape)
-        shares = self.pupil.light.shares
+        weights = self.pupil.light.shares
         near, far = debye.power(self.pupil.layers, places.ravel(), self.pupil.light.model)
-        return np.asarray((near @ shares) / float(far @ shares)).reshape(places.shape)
+        return np.asarray((near @ weights) / float(far @ weights)).reshape(places.shape)
 
-    def most(self, low: float, high: float) -> Array:
-        """Return the logarithm of the bound of intensities times :meth:`light` on ellipses around `low` to `high`."""
+    def log_bound(self, low: float, high: float) -> Array:
+        """Return the logarithms of bounds on intensity times :meth:`light`, on ellipses around `low` to `high`."""
         half, middle = 0.5 * (high - low), 0.5 * (high + low)
         nearest = middle - half * np.cosh(_ETA)
-        # Above the glass fading light grows.
+        # At negative depths, decaying light increases exponentially.
         above = np.maximum(0.0, -nearest) * self.fading
         return np.asarray(self.rate * half * np.sinh(_ETA) + above + np.log(self.light(np.maximum(0.0, nearest))))
 
-    def most_of_quotients(self, low: float, high: float) -> Array:
-        """Return the logarithm of the bound of intensities there; infinite where light might be 0."""
-        # Where what fades turns by less than a quarter its real part is positive, and light at least what stays.
+    def log_bound_of_quotients(self, low: float, high: float) -> Array:
+        """Return the logarithms of bounds on intensities, on the same ellipses; inf where :meth:`light` may be 0."""
+        # If the phase of decaying light is at most pi / 2, its real part is not negative: the modulus of the light
+        # is at least that of the constant part.
         turned = self.fading * 0.5 * (high - low) * np.sinh(_ETA)
-        return np.asarray(np.where(turned <= 0.5 * math.pi, self.most(low, high), np.inf))
+        return np.asarray(np.where(turned <= 0.5 * math.pi, self.log_bound(low, high), np.inf))
 
     @property
     def steepest(self) -> float:
-        """Bound on the sum of moduli of the derivative, 1 / metre, over the collected light."""
-        # Of waves exp((i a - b) d), and of 1 over the light, which changes by the part that fades.
+        """Bound on the sum of moduli of the derivatives of waves, per metre, relative to the collected light."""
+        # The derivatives are those of waves exp((i a - b) d), and that of 1 / light, which is due to decaying light.
         return (self.rate + self.fading) + self.fading
 
 
 def _tail(most: Array, count: int) -> Bounds:
-    """Return bounds on the sum of Chebyshev coefficients from `count` on, and of slopes over half the length."""
-    # |a_k| <= 2 M exp(-k eta) (Trefethen, theorem 8.1): geometric sums of it, and of k^2 times it for slopes.
+    """Return bounds on the error of a Chebyshev series of `count` terms, and on its derivative times half the range.
+
+    `most` are logarithms of bounds M on the function, for each ellipse of `_ETA`.
+    """
+    # Sums over k >= count of 2 M exp(-k eta), a bound on the coefficients (Trefethen, theorem 8.1), and of k^2 times
+    # this bound for derivatives.
     x = np.exp(-_ETA)
     left = 1.0 - x
-    # 600 keeps the exponential from overflowing; such ellipses are of no use.
+    # The limit of 600 prevents overflow; such ellipses do not yield the smallest bound.
     size = np.exp(np.minimum(most - count * _ETA, 600.0)) * 2.0
     slope = count**2 / left + 2.0 * count * x / left**2 + x * (1.0 + x) / left**3
     return Bounds(float((size / left).min()), float((size * slope).min()))
 
 
 class Pieces(NamedTuple):
-    """Chebyshev series in pieces from values at `places`, whole-range Chebyshev points.
+    """Piecewise Chebyshev series from values at `places`, the Chebyshev points of the whole range.
 
-    Coefficients (pieces, terms) are `matrix` times values, shape (pieces, terms, places); errors of what they are of
-    exact values, and what errors of values grow by in images and slopes.
+    `matrix` (pieces, terms, places) maps values to coefficients (pieces, terms). `error` bounds the error of the
+    series for exact values, and `gain` the factor by which errors of the values are amplified.
     """
 
     places: Array
@@ -139,28 +145,28 @@ class Pieces(NamedTuple):
 
 
 def pieces(waves: Waves, low: float, high: float, error: float) -> Pieces:
-    """Return the fewest pieces with an error of at most `error`; ValueError if too many are needed."""
+    """Return the smallest number of pieces with an error of at most `error`; ValueError if it is too large."""
     terms, length = engine.MoleculeTable.terms, high - low
-    for count in range(1, _MOST_PIECES + 1):
+    for count in range(1, _MAX_PIECES + 1):
         half = 0.5 * length / count
-        # Along the depth light of the first piece fades, and grows above it, most.
-        most = waves.most_of_quotients(low, low + length / count)
+        # Along the depth, decaying light is strongest in the first piece, which has the largest bound.
+        most = waves.log_bound_of_quotients(low, low + length / count)
         local = _tail(most, terms)
-        # The truncated series may take 90 % of the error, what it is interpolated from the rest.
+        # 90 % of the error are for truncation of the series, the remainder for the interpolated values.
         if local.value <= 0.9 * error:
             break
     else:
-        raise ValueError(f"z must span less: {length:.3g} m take more than {_MOST_PIECES} pieces")
-    whole = waves.most(low, high)
-    for planes in range(terms, _MOST_PLANES):
+        raise ValueError(f"z must span less: {length:.3g} m take more than {_MAX_PIECES} pieces")
+    whole = waves.log_bound(low, high)
+    for planes in range(terms, _MAX_PLANES):
         if (first := 2.0 * _tail(whole, planes).value) * terms * 2.0 <= 0.05 * error:
             break
     else:
-        raise ValueError(f"z must span less: {length:.3g} m take more than {_MOST_PLANES} planes")
-    # Coefficients of what the interpolating polynomial is off by are at most twice that, light being at least 1.
+        raise ValueError(f"z must span less: {length:.3g} m take more than {_MAX_PLANES} planes")
+    # A coefficient of the error of the interpolating polynomial is at most twice this error, because light >= 1.
     through = first * 2.0 + _tail(most, _INNER).value
     value = local.value + through * terms
-    # |T_k'| <= k^2 on the interval (Markov), over half the length of a piece.
+    # Derivatives of Chebyshev polynomials are at most k^2 (Markov), divided by half the length of a piece.
     slope = local.slope / half + through * sum(k * k for k in range(terms)) / half
     matrix = _matrix(waves, low, high, planes, count)
     return Pieces(_nodes(planes, low, high), matrix, Bounds(value, slope), _gains(matrix, half))
@@ -181,33 +187,33 @@ def _series(count: int) -> Array:
 
 
 def _matrix(waves: Waves, low: float, high: float, planes: int, pieces: int) -> Array:
-    """Return the matrix from values at the planes to coefficients of the pieces, through one polynomial."""
+    """Return the matrix from values at the planes to coefficients of the pieces, by one polynomial for all planes."""
     vander, whole = np.polynomial.chebyshev.chebvander, _series(planes)
     cut = _series(_INNER)[: engine.MoleculeTable.terms]
     length = (high - low) / pieces
-    made = []
+    matrices = []
     for k in range(pieces):
         inner = _nodes(_INNER, low + k * length, low + (k + 1) * length)
         x = (2.0 * inner - (low + high)) / (high - low)
-        made.append((cut / waves.light(inner)) @ vander(x, planes - 1) @ whole)
-    # The polynomial is that of intensity times light, which is entire along the depth, too.
-    return np.stack(made) * waves.light(_nodes(planes, low, high))
+        matrices.append((cut / waves.light(inner)) @ vander(x, planes - 1) @ whole)
+    # The polynomial interpolates the product of intensity and light, which is an entire function of the depth.
+    return np.stack(matrices) * waves.light(_nodes(planes, low, high))
 
 
 def _gains(matrix: Array, half: float) -> Bounds:
-    """Return the largest sums of absolute weights of the values, from polynomials at four times as many points."""
+    """Return bounds on sums of absolute weights of the values, from evaluation at 8 points per term."""
     terms = matrix.shape[1]
     x = _nodes(8 * terms, -1.0, 1.0)
     values = np.polynomial.chebyshev.chebvander(x, terms - 1)
     slopes = np.polynomial.chebyshev.chebval(x, np.polynomial.chebyshev.chebder(np.eye(terms), axis=1).T).T
-    # Ehlich and Zeller: the largest value between 8 n points is at most that at them over cos(pi / 16).
+    # Ehlich and Zeller: between 8 n points, the maximum is at most that at the points divided by cos(pi / 16).
     between = 1.0 / math.cos(math.pi / 16.0)
     value, slope = (between * float(np.abs(at @ matrix).sum(axis=2).max()) for at in (values, slopes))
     return Bounds(value, slope / half)
 
 
 class _Sampling(NamedTuple):
-    """Sampling: waves along z, taps along rows and columns, planes, v of a pixel, samples in a pixel."""
+    """Sampling of images: `step` is the pixel pitch in v = 2 pi NA r / lambda, `per` the number of samples in it."""
 
     waves: Waves
     taps: interpolation.FilteredTaps
@@ -217,58 +223,59 @@ class _Sampling(NamedTuple):
 
 
 class Table:
-    """Images of a molecule by a microscope objective, for any place in a range, with their slopes.
+    """Images of a molecule at any position in a range, with derivatives, for :func:`lommel.localize.fit`.
 
-    Interpolates samples of the PSF, filtered so that pixels are averages over their area: 15 x 15 pixels with slopes
-    by row, column and z take about two microseconds. For :func:`lommel.localize.fit`.
+    Images are pixel-integrated, and interpolated from filtered samples of the PSF. An image of 15 x 15 pixels with
+    derivatives with respect to row, column and z takes about two microseconds.
 
     Parameters
     ----------
     pupil : ObjectivePupil
-        Of one plane, by :meth:`lommel.Objective.pupil`, aberrations and orientation of the emitter included.
+        Pupil of a single plane, by :meth:`lommel.Objective.pupil`, with aberrations and orientation of the emitter.
     shape : int or (int, int), default 15
-        Pixels of an image, 5 to 64 a side: smaller ones do not hold the image of a molecule.
+        Rows and columns of an image, 5 to 64. Smaller windows would be too small for the image of a molecule.
     pixel : float
         Pixel pitch on the camera, metres.
     z : (float, float)
         Range, metres: positions of the stage from the origin of the pupil or, with ``along="depth"``, depths below
-        the glass.
+        the cover glass.
     along : {"z", "depth"}, default "z"
-        What z is: the position of the stage, the emitter's depth fixed; or the depth, the stage fixed.
+        Meaning of z: position of the stage, for a fixed depth of the emitter; or depth, for a fixed stage.
     offset : float, default 0
-        For the second camera of a biplane, metres, up to 10 um either way: the image of a molecule at z is that of
-        the pupil with the stage at ``z + offset``; along the depth, with the stage moved by it.
+        Displacement of the stage, metres, for the second camera of a biplane: the image at z is that with the stage
+        at ``z + offset`` or, along the depth, with the stage displaced by `offset`. -10 um to 10 um.
     reach : float, default 3
-        How far the molecule may be from the middle of pixel ``(height // 2, width // 2)`` along rows and columns,
-        pixels, 0.5 to 16.
+        Largest distance of the molecule from the middle of pixel ``(height // 2, width // 2)`` along rows and
+        columns, pixels, 0.5 to 16.
     tol : float, default 1e-4
-        Tolerance of values, 1e-5 to 0.1, over the largest value of the dimmest plane with the molecule in the middle
-        of a pixel.
+        Tolerance of values, 1e-5 to 0.1, relative to the largest value of the dimmest plane with the molecule in the
+        middle of a pixel.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
 
     Attributes
     ----------
     pupil, shape, pixel, z, along, reach, tol
-        As the arguments; the pupil with the stage moved by the offset.
+        The arguments; `pupil` with the stage displaced by `offset`.
     error_bound : float
-        Proven bound on the error of values, over the same value as `tol`; at most `tol`.
+        Proven bound on the error of values, relative to the same value as `tol`; at most `tol`.
     slope_bounds : dict
-        The same of slopes by "row" and "column", per pixel, and by "z" or "depth", per metre.
+        Proven bounds on the errors of derivatives with respect to "row" and "column", per pixel, and "z" or "depth",
+        per metre; relative to the same value.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if z spans too much, or pixels are larger than lambda*N.
+        If an argument is out of range, the range of z is too large, or pixels are larger than lambda*N.
     ToleranceError
         If `tol` cannot be met.
 
     Notes
     -----
-    Along rows and columns an image has no frequencies beyond twice the aperture: filtered samples, two to four a
-    pixel, are interpolated by a Kaiser-Bessel kernel (J. I. Jackson et al., IEEE Trans. Med. Imaging 10, 473 (1991),
-    doi:10.1109/42.97598), whose error is judged at all frequencies. Along z there are Chebyshev series of 8
-    terms. Values are stored as float32. See docs/certificate.md, section 19.
+    Along rows and columns an image is band-limited to twice the aperture. Filtered samples, two to four per pixel,
+    are interpolated by a Kaiser-Bessel kernel (J. I. Jackson et al., IEEE Trans. Med. Imaging 10, 473 (1991),
+    doi:10.1109/42.97598), whose error is bounded at all frequencies of the band. Along z images are Chebyshev series
+    of 8 terms. Values are stored as float32. See docs/certificate.md, section 19.
 
     Examples
     --------
@@ -294,18 +301,18 @@ class Table:
         tol: float = 1e-4,
         threads: int | None = None,
     ) -> None:
-        moved = validation.real("offset", offset, least=-1e-5, most=1e-5)
+        displacement = validation.real("offset", offset, least=-1e-5, most=1e-5)
         if not isinstance(pupil, ObjectivePupil):
             raise TypeError(f"pupil must be one of an Objective (Objective.pupil), got {validation.shown(pupil)}")
         if pupil.shape or (pupil.aberrations is not None and pupil.aberrations.shape):
             raise ValueError(f"pupil must be of one plane, got a stack of shape {pupil.shape}; z makes the planes")
         side = validation.image_shape(shape)
-        if min(side) < _LEAST_SIDE or max(side) > _MOST_SIDE:
-            raise ValueError(f"shape must be {_LEAST_SIDE} to {_MOST_SIDE} pixels a side, 15 is usual, got {side}")
-        self.pupil, self.shape = replace(pupil, focus=pupil.focus + moved), side
+        if min(side) < _MIN_SIDE or max(side) > _MAX_SIDE:
+            raise ValueError(f"shape must be {_MIN_SIDE} to {_MAX_SIDE} pixels a side, 15 is usual, got {side}")
+        self.pupil, self.shape = replace(pupil, focus=pupil.focus + displacement), side
         self.pixel = validation.pixel(pixel, metric=True)
         self.along = validation.choice("along", along, ("z", "depth"))
-        self.reach = validation.real("reach", reach, least=0.5, most=_MOST_REACH)
+        self.reach = validation.real("reach", reach, least=0.5, most=_MAX_REACH)
         self.tol = validation.real("tol", tol, least=1e-5, most=0.1)
         ends = validation.real_array("z", z)
         if ends.shape != (2,) or not 1e-9 <= ends[1] - ends[0] <= 1e-4:
@@ -316,23 +323,24 @@ class Table:
             raise ValueError(f"z must be depths >= 0 metres with along='depth', got {format_length(low)}")
         self.z = (low, high)
         first, last = ([side // 2 + sign * self.reach for side in self.shape] for sign in (-1.0, 1.0))
-        self.limits = np.array([[*first, low], [*last, high]])  # least and largest row, column and z of places
-        self._make(0 if threads is None else validation.integer("threads", threads, least=1, most=1024))
+        self.limits = np.array([[*first, low], [*last, high]])  # smallest and largest row, column and z
+        self._build(0 if threads is None else validation.integer("threads", threads, least=1, most=1024))
 
-    def _make(self, threads: int) -> None:
+    def _build(self, threads: int) -> None:
         waves, step = Waves(self.pupil, self.along), Grid(self.shape, self.pixel).step(self.pupil)
-        self.rate = waves.rate  # radians per metre: the fastest change along z of what images are made of
-        # Images have twice the band of the field.
+        self.rate = waves.rate
+        # The band limit of images is twice that of the field.
         per = max(2, math.ceil(2.0 * step / _BAND))
         if per > 4:
             most = 3.5 * self.pixel / step
             raise ValueError(f"pixel must be at most {most:.3g} m with this pupil, got {self.pixel:g}")
         self._render = partial(psf, normalize="strehl", threads=threads or None)
         rough = self._render(waves.at(np.linspace(*self.z, 9)), self.shape, self.pixel, tol=1e-2, integrate=True)
-        # About the largest average of the dimmest plane, over the light collected as intensities are.
+        # Estimate of the largest value of the dimmest plane, relative to the collected light.
         peak, before = 0.95 * float(rough.values.max(axis=(1, 2)).min()), math.inf
         while True:
-            # Shares of the kernel twice, of the planes, and of samples; what is stored has the rest.
+            # Parts of the tolerance: 0.2 for the kernel along each axis, 0.15 for the series along z, 0.3 for the
+            # samples, the remainder for rounding.
             allowed = self.tol * peak
             try:
                 taps = interpolation.filtered_taps(2.0 * step / per, 0.2 * allowed, per)
@@ -340,27 +348,30 @@ class Table:
             except ValueError as failure:
                 raise ValueError(f"tol={self.tol:g} cannot be met: {failure}") from None
             exact = 0.3 * allowed / (taps.gain**2 * planes.gain.value)
-            made = self._filled(_Sampling(waves, taps, planes, step, per), exact)
+            actual = self._fill(_Sampling(waves, taps, planes, step, per), exact)
             if self.error_bound <= self.tol:
                 return
             if self.error_bound > 0.9 * before:
                 break
             before = self.error_bound
-            # The peak that was aimed at was too high, or rounding took more than its share: the aim becomes smaller.
-            peak = min(0.7 * peak, 0.95 * made * self.tol / self.error_bound)
+            # The estimated peak was too large, or rounding errors were larger than assumed: use a smaller peak.
+            peak = min(0.7 * peak, 0.95 * actual * self.tol / self.error_bound)
         raise not_met(self.tol, self.error_bound, "the largest value of the dimmest plane", "in single precision")
 
-    def _filled(self, sampling: _Sampling, exact: float) -> float:
-        """Compute the coefficients and their bounds; return the peak that these are relative to."""
+    def _fill(self, sampling: _Sampling, exact: float) -> float:
+        """Compute coefficients and error bounds; return the peak to which the bounds are relative.
+
+        `exact` is the largest allowed error of the samples.
+        """
         _, taps, planes, _, per = sampling
         margin = len(taps.filter) - 1
-        # The first row and column that are needed, how many of each, and columns of each phase.
+        # First and last row and column of the samples, numbers of rows and columns, and columns of each phase.
         half, middle = taps.taps.size // 2, [side // 2 for side in self.shape]
         first = [-math.ceil(per * (at + self.reach)) - half for at in middle]
         last = [math.ceil(per * (n - 1 - at + self.reach)) + half for n, at in zip(self.shape, middle, strict=True)]
         rows, columns = (b - a + 1 for a, b in zip(first, last, strict=True))
         wide = math.ceil(columns / per)
-        # Rows of whole vectors of 16 floats.
+        # The length of a row is a multiple of 16 floats, a vector.
         wide += -wide % (16 // math.gcd(16, per))
         shape, center = (rows + 2 * margin, columns + 2 * margin), (margin - first[0], margin - first[1])
         samples, error = self._samples(sampling, shape, center, exact)
@@ -368,14 +379,14 @@ class Table:
         filtered = ndimage.correlate1d(ndimage.correlate1d(samples, whole, axis=1), whole, axis=2)
         filtered = filtered[:, margin : margin + rows, margin : margin + columns]
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
-        # A value is the light of a pixel over all that is collected, as of lommel.psf.
+        # A value is the fraction of the collected light in a pixel, like those of lommel.psf.
         light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
-        # Neighbouring samples of a row in different phases, in rows of whole vectors.
+        # Sample k of a row belongs to phase k % per; each phase is stored as rows of its own.
         padded = np.zeros((*series.shape[:2], rows, wide * per), np.float32)
         padded[..., :columns] = light * series
-        if padded.nbytes > _MOST_BYTES:
-            large = f"the table would take {padded.nbytes} bytes"
-            raise ValueError(f"z must span less, or shape and reach be smaller: {large}")
+        if padded.nbytes > _MAX_BYTES:
+            size = f"the table would take {padded.nbytes} bytes"
+            raise ValueError(f"z must span less, or shape and reach be smaller: {size}")
         phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
         flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
         self._parts: dict[str, Any] = {
@@ -387,48 +398,52 @@ class Table:
         self.core = engine.MoleculeTable(**self._parts)
         sizes = np.abs(series)
         largest = float(sizes.sum(axis=1).max())
-        summed = float(np.einsum("k,pkyx->pyx", _OF_TERMS, sizes).max())
+        summed = float(np.einsum("k,pkyx->pyx", _TERM_ROUNDINGS, sizes).max())
         return self._bound(sampling, error, (largest, summed), light)
 
     def _samples(
         self, sampling: _Sampling, shape: tuple[int, int], center: tuple[int, int], exact: float
     ) -> tuple[Array, float]:
-        """Return samples over the light collected, (planes, rows, columns), and a bound on their errors.
+        """Return samples relative to the collected light, (planes, rows, columns), and a bound on their errors.
 
-        `center` is that of the molecule.
+        `center` is the row and column of the molecule, and `exact` the largest allowed bound.
         """
         places, pixel = sampling.planes.places, self.pixel / sampling.per
-        pupil, at_once = sampling.waves.at(places), max(1, _AT_ONCE // (shape[0] * shape[1]))
+        pupil, block = sampling.waves.at(places), max(1, _BLOCK_SAMPLES // (shape[0] * shape[1]))
         render = partial(self._render, center=tuple(map(float, center)), integrate=False, dtype=np.float64)
         values, error = np.empty((len(places), *shape)), 0.0
-        for k in range(0, len(places), at_once):
+        for k in range(0, len(places), block):
             tol = 1e-3
             while True:
-                made = render(pupil[k : k + at_once], shape, pixel, tol=tol)
-                assert made.error_bound is not None
-                # The bound is over the exact peak, which may be less than the computed one by the error itself.
-                off = made.error_bound * float(made.values.max()) / (1.0 - made.error_bound)
+                images = render(pupil[k : k + block], shape, pixel, tol=tol)
+                assert images.error_bound is not None
+                # The error bound is relative to the exact peak, at least (1 - error_bound) times the computed peak:
+                # the division is on the safe side.
+                off = images.error_bound * float(images.values.max()) / (1.0 - images.error_bound)
                 if off <= exact:
                     break
                 if tol <= 1e-12:
                     raise not_met(self.tol, off / exact * self.tol, "the largest value of the dimmest plane")
-                # Errors go about with the tolerance; at least a factor of two each time.
+                # Errors are about proportional to the tolerance, which decreases by a factor of two or more.
                 tol = max(1e-12, min(0.5 * tol, 0.8 * tol * exact / off))
-            values[k : k + at_once], error = made.values, max(error, off)
+            values[k : k + block], error = images.values, max(error, off)
         return values, error
 
     def _bound(self, sampling: _Sampling, error: float, sizes: tuple[float, float], light: float) -> float:
-        """Set the bounds; return the peak that they are relative to."""
-        # docs/certificate.md, section 19. Intensities are over the light collected: all moduli add up to at most 1.
+        """Set the error bounds; return the peak to which they are relative.
+
+        `error` is that of the samples, `sizes` are sums of moduli of coefficients; `light` converts intensities.
+        """
+        # See docs/certificate.md, section 19. The moduli of waves add up to at most 1, the collected light.
         waves, taps, planes, step, per = sampling
         band, both = 2.0 * step / per, taps.gain**2
-        # Taps along rows and along columns: (1 + e)^2 - 1.
+        # Relative error e of the taps along rows and along columns: (1 + e)^2 - 1 in total.
         kernel = (1.0 + taps.error) ** 2 - 1.0
         size, sums, moves = taps.taps.size, taps.taps.gain, taps.taps.slope_gain
         terms = engine.MoleculeTable.terms
         largest, summed = sizes
         rounding = _EPS * (2 * size + terms + 8) * largest * sums
-        # Of values each term counts as often as it is rounded: the middle taps, which are the largest, half as often.
+        # In values, each term is weighted with its number of roundings: fewest for the largest, middle taps.
         often = taps.taps.weighted(2.0 + size - np.maximum(np.arange(size), 1))
         rounded = 1.001 * _EPS * sums * (sums * summed + 2.0 * often * largest)
         half = 0.5 * (self.z[1] - self.z[0]) / len(planes.matrix)
@@ -438,7 +453,7 @@ class Table:
         lateral = per * (moved + across + rounding * moves)
         steep = waves.steepest * kernel + both * (planes.error.slope + planes.gain.slope * error)
         steep += rounding * sums * (terms - 1) ** 2 / half
-        # The dimmest of many planes, the molecule in the middle of a pixel.
+        # Peak of the dimmest of many planes, with the molecule in the middle of a pixel.
         row, column = (side // 2 for side in self.shape)
         images = np.asarray(self(row, column, np.linspace(*self.z, 4 * terms * len(planes.matrix) + 1)))
         peak = float(images.max(axis=(1, 2)).min()) / light - value
@@ -452,40 +467,40 @@ class Table:
     def __call__(
         self, row: ArrayLike, column: ArrayLike, z: ArrayLike, *, derivatives: bool = False
     ) -> Floats | tuple[Floats, dict[str, Floats]]:
-        """Return images of molecules at places.
+        """Return the images of molecules.
 
         Parameters
         ----------
         row, column : array_like
-            Of the molecule, pixels, 0 being the middle of the first pixel, as `center` of :func:`lommel.psf`.
+            Position of the molecule, pixels; 0 is the middle of the first pixel, like `center` of :func:`lommel.psf`.
         z : array_like
-            Metres: position of the stage, or depth. All three broadcast.
+            Position of the stage, or depth, metres. Arrays `row`, `column` and `z` broadcast.
         derivatives : bool, default False
-            Whether to return derivatives, too.
+            Return derivatives, too.
 
         Returns
         -------
         values : ndarray of float32, shape ``(..., height, width)``
-            The fraction of the collected light in each pixel, as of :func:`lommel.psf` with ``normalize="energy"``.
+            The fraction of the collected light in each pixel, like :func:`lommel.psf` with ``normalize="energy"``.
         slopes : dict of ndarray
-            With `derivatives`: those by "row" and "column", per pixel, and by "z" or "depth", per metre.
+            Only with `derivatives`: those by "row" and "column", per pixel, and by "z" or "depth", per metre.
 
         Raises
         ------
         TypeError, ValueError
-            If a place is not within the table.
+            If a position is outside the range of the table.
         """
         names, limits = ("row", "column", "z"), self.limits
-        given = [validation.real_array(name, part) for name, part in zip(names, (row, column, z), strict=True)]
-        for name, part, low, high in zip(names, given, *limits, strict=True):
+        arrays = [validation.real_array(name, part) for name, part in zip(names, (row, column, z), strict=True)]
+        for name, part, low, high in zip(names, arrays, *limits, strict=True):
             if part.size and not low <= part.min() <= part.max() <= high:
                 at = part.min() if part.min() < low else part.max()
                 raise ValueError(f"{name} must be {low:g} to {high:g} with this table, got {at:g}")
         validation.truth("derivatives", derivatives)
-        parts = validation.broadcast("row, column and z", *given)
+        parts = validation.broadcast("row, column and z", *arrays)
         places = np.stack([part.ravel() for part in parts], axis=-1).reshape(-1, 3)
-        made = self.core.images(np.ascontiguousarray(places), 0)
-        values, *slopes = (made[:, k].reshape(*parts[0].shape, *self.shape) for k in range(4))
+        images = self.core.images(np.ascontiguousarray(places), 0)
+        values, *slopes = (images[:, k].reshape(*parts[0].shape, *self.shape) for k in range(4))
         return (values, dict(zip(("row", "column", self.along), slopes, strict=True))) if derivatives else values
 
     def __repr__(self) -> str:

@@ -37,14 +37,14 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_SPREAD = 1.5  # radians rms of random starts
-_AT_ONCE = 2  # random starts computed in one stack
-# Starts that agree before the lowest minimum so far counts as the lowest: in 54 simulated sets of images (0.7 to
-# 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, none of the others ended lower.
+_SPREAD = 1.5  # size of random starts, radians rms
+_STACK = 2  # number of random starts that are computed in one stack
+# Number of starts that must end at the lowest minimum to end the search: in 54 simulated sets of images (0.7 to
+# 3 rad rms, 500 to 1e5 electrons) in which three of 19 starts agreed, no other start ended at a lower minimum.
 _AGREEING = 3
-_VISIBLE = 5.0  # standard errors of its flux that a visible star exceeds
-_DECIDED = 2.0  # ratio of distances from the given wavefront at which the start decides between twins
-_NORMALIZED = 0.05  # largest difference of the sum of a normalised image from 1
+_VISIBLE = 5.0  # smallest flux of a visible star, in standard errors of the flux
+_DECIDED = 2.0  # smallest ratio of the distances of two twins from the start at which the start selects the nearer
+_NORMALIZED = 0.05  # images whose sums differ from 1 by less count as normalized
 _CAUSES = (
     "pupil (vanes, f-number), pixel, noise or the defocus of an image (unit, order) are wrong, terms are missing, "
     "the images are blurred (blur=True), or all starts converged to local minima"
@@ -55,61 +55,60 @@ _UNITS_PER_IMAGE = {"row": "pixels", "column": "pixels", "flux": "electrons", "b
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Retrieval(FitReport):
-    """Result of a phase retrieval: the answer of :func:`lommel.retrieve`.
+    """Result of a phase retrieval by :func:`lommel.retrieve`.
 
     Attributes
     ----------
     wavefront : Wavefront
-        Estimated terms and the fixed ones of `pupil`, without tilts of images and known defoci.
+        Estimated terms and fixed terms of `pupil`, without tilts of images and known defoci.
     twin : Wavefront or None
-        The wavefront with the even part of its phase negated, where it has the same images (see "sign_open").
+        The wavefront with the even part of the phase negated, if it has the same images (see "sign_open").
     pupil : Pupil
-        With this wavefront, and the estimated f-number, wavelength or obscuration.
+        The pupil with the estimated wavefront, f-number, wavelength and obscuration.
     coefficients : dict of name to float
-        Parameters that all images share: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
+        Parameters common to all images: Zernike terms in radians rms, "defocus" and powers of rho in radians (at the
         given wavelength), "f_number", "obscuration", "wavelength" in metres.
     errors : dict of name to float or ndarray
-        Standard error of each, and, without `blur`, of "flux", "background" and, where estimated, "row", "column",
-        shape (n,); inf where the images do not determine it. See `reliable`.
+        Standard errors of `coefficients`. Without `blur` also those of "flux", "background" and, if estimated, "row"
+        and "column", shape (n,). inf if the images do not determine the parameter. See `reliable`.
     covariance : ndarray, shape (k, k)
-        Of `coefficients`, in their order, the parameters of single images being nuisance parameters.
+        Covariance of `coefficients`, in their order. Parameters of single images are nuisance parameters.
     units : dict of name to str
     chi2 : float
-        Pearson's chi2 per degree of freedom: about 1 where pupil, pixel and noise are right, however few the
-        electrons.
+        Pearson's chi2 per degree of freedom: about 1 if pupil, pixel and noise are right, even for few electrons.
     findings : lommel.fit.Findings
-        What the checks found. Errors: "misfit", "no_light", "not_settled". Doubts: "sign_open" where the even part
-        of the phase may have the other sign, and neither `pupil` nor a known defocus decides; "too_dim" where the
-        errors of the phase of an image exceed 0.25 radians rms, for then other wavefronts may fit as well;
-        "errors_change" where a standard error changes by more than an eighth within one standard deviation;
-        "other_explanation"; "pattern" where residuals have stripes, or rows or columns offsets; "too_quiet".
-        Notes: "undetermined", "rare_chi2", pixels left out or perhaps saturated.
+        Findings of the checks. Errors: "misfit", "no_light", "not_settled". Doubts: "sign_open" (the even part of the
+        phase may have the other sign, and neither `pupil` nor a known defocus decides); "too_dim" (the standard error
+        of the phase of an image is so large that other wavefronts may fit as well); "errors_change" (a standard error
+        changes by more than an eighth within one standard deviation); "other_explanation"; "pattern" (residuals have
+        stripes, or offsets of rows or columns); "too_quiet". Notes: "undetermined", "rare_chi2", pixels left out or
+        perhaps saturated.
     summary : str
         Chi2, and the numbers of steps and starts.
     converged, reliable, status, message
-        The verdict that follows from these, as of :class:`lommel.fit.FitReport`: `converged` without an error,
-        `reliable` without an error or a doubt.
+        The verdict that follows from `findings`, see :class:`lommel.fit.FitReport`: `converged` if there is no error,
+        `reliable` if there is neither an error nor a doubt.
     flux, background : ndarray, shape (n,)
-        Electrons of a star in an infinite window, and electrons a pixel.
+        Electrons of the star in an infinite window, and background in electrons per pixel.
     center : ndarray, shape (n, 2)
-        Row and column of the axis in each image, as of :func:`lommel.psf`.
+        Row and column of the optical axis in each image, like `center` of :func:`lommel.psf`.
     psf : PSF
-        Of the images, a stack (n, height, width); fractions of all light, before `blurs`.
+        PSFs of the images, a stack (n, height, width), without `blurs`; values are fractions of the total light.
     blurs : tuple of tuples of blurs
-        Of each image, as :func:`lommel.psf` takes it; of images that were fitted without, an empty tuple each.
+        Blurs of each image, as arguments of :func:`lommel.psf`; an empty tuple for each image without blur.
     blur_errors : tuple of tuples of float
-        Standard errors of r0 of seeing, or of sigma of jitter, of each; 0 where given.
+        Standard error of r0 or sigma of each blur; 0 for a known blur.
     images, model, residual : ndarray, shape (n, height, width)
-        The images, NaN where left out; the fitted model, in their unit; the difference in standard deviations of the
-        noise.
+        Images, NaN at pixels left out; the fitted model, in the unit of the images; the residual, in standard
+        deviations of the noise.
     steps, starts : int
-        Number of steps of all starts, and of starts.
+        Total number of steps, and number of starts.
 
     Notes
     -----
-    The expectation of chi2 is ``(1 - p / n) sum((mu + read^2) / v)`` over n pixels with mu expected electrons, for p
-    parameters; v is ``mu + read^2``, with at least 0.05 electrons squared of read noise. In simulations chi2 has a
-    mean of 0.96 to 1.02 from 100 electrons an image on.
+    The expectation of Pearson's sum is ``(1 - p / n) sum((mu + read^2) / v)`` for n pixels with mu expected electrons
+    and p parameters, where v is ``mu + read^2``, with at least 0.05 electrons^2 for ``read^2``. In simulations with
+    100 or more electrons per image, the mean of chi2 is 0.96 to 1.02.
     """
 
     wavefront: Wavefront = field(repr=False)
@@ -138,8 +137,8 @@ class Retrieval(FitReport):
         Parameters
         ----------
         unit : str
-            "radians", "waves", "metres" or another length such as "nm", which need the wavelength of the pupil. Of
-            Zernike terms rms, as in `coefficients`.
+            "radians", "waves", "metres" or another length such as "nm". Lengths require the wavelength of the pupil.
+            Zernike terms are rms values, as in `coefficients`.
 
         Returns
         -------
@@ -148,7 +147,7 @@ class Retrieval(FitReport):
         Raises
         ------
         ValueError
-            If there is no such unit, or no wavelength.
+            If `unit` is unknown, or the pupil has no wavelength.
         """
         length = validation.choice("unit", unit, zernike_tables.UNITS) in LENGTHS
         factor = radians_per("metres" if length else unit, self.pupil.wavelength) * LENGTHS.get(unit, 1.0)
@@ -157,14 +156,14 @@ class Retrieval(FitReport):
         return {name: self.coefficients[name] / factor for name in terms}, errors
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write the wavefront as a table of Noll's terms, waves rms, with the standard errors of those estimated.
+        """Write the wavefront as a table of Noll's terms, waves rms, with standard errors of the estimated terms.
 
-        :func:`lommel.load_zernike` reads it; see :func:`lommel.save_zernike`.
+        :func:`lommel.load_zernike` reads the file; see :func:`lommel.save_zernike`.
 
         Parameters
         ----------
         path : path
-            Ending in .json, .toml or .csv.
+            Path of the file, ending in .json, .toml or .csv.
 
         Raises
         ------
@@ -186,7 +185,7 @@ class Retrieval(FitReport):
         Parameters
         ----------
         unit : str
-            Of the coefficients, as of :meth:`in_unit`.
+            Unit of the coefficients, see :meth:`in_unit`.
         names : sequence of str, optional
             Names of the images; by default their numbers.
 
@@ -197,7 +196,7 @@ class Retrieval(FitReport):
         Raises
         ------
         ValueError
-            If there is no such unit, or no wavelength.
+            If `unit` is unknown, or the pupil has no wavelength.
         ImportError
             If matplotlib is not installed.
         """
@@ -235,82 +234,84 @@ def retrieve(
 ) -> Retrieval:
     """Estimate the wavefront of a lens from star images (phase retrieval).
 
-    Several images with known defoci share the wavefront (phase diversity); each has a flux and a background of its
-    own, which are estimated jointly. For the beads of a microscope there is :func:`lommel.fit_beads`.
+    Several images at known defoci have the same wavefront (phase diversity). The wavefront is estimated jointly with
+    the flux and the background of each image. For the beads of a microscope, use :func:`lommel.fit_beads`.
 
     Parameters
     ----------
     images : array_like, shape (height, width) or (n, height, width), or a sequence of (height, width)
-        As recorded, proportional to light but for the offset of `noise`. NaN, infinite and masked values are left
-        out, and in images of integers the largest value of their type.
+        Recorded images, linear in the light, with the gain and offset of `noise`. NaN, infinite and masked values are
+        left out, and so are saturated pixels of integer images.
     pupil : Pupil
-        Aperture, scale and initial wavefront, a single one. Phases of segments and masks are known and fixed.
+        Single pupil (no stack): aperture, scale and initial wavefront. Phases of segments and masks are fixed.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     noise : Noise
         Gain, offset and read noise.
     terms : int or sequence, default 15
-        Terms to estimate. A number: so many Zernike terms from defocus on, Noll's 4, 5, ..., 18. Else pairs (n, m) or
-        names such as "noll 11", "ansi 12", "fringe 9" (radians rms), "defocus" (C_d), "spherical" (C_s), "rho^6",
-        "rho^8" (radians, as of :class:`lommel.Wavefront`). May be empty. Other terms of `pupil` are fixed.
+        Terms to estimate: a number of Zernike terms from defocus on (15: Noll's indices 4 to 18), or a sequence of
+        pairs (n, m) or names such as "noll 11", "ansi 12", "fringe 9" (radians rms), "defocus" (C_d), "spherical"
+        (C_s), "rho^6", "rho^8" (radians, see :class:`lommel.Wavefront`). May be empty. Other terms of `pupil` are
+        fixed.
     defocus : float or array_like, shape (n,), default 0
-        Known additional C_d of each image, radians; positive where the sensor was moved towards the lens. See
+        Known additional defocus C_d of each image, radians; positive if the sensor was moved towards the lens. See
         :attr:`lommel.Wavefront.defocus`.
     also : str or sequence of str, default ("center",)
-        Nuisance parameters: "center" ("row" and "column", one of each image), and, shared by all images, "f_number",
-        "obscuration" and "wavelength" (at fixed path differences) of a lens. Empty where the axis is known to be in
-        the middle of pixel ``(height // 2, width // 2)``.
+        Nuisance parameters: "center" ("row" and "column" of each image) and, common to all images, "f_number",
+        "obscuration" and "wavelength" (at fixed path differences). Pass an empty sequence if the axis is known to be
+        in the middle of pixel ``(height // 2, width // 2)``.
     blur : bool, float, Blur or several, default False
-        Of a star through air, or by vibration and charge diffusion: True estimates seeing and a Gaussian in each
-        image, as :func:`lommel.fit_field` does, whose search it is; a number of pixels, :class:`lommel.Seeing` and
-        isotropic :class:`lommel.Jitter` are known. `also` is then "center", and `starts` and
-        `steps` are left at their defaults.
+        Blur of each image. True: estimate seeing and a Gaussian (vibration, charge diffusion), as
+        :func:`lommel.fit_field` does. A number is the known standard deviation of a Gaussian in pixels. Known
+        isotropic blurs may be given, such as :class:`lommel.Seeing` and :class:`lommel.Jitter`. Unless False, `also`
+        must be "center", and `starts` and `steps` their defaults.
     {options}
 
     Returns
     -------
     Retrieval
-        The best fit; `converged`, `reliable` and `message` say whether it and its standard errors hold.
+        The best fit; check `converged`, `reliable` and `message` before use.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, an image is constant, or too few pixels are left.
+        If an argument is out of range, an image is constant, or too few pixels are valid.
 
     Notes
     -----
     Fisher scoring with the damping of Levenberg and Marquardt maximizes the likelihood of ``y + read^2 ~ Poisson(mu +
-    read^2)`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014), ``mu = flux h + background`` electrons. Restarts
-    follow until chi2 exceeds 1 by no more than three standard deviations, or by no more than six where three starts
-    end at the lowest minimum, within its standard errors. The best fit is accepted up to six.
+    read^2)`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014), ``mu = flux h + background`` electrons. Restarts end
+    when chi2 exceeds 1 by at most three standard deviations, or by at most six if three starts end at the lowest
+    minimum within its standard errors. The best fit is accepted up to six standard deviations.
 
-    Standard errors are the Cramér-Rao bound at the answer, a little wider for what may be there unseen (below). They
-    hold where images are linear in the parameters within
-    their uncertainty: not for dim stars on a background, which other wavefronts may fit at the same chi2. Tested with
-    900 random wavefronts, 0.3 and 0.7 radians rms, 15 terms, in three images of 25 x 25 pixels at C_d -4, 0, 4 with
-    500 to 10^5 electrons each, backgrounds of 0, 5 and 20 a pixel, read noise 2: of 633 reliable fits 4 have a
-    parameter off by more than four standard errors, of the 185 in doubt 31. From 10^4 electrons on none is in
-    doubt. At 3 radians rms a fit may converge to another wavefront altogether.
+    Standard errors are the Cramér-Rao bound at the estimate, increased for undetected effects (below). They hold if
+    images are linear in the parameters within the standard errors. Images of dim stars on a background are not:
+    other wavefronts may have the same chi2. A test had 900 random wavefronts, 0.3 and 0.7 radians rms, 15 terms, in
+    three images of 25 x 25 pixels at C_d -4, 0, 4, with 500 to 10^5 electrons in each image, backgrounds of 0, 5 and
+    20 electrons per pixel, and a read noise of 2 electrons. A parameter was off by more than four standard errors in
+    4 of 633 reliable fits, and in 31 of 185 doubtful fits. With 10^4 electrons or more no fit was doubtful. At
+    3 radians rms a fit may converge to an entirely different wavefront.
 
-    Images at one defocus, through an aperture that looks the same after half a turn, do not change when the even part
-    of the phase changes its sign, ``Phi(x) -> -Phi(-x)``. Phase diversity, several known defoci, removes this
-    ambiguity (Gonsalves 1982, doi:10.1117/12.7972989; Paxman et al. 1992, doi:10.1364/JOSAA.9.001072); without it the
-    answer nearer to `pupil` is given, and where both are as near the one whose first even term is positive.
+    Images at one defocus, through an aperture with two-fold symmetry, do not change if the even part of the phase
+    changes sign, ``Phi(x) -> -Phi(-x)``. Phase diversity (several known defoci) removes this ambiguity (Gonsalves
+    1982, doi:10.1117/12.7972989; Paxman et al. 1992, doi:10.1364/JOSAA.9.001072). Without it, the wavefront nearer to
+    that of `pupil` is returned; at equal distances, the one whose first even term is positive.
 
-    What the model lacks is looked for by score tests (Rao, doi:10.1017/S0305004100023987): further Zernike terms up
-    to two radial orders (spherical ones up to four), zones and ripples finer than these, blur, backgrounds that
-    slope, a gain that is not linear, another f-number, obscuration or amplitude at the edge of the pupil, light that
-    is uneven across it (a slope, two to four folds), an obscuration off the middle, an edge that is not round, scales
-    along x and y that differ, charge that arrives late, terms that change from image to image, defoci longer by a
-    share, of three images and more another defocus of each. Of these, slopes of the background, uneven light (2 % of
-    the amplitude at the edge, 1 % in folds), obscurations off the middle by 0.01 radii, semi-axes of the edge longer
-    and shorter by 0.5 %, scales by 0.3 %, 0.25 % of the charge, zones and ripples of 0.02 radians rms each, f-numbers
-    by 1 %, obscurations by 0.015 and lengths of known defoci by 2.5 %, one standard deviation each, are marginalized:
-    `coefficients` and their errors allow for them; `model` is without. What the images favour within chance (Bayes
-    factors above 1) is marginalized over all the size that its test allows; beyond chance it is named, and the answer
-    is in doubt ("other_explanation"), as it is where residuals have stripes, or rows or columns offsets, that noise
-    leaves in one of 1000 fits ("pattern"). The known defocus of one focus, and an f-number that blur hides, are named
-    with what they change ("untested"). A wrong sign of all known defoci negates the even terms, and nothing tells it.
+    Score tests (Rao, doi:10.1017/S0305004100023987) search for effects that the model lacks: further Zernike terms up
+    to two radial orders (spherical terms: four); finer zones and ripples; blur; sloping backgrounds; nonlinear gain;
+    another f-number, obscuration or amplitude at the pupil edge; uneven pupil illumination (a slope, two to four
+    folds); a decentred obscuration; a non-circular edge; different scales along x and y; charge transfer delay; terms
+    that differ between images; a scale factor of the defoci; for three or more images, another defocus of each image.
+
+    Some effects are always marginalized, so that `coefficients` and `errors` allow for them (`model` does not), with
+    these standard deviations: slopes of the background, uneven illumination (2 % of the amplitude at the edge, 1 % in
+    folds), decentring of the obscuration (0.01 radii), ellipticity of the edge (0.5 %), scales (0.3 %), late charge
+    (0.25 %), zones and ripples (0.02 radians rms each), f-number (1 %), obscuration (0.015), scale of the defoci
+    (2.5 %). Effects favoured by the images but not significant (Bayes factors above 1) are marginalized with the
+    uncertainty of their tests; a significant effect is a doubt ("other_explanation"). Stripes, and offsets of rows or
+    columns, that noise causes in fewer than one of 1000 fits are also doubts ("pattern"). The known defocus of a
+    single focus, and an f-number masked by blur, are reported with the coefficients that they change ("untested"). A
+    wrong sign of all known defoci negates the even terms and cannot be detected.
 
     Examples
     --------
@@ -320,8 +321,8 @@ def retrieve(
     >>> true = lm.Wavefront.zernike({5: 0.4, 8: -0.3}, order="noll")
     >>> defocused = lm.Pupil(true + lm.Wavefront(defocus=[-4.0, 0.0, 4.0]))
     >>> stars = noise.record(1e5 * lm.psf(defocused, shape=33, pixel=0.5).values + 5.0, seed=1)
-    >>> found = lm.retrieve(stars, lm.Pupil(), pixel=0.5, noise=noise, defocus=[-4, 0, 4], terms=["noll 5", "noll 8"])
-    >>> found.converged, abs(found.coefficients["noll 5"] - 0.4) < 0.01
+    >>> fit = lm.retrieve(stars, lm.Pupil(), pixel=0.5, noise=noise, defocus=[-4, 0, 4], terms=["noll 5", "noll 8"])
+    >>> fit.converged, abs(fit.coefficients["noll 5"] - 0.4) < 0.01
     (True, True)
     """
     require_known(retrieve, options, RetrievalKeywords)
@@ -362,16 +363,16 @@ def _search(
     model: StarImages, draw: np.random.Generator, progress: Callable[[float, float], object] | None, *, starts: int,
     steps: int,
 ) -> tuple[Array, Scores, bool, tuple[int, int]]:  # fmt: skip
-    """Return the best minimum (1, p) of so many starts, its scores, whether it settled, and steps and starts taken.
+    """Return the best minimum (1, p) of at most `starts` starts, its scores, if it settled, and steps and starts.
 
-    Starts end once chi2 is one that noise makes, or where three of them agree within their standard errors.
+    The search ends when noise explains chi2, or when three starts agree within their standard errors.
     """
     first = _centroid_starts(model)
     best: Scores | None = None
     lowest, fits, ends = first[:1], False, first[:0]
     tries, taken = 0, 0
     while tries < starts:
-        at_once = 1 if tries == 0 or model.unknowns.pupil else min(_AT_ONCE, starts - tries)
+        at_once = 1 if tries == 0 or model.unknowns.pupil else min(_STACK, starts - tries)
         x = _random_starts(model, first, draw, at_once, tries)
 
         def report(step: int, chi2: float, before: int = tries, at_once: int = at_once) -> None:
@@ -385,17 +386,17 @@ def _search(
                 raise
             tries += at_once
             continue
-        # A start that has not settled is taken only if its chi2 is less than half.
+        # A start that has not settled is preferred only if its chi2 is less than half of the others.
         k = int(np.argmin(np.where(settled, scores.chi2, 2.0 * scores.chi2)))
         if best is None or scores.chi2[k] < best.chi2[0]:
             best, lowest, fits = Scores(*(part[[k]] for part in scores)), model.nearest(x[[k]]), bool(settled[k])
         tries, taken = tries + at_once, taken + steps_taken
         if settled[k] and scores.chi2[k] < goodness_of_fit.most(scores.spread[k], goodness_of_fit.SURE):
             break
-        # Noise alone makes a chi2 beyond SURE now and then; starts that agree within the standard errors settle it.
+        # Noise alone may cause a chi2 beyond SURE: the fit is accepted if starts agree within the standard errors.
         ends = np.concatenate([ends, model.nearest(x[settled])])
         away = ends - lowest
-        # Distance in the metric of the information: less than one standard error.
+        # The distance in the metric of the information is less than one standard error.
         agreeing = np.einsum("si,ij,sj->s", away, best.information[0], away) < 1.0
         if fits and best.chi2[0] < goodness_of_fit.most(best.spread[0]) and agreeing.sum() >= _AGREEING:
             break
@@ -407,13 +408,13 @@ def _supported(pupil: Pupil, unknowns: Unknowns) -> Pupil:
     """Return the pupil if its wavefront can be retrieved; TypeError or ValueError otherwise."""
     if not single(pupil, "shared by all images").circular and "obscuration" in unknowns.pupil:
         raise ValueError(
-            'also must be without "obscuration" where the aperture is not circular or annular: it has no derivatives '
-            "by it; measure the obscuration from an image out of focus"
+            'also must be without "obscuration" where the aperture is not circular or annular: derivatives are not '
+            "available; measure the obscuration from an image out of focus"
         )
     if (pupil.segmented or pupil.phase_mask) and "wavelength" in unknowns.pupil:
         raise ValueError(
-            'also must be without "wavelength" for a pupil with phases of segments or of a mask, which has no '
-            "derivatives by it"
+            'also must be without "wavelength" for a pupil with phases of segments or of a mask: derivatives are not '
+            "available"
         )
     if pupil.wavelength is None and {"f_number", "wavelength"} & {*unknowns.pupil}:
         raise ValueError(f"also must be without {unknowns.pupil[0]} where pupil has no wavelength and f_number")
@@ -434,7 +435,7 @@ def _centroid_starts(model: StarImages) -> Array:
     x = np.zeros((2, model.size))
     x[:, model.waves] = model.start
     for column, name in enumerate(model.unknowns.pupil, model.optics.start):
-        # An obscuration of 0 changes nothing to first order.
+        # The derivative by the obscuration is 0 at 0: the start is 0.1 or more.
         x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
     seen = dict(zip(SHIFTS, model.tilt_of_pixel * centroids(model.star, model.shape).T, strict=True))
     for j, place in enumerate(model.unknowns.places):
@@ -443,7 +444,7 @@ def _centroid_starts(model: StarImages) -> Array:
 
 
 def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, count: int, tries: int) -> Array:
-    """Return `count` starts: the very first as given, the others at random."""
+    """Return `count` starts after `tries` earlier ones; the first of all is `first[0]`, the others are random."""
     x = first[(tries + np.arange(count)) % len(first)].copy()
     k = len(model.unknowns.terms)
     # The first start leaves the symmetric point between two signs, where the slope by even terms is 0.
@@ -451,12 +452,12 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
         scatter = draw.normal(size=(count, k))
         step = np.zeros_like(x)
         step[:, model.waves] = scatter
-        # Scaled to an rms of the phase over the aperture, whatever the terms are.
+        # Scale each start to the same rms phase over the aperture for any set of terms.
         x[:, model.waves] += scatter * ((_SPREAD if tries else 0.3 * _SPREAD) / model.rms(step))[:, None]
     centred = (np.arange(count) + tries) % len(first) == 0
     edge = model.base + (x[centred, model.waves] @ model.directions)[:, None]
     for j, slope in enumerate(model.mean_slopes(edge)):
-        # Aberrations move the centroid: tilts start without that part.
+        # Aberrations shift the centroid: subtract this shift from the tilts.
         model.per_image(x)[centred, j] -= slope
     return x
 
@@ -464,7 +465,7 @@ def _random_starts(model: StarImages, first: Array, draw: np.random.Generator, c
 def _build_retrieval(
     model: StarImages, x: Array, scores: Scores, settled: bool, counts: Counts, noise: Noise, tried: tuple[int, int]
 ) -> Retrieval:
-    """Return the result for parameters `x`, (1, p), of images, after so many steps and starts."""
+    """Return the result for parameters `x`, (1, p); `tried` are the numbers of steps and starts."""
     steps, starts = tried
     psf = model.plan(model.pupils(x[0]))
     mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
@@ -477,7 +478,7 @@ def _build_retrieval(
     likely = model.within(x + np.pad(marginal.shift, (0, model.size - shared)), x)
     optics: dict[str, Any] = model.optics_of(likely)
     per_pixel = model.tilt_of_pixel
-    if "f_number" in optics:  # by which tilts move images farther
+    if "f_number" in optics:  # the shift due to a tilt is proportional to the f-number
         per_pixel /= optics["f_number"] / cast("float", model.pupil.f_number)
     own_errors: dict[Name, Numbers] = dict(
         zip((*unknowns.places, "flux", "background"), errors[model.own].reshape(-1, model.count), strict=True)
@@ -547,7 +548,7 @@ def _build_blurred_retrieval(
     wavefront = found.field.pupil(0.0, 0.0).wavefront
     center, mean = found.stars.centers[0], found.model[0]
     lens = pupil.carrying(wavefront, None)
-    # Tilts move the light to where the stars are.
+    # Tilts shift the PSFs to the positions of the star.
     tilts = np.pi * pixel / pupil.scale * (center - np.array(counts.values.shape[1:]) // 2).T
     at = dict(zip(SHIFTS.values(), tilts, strict=True))
     edge = lens.wavefront + Wavefront.zernike(at, normalization="edge")
@@ -575,7 +576,7 @@ def _build_blurred_retrieval(
 
 
 def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
-    """Return the finding on the image whose star is within the noise."""
+    """Return the finding on the dimmest image, if its flux is within the noise."""
     visible = flux / errors
     k = int(np.argmin(visible))
     text = f"the flux of image {k} is within the noise"
@@ -583,7 +584,7 @@ def _light_findings(flux: Array, errors: Numbers) -> list[Finding]:
 
 
 def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
-    """Return the finding on even terms whose sign the images leave open."""
+    """Return the finding that the images do not determine the sign of the even terms."""
     if not model.sign_ambiguous:
         return []
     start = np.pad(model.start, (0, model.size - len(model.start)))
@@ -591,6 +592,8 @@ def _sign_findings(model: StarImages, x: Array) -> list[Finding]:
     text = "one defocus of all images leaves the common sign of the even terms open"
     numbers = {"rms": near, "rms_of_other": far}
     if far >= _DECIDED * near:
-        text += ": the answer near the given wavefront and defocus was taken"
+        text += ": the wavefront nearer to the given wavefront and defocus was chosen"
         return [Finding("sign_open", "note", text, numbers)]
-    return [Finding("sign_open", "doubt", f"{text}: add a second one, or give a wavefront that is near", numbers)]
+    return [
+        Finding("sign_open", "doubt", f"{text}: add a second defocus, or a pupil with a similar wavefront", numbers)
+    ]

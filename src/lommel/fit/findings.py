@@ -1,4 +1,4 @@
-"""What is to be said of a result: findings, and the verdict that follows from them."""
+"""Findings of the checks of a result, and the verdict that follows from them."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ Severity: TypeAlias = Literal["error", "doubt", "note"]
 CODES: Mapping[str, str] = {
     "another_minimum": "another set of parameters, far from the answer, fits as well",
     "below_offset": "most counts are below the offset that was stated",
-    "blur_shape": "which shape of blur the images follow",
+    "blur_shape": "the most likely shape of the blur",
     "crowded": "many images hold other molecules beside the one that was fitted",
     "errors_change": "a standard error changes within one standard deviation of the answer",
     "excess_noise": "the variance is that of an electron-multiplying camera, whose excess noise was not stated",
     "flat_top": "many pixels have exactly the largest value: they may be saturated",
-    "held_out": "what was left out of the fit does not follow it",
+    "held_out": "data that were held out of the fit are inconsistent with it",
     "hot_pixels": "pixels of the camera are hot: brighter than their neighbours, whatever is in focus",
     "interrupted": "the search was interrupted: steps that were done are kept",
     "left_out": "some sources, windows or pixels were left out",
     "lens_scale": "blurs differ by more, or less, than the lenses state",
     "many_rejected": "many sources do not follow the fit",
     "misfit": "the images differ from the model by more than noise",
-    "model_error": "images of the search are not those that are certified",
-    "moved": "planes are shifted against the others",
+    "model_error": "images of the search differ from images with a proven error bound",
+    "moved": "planes are shifted relative to the other planes",
     "no_depth": "no depth is known: there is no texture, or all of it is out of range",
     "no_light": "the light of a source is within the noise",
     "not_settled": "the steps of the search did not settle",
@@ -43,35 +43,35 @@ CODES: Mapping[str, str] = {
     "saturation_assumed": "values from which on pixels count as saturated were taken from the images",
     "scatter": "values scatter by more than their standard errors",
     "sign_open": "the sign of the even terms is open: another wavefront has the same images",
-    "stated": "what was stated beside the images, and is used as it is",
+    "stated": "a stated value that is used without a test",
     "tilted_background": "the background of images is not flat, but tilted",
     "too_dim": "too little light: images are not linear within the standard errors, and other wavefronts fit as well",
     "too_quiet": "the images are less noisy than gain, offset and read noise state",
     "undetermined": "the images do not determine a parameter",
     "unit_sum": "the images sum to 1, as PSFs do and electrons do not",
-    "untested": "what these images cannot tell",
+    "untested": "values or effects that these images do not test",
     "z_range": "many fits end at a limit of the range of z",
 }
-"""Codes of findings, and what each says."""
+"""Codes of findings, and their meanings."""
 
 _SEVERITIES: tuple[Severity, ...] = get_args(Severity)
 
 
 @dataclass(frozen=True)
 class Finding:
-    """A check of a result that found something.
+    """A finding of a check of a result.
 
     Parameters
     ----------
     code : str
         One of ``lommel.fit.CODES``, such as "misfit".
     severity : {"error", "doubt", "note"}
-        An "error" makes a result one that did not converge, a "doubt" one that is not reliable; a "note" takes
-        nothing back.
+        With an "error" a result did not converge, with a "doubt" it is not reliable; a "note" does not change the
+        verdict.
     text : str
-        What was found, and what to do, in a sentence without capital and period.
+        The finding and advice, in a sentence without initial capital and final period.
     numbers : mapping of str to number or text
-        What the sentence states, such as ``{"chi2": 3.1, "limit": 1.2}``.
+        The numbers in the sentence, such as ``{"chi2": 3.1, "limit": 1.2}``.
 
     Raises
     ------
@@ -93,14 +93,14 @@ class Finding:
         return self.text
 
     def to_dict(self) -> dict[str, Any]:
-        """Return it as plain data.
+        """Return the finding as plain data.
 
         Returns
         -------
         dict
         """
-        found: dict[str, Any] = plain(fields_of(self))
-        return found
+        data: dict[str, Any] = plain(fields_of(self))
+        return data
 
 
 class Findings(tuple[Finding, ...]):
@@ -114,7 +114,7 @@ class Findings(tuple[Finding, ...]):
     __slots__ = ()
 
     def __new__(cls, findings: Iterable[Finding] = ()) -> Findings:
-        """Sort findings by severity; of one severity the order stays."""
+        """Sort findings by severity; findings of the same severity keep their order."""
         return super().__new__(cls, sorted(findings, key=lambda each: _SEVERITIES.index(each.severity)))
 
     @property
@@ -136,16 +136,16 @@ class Findings(tuple[Finding, ...]):
 
     @property
     def codes(self) -> tuple[str, ...]:
-        """The codes, the gravest first."""
+        """The codes, in order of decreasing severity."""
         return tuple(each.code for each in self)
 
     @property
     def text(self) -> str:
-        """All texts, one after the other."""
+        """The texts of all findings, separated by semicolons."""
         return "; ".join(each.text for each in self)
 
     def get(self, code: str) -> Finding | None:
-        """Return the first finding of a code.
+        """Return the first finding with a code.
 
         Parameters
         ----------
@@ -170,7 +170,7 @@ class Judged:
 
     @property
     def reliable(self) -> bool:
-        """Whether no finding is an error or a doubt: what is stated, standard errors too, holds."""
+        """Whether no finding is an error or a doubt: estimates and standard errors are reliable."""
         return self.findings.reliable
 
     @property
@@ -186,14 +186,14 @@ class Judged:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class FitReport(Judged):
-    """What every fit reports: findings, the verdict that follows from them, and plain data.
+    """Base class of the results of fits: findings, the verdict that follows from them, and plain data.
 
     Attributes
     ----------
     findings : Findings
-        What the checks of the fit found; empty where all is well.
+        Findings of the checks of the fit; empty if there are none.
     summary : str
-        Goodness of fit, and the work that was done.
+        Goodness of fit, and numbers such as those of steps.
     """
 
     findings: Findings
@@ -208,12 +208,12 @@ class FitReport(Judged):
         return f"<{type(self).__name__}: {self.message}>"
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the result as plain data, as JSON has it, without images.
+        """Return the result as plain data for JSON, without images.
 
         Returns
         -------
         dict
-            Status, converged, reliable, message, findings, and the numbers of the fit; None where these are not
+            Status, converged, reliable, message, findings, and the numbers of the fit; None for numbers that are not
             finite.
         """
         verdict = {name: getattr(self, name) for name in ("status", "converged", "reliable", "message")}

@@ -1,4 +1,4 @@
-"""Checks of a field fit: what the model of the stars lacks, and slopes of the background."""
+"""Checks of a field fit: effects that the model of the stars lacks, and slopes of the background."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from lommel.estimation.star_readout import OTHER_BLURS
 from lommel.fit.findings import Finding
 from lommel.fit.score_tests import Candidate, Marginal, ScoreTest, marginalized, score_tests, sigmas_of
 
-_DIFFERS = 0.05  # radians rms: expected size of polynomials of higher degree, and of the excess of one part
-_DEGREES = 2  # degrees above that of the fit that are tested
-_NEAR = 0.45  # half fields: radius of a part
+_DIFFERS = 0.05  # expected size of polynomials of higher degree, and of a deviation in one part, radians rms
+_DEGREES = 2  # number of degrees above that of the fit that are tested
+_NEAR = 0.45  # radius of a part of the field, half fields
 _ROWS, _COLUMNS = ("at the top", "in the middle", "at the bottom"), ("left", "", "right")
 _PARTS = [f"{row} {column}".strip() for row in _ROWS for column in _COLUMNS]
 _DOWN, _ACROSS = (np.array([-0.8, 0.0, 0.8])[each] for each in np.divmod(np.arange(9), 3))
-_SURE = 5.0  # standard deviations of slopes from which on backgrounds of windows are tilted
+_SURE = 5.0  # smallest significance of slopes (standard deviations) at which they are estimated
 
 
 def missing_tests(
     model: WholeField, x: Array, places: Array, degree: int
 ) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
-    """Return score tests of what a fit at `x` may lack, the likeliest first, and coefficients that allow for it.
+    """Return score tests of effects that a fit at `x` lacks, the most likely first, and a marginalized correction.
 
-    And the finding of stated numbers that the stars do not test.
+    Also return the findings on stated constants that the stars do not test.
 
-    Further terms, polynomials of higher degrees in `places` (n, 2), parts of the field, light of the pupil and charge
-    where they should not be, other blurs, slopes of the background, and a gain that is not linear. What is no
-    wavefront and too small to be seen moves coefficients all the same: it is marginalized.
+    Effects are further terms, polynomials of higher degrees in `places` (n, 2), deviations in parts of the field,
+    uneven pupil illumination, charge transfer, other blurs, slopes of the background, and a nonlinear gain. Effects
+    other than wavefronts bias the coefficients even if they are not significant: they are marginalized.
     """
     stars, chosen, k, m = model.of, model.chosen, model.waves, model.basis.shape[1]
     values, slopes = model.images(x)
@@ -50,7 +50,7 @@ def missing_tests(
     shared = k + widths + len(images)
     u, v = places[chosen].T
     higher = monomials(u, v, max(_higher(degree)))
-    # Beside polynomials, what differs in one part of the field.
+    # Polynomials, and deviations in one part of the field.
     near = np.exp(-((u[:, None] - _ACROSS) ** 2 + (v[:, None] - _DOWN) ** 2) / _NEAR**2)
     wider = np.concatenate([higher, near], axis=1)
     blocks = Blocks.of_stars(local[:, :, :-1], wider, k, shared, np.zeros(0))
@@ -69,12 +69,12 @@ def missing_tests(
     ]
     missing = star_checks.candidates_of(effects, at)
     tests = score_tests(matrix, right, estimated, [*candidates, *missing])
-    # A blur that is stated is as it is.
+    # A known blur is taken as exact: other blurs are marginalized only if the blur is estimated.
     unseen = star_checks.to_marginalize([*candidates, *missing], tests, BLURS if stars.widths else ())
     marginal = marginalized(matrix, right, estimated, unseen, k * m)
     waves, fit = stars.one.unknowns, (matrix, estimated)
     means = [j * m for j in range(k)]
-    # Stars whose light is not that of the middle of a wide filter have another wavelength, and images in colours.
+    # In a wide filter the mean wavelength differs from star to star, and images are polychromatic.
     spectrum = ("spectrum of the stars within the filter",) if stars.widths and stars.lens.wavelength else ()
     untested = star_checks.untested_constants(stars.lens, stars.known, missing, tests, fit, waves, means, spectrum)
     return tests, marginal, untested
@@ -86,9 +86,9 @@ def _higher(degree: int) -> range:
 
 
 def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, ...]:
-    """Return tests of the wavefront whose even part is negated, as for a pupil turned by half a turn."""
+    """Return the tests of the twin, whose even part is negated and whose pupil is rotated by 180 degrees."""
     even = {label(term) for term in (*unknowns.edge, *next_terms(unknowns.edge, ())) if term[0] % 2 == 0}
-    turned = {SLANT, FOLDS[1], SHIFT}  # light that is odd
+    turned = {SLANT, FOLDS[1], SHIFT}  # odd changes of the illumination
     of_even = tuple(f"{name} " for name in even)
     return tuple(
         replace(test, size=-test.size) if test.name in even | turned or test.name.startswith(of_even) else test
@@ -97,7 +97,7 @@ def negated(tests: Sequence[ScoreTest], unknowns: Unknowns) -> tuple[ScoreTest, 
 
 
 def _missing_effects(model: WholeField, x: Array, places: Array) -> list[MissingEffect]:
-    """Return candidates of effects that the model of the stars lacks, apart from polynomials of higher degree."""
+    """Return effects that the model of the stars lacks, except polynomials of higher degree."""
     stars, parts, r, e = model.of, model.parts(x), len(model.chosen), model.of.exposures
     terms, fine = next_terms(stars.one.unknowns.edge, ()), ripple_terms(stars.one.unknowns.edge)
     constants = star_checks.constants_to_test(stars.one.pupil, stars.known, ())
@@ -126,7 +126,7 @@ def _missing_effects(model: WholeField, x: Array, places: Array) -> list[Missing
 
 
 def slope_findings(model: WholeField, x: Array) -> list[Finding]:
-    """Return the finding on window backgrounds that slope more than noise explains."""
+    """Return the finding on significant slopes of the backgrounds."""
     stars, chosen = model.of, model.chosen
     if stars.sloped or stars.cornered:
         return []
@@ -138,7 +138,7 @@ def slope_findings(model: WholeField, x: Array) -> list[Finding]:
     at, rest = np.arange(first, first + 2 * e), np.arange(first + 2 * e, local.shape[1] - 1)
     own, mixed = local[:, rest[:, None], rest], local[:, rest[:, None], at]
     carried = np.linalg.solve(own, np.concatenate([mixed, local[:, rest, -1:]], axis=2))
-    # Schur's complement: information on the slopes with each star's own parameters eliminated.
+    # Schur complement: information on the slopes with the own parameters of each star eliminated.
     left = local[:, at[:, None], np.append(at, -1)] - mixed.swapaxes(1, 2) @ carried
     size = np.linalg.solve(left[:, :, :-1], left[:, :, -1:])[:, :, 0]
     sigmas = sigmas_of(float((size * left[:, :, -1]).sum()), size.size)

@@ -1,8 +1,9 @@
-"""Wavefronts over a field from fits of single stars: polynomials, and the signs of even parts of one focus.
+"""Wavefronts over a field from fits of single stars: polynomials, and the signs of even parts in one focus.
 
-One focus leaves the sign of the even part of the phase of each star open. Neighbours are alike: the signs are those
-of the first eigenvector of a matrix of their similarities (angular synchronisation in Z_2: Singer 2011,
-doi:10.1016/j.acha.2010.02.001), then alternately polynomials and the nearer sign.
+In one focus the image of a star does not determine the sign of the even part of its phase. Wavefronts of neighbouring
+stars are similar: signs are first taken from the leading eigenvector of the matrix of similarities (angular
+synchronisation in Z_2: Singer 2011, doi:10.1016/j.acha.2010.02.001). Then, alternately, polynomials are fitted to the
+wavefronts, and the sign of each star is set to the one nearer to the polynomials.
 """
 
 from __future__ import annotations
@@ -15,10 +16,10 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 
-_REACHES = 0.25, 0.4, 0.7  # half fields over which wavefronts are alike
-_WALLS = 3  # candidates in which one side of a line has the other sign
-_TURNS = 25
-_LEAST = 0.03  # radians rms: residuals below count as that
+_RADII = 0.25, 0.4, 0.7  # standard deviations of Gaussian weights for similarity, half fields
+_DIVIDED = 3  # number of candidates in which all signs on one side of a random line are reversed
+_MAX_ITERATIONS = 25
+_MIN_SCALE = 0.03  # smallest scale of the residuals in robust fits, radians rms
 
 
 def monomials(u: Array, v: Array, degree: int) -> Array:
@@ -30,9 +31,9 @@ def monomials(u: Array, v: Array, degree: int) -> Array:
 
 
 def with_errors(u: Array, v: Array, degree: int, coefficients: Array, covariance: Array) -> tuple[Array, Array]:
-    """Return polynomials (..., k) at positions and their standard errors, of coefficients (k, m) row by row.
+    """Return the values (..., k) of k polynomials at positions u, v, and their standard errors.
 
-    The covariance may be that of further parameters after these.
+    The first k * m rows of the covariance are those of the coefficients (k, m), row by row; more rows are ignored.
     """
     basis = monomials(u, v, degree)
     k, m = coefficients.shape
@@ -42,26 +43,27 @@ def with_errors(u: Array, v: Array, degree: int, coefficients: Array, covariance
 
 
 def powers(degree: int) -> list[tuple[int, int]]:
-    """Return the degrees in u and v of each polynomial, the constant first."""
+    """Return the degrees in u and v of each product of polynomials, the constant first."""
     return [(total - j, j) for total in range(degree + 1) for j in range(total + 1)]
 
 
 def highest_degree(most: int, count: int) -> int:
-    """Return the highest degree up to `most` whose polynomials have two of `count` points each, at least 0."""
+    """Return the highest degree up to `most` with at least two of `count` points per polynomial, else 0."""
     return max((d for d in range(most + 1) if (d + 1) * (d + 2) <= count), default=0)
 
 
 def robust(basis: Array, waves: Array, quality: Array, metric: Array) -> tuple[Array, Array]:
-    """Return polynomials (k, m) through wavefronts (n, k), and the distance of each star from them, radians rms.
+    """Fit polynomials (k, m) to wavefronts (n, k); return them, and the residual of each star, radians rms.
 
-    `quality` (n,) weighs the stars, and those far from the others count little (Geman and McClure).
+    `quality` (n,) are weights of the stars. The fit is robust: the weights of stars with large residuals decrease
+    (Geman and McClure).
     """
     weight = quality.copy()
-    for _ in range(_TURNS):
+    for _ in range(_MAX_ITERATIONS):
         root = np.sqrt(weight)[:, None]
         found = np.linalg.lstsq(root * basis, root * waves, rcond=1e-8)[0]
         distance = _rms(waves - basis @ found, metric)
-        scale = max(1.5 * float(np.median(distance)), _LEAST)
+        scale = max(1.5 * float(np.median(distance)), _MIN_SCALE)
         weight = quality / (1.0 + (distance / scale) ** 2) ** 2
     return np.asarray(found.T), distance
 
@@ -80,23 +82,23 @@ def candidates(
     metric: Array,
     draw: np.random.Generator,
 ) -> Iterator[tuple[Array, Array]]:
-    """Yield polynomials (k, m) of the last basis and wavefronts of consistent sign, those that fit best first.
+    """Yield polynomials (k, m) of the last basis, and wavefronts of consistent sign, the best fits first.
 
-    `places` (n, 2) are in half fields; `even` (n, j) is the even part of each wavefront, radians rms; `negated`
-    changes its sign; `bases` (n, m) are polynomials of rising degree.
+    `places` (n, 2) are in half fields. `even` (n, j) is the even part of each wavefront, radians rms; `negated`
+    negates the even part. `bases` are values (n, m) of polynomials, of increasing degree.
     """
     other = negated(waves)
     length = np.maximum(np.linalg.norm(even, axis=1), 1e-9)
     unit = even / length[:, None]
-    apart = ((places[:, None] - places[None]) ** 2).sum(axis=-1)
-    # Where there is hardly an even part, there is no sign either.
+    squares = ((places[:, None] - places[None]) ** 2).sum(axis=-1)
+    # The sign of a small even part is uncertain: its weight is small.
     weight = quality * np.minimum(length / np.median(length), 1.0)
     signs: list[NDArray[np.float64]] = []
-    for reach in _REACHES:
-        alike = np.exp(-apart / (2.0 * reach**2)) * (unit @ unit.T) * np.outer(weight, weight)
-        np.fill_diagonal(alike, 0.0)
-        signs.append(np.where(np.linalg.eigh(alike)[1][:, -1] < 0.0, -1.0, 1.0))
-    for _ in range(_WALLS):
+    for radius in _RADII:
+        similarity = np.exp(-squares / (2.0 * radius**2)) * (unit @ unit.T) * np.outer(weight, weight)
+        np.fill_diagonal(similarity, 0.0)
+        signs.append(np.where(np.linalg.eigh(similarity)[1][:, -1] < 0.0, -1.0, 1.0))
+    for _ in range(_DIVIDED):
         across = draw.normal(size=2)
         wall = places @ (across / np.linalg.norm(across)) - draw.uniform(-0.5, 0.5)
         signs.append(signs[1] * np.where(wall < 0.0, -1.0, 1.0))
@@ -104,7 +106,7 @@ def candidates(
     for sign in signs:
         chosen = np.where(sign[:, None] > 0.0, waves, other)
         for basis in bases:
-            for _ in range(_TURNS):
+            for _ in range(_MAX_ITERATIONS):
                 polynomials, distance = robust(basis, chosen, quality, metric)
                 model = basis @ polynomials.T
                 nearer = _rms(waves - model, metric) <= _rms(other - model, metric)
@@ -116,10 +118,11 @@ def candidates(
     tried: list[Array] = []
     for _, polynomials, chosen in sorted(found, key=lambda each: each[0]):
         mirrored = negated(chosen)
-        if not any(_share(chosen, old) > 0.97 or _share(mirrored, old) > 0.97 for old in tried):
+        # Yield no candidate whose signs agree with an earlier one, or are all opposite, for 97 % of the stars.
+        if not any(_equal_fraction(chosen, old) > 0.97 or _equal_fraction(mirrored, old) > 0.97 for old in tried):
             tried.append(chosen)
             yield polynomials, chosen
 
 
-def _share(one: Array, other: Array) -> float:
+def _equal_fraction(one: Array, other: Array) -> float:
     return float((one == other).all(axis=1).mean())

@@ -29,18 +29,18 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.psf import Plan
 
-_AT_ONCE = 3e7  # number of values of samples and their derivatives that are computed together
+_BLOCK_VALUES = 3e7  # number of values of samples and their derivatives that are computed together
 _SHARP = 0.02  # squared width of blur, pixels^2, below which it may become 0
-_BRIGHT = 50.0  # smallest number of pixels in excess of the parameters, for a chi2 of bright pixels
-_OWN = 4  # parameters of an image: row, column, flux, background; then angles
-_TURNED = 0.05  # largest step of an angle, radians
+_BRIGHT = 50.0  # smallest excess of bright pixels over parameters for which their chi2 is computed
+_OWN = 4  # number of parameters of each image (row, column, flux, background) before the angles
+_MAX_ANGLE_STEP = 0.05  # largest step of an angle, radians
 
 
 Readout: TypeAlias = StarReadout | TargetReadout
 
 
 class Quality(NamedTuple):
-    """Chi2 of single stars, (r,), and its standard deviation where the model is right."""
+    """Chi2 of r single stars, (r,), and the standard deviation of chi2 for a correct model."""
 
     chi2: Array
     spread: Array
@@ -50,8 +50,8 @@ class FieldStars:
     """Images of n stars in e exposures, electrons (n, e, height, width), and their likelihood.
 
     Parameters of a star are the k coefficients of its wavefront (radians rms), the b squared widths of the blur of
-    each exposure (pixels^2), and of each image its tilts by row and column, flux, background, and of corners two
-    angles. `blur` is a shape of unknown widths, or known blurs.
+    each exposure (pixels^2), and the `own` parameters of each image: two tilts (row and column), flux, background,
+    and for corners two angles. `blur` is a shape of unknown widths, or known blurs.
     """
 
     def __init__(
@@ -78,19 +78,19 @@ class FieldStars:
         self.own = _OWN + self.angles
         self.cornered = self.angles > 0
         self.sloped = False
-        #: Terms and constants that are not estimated, by which images have derivatives.
+        #: Terms and constants that are not estimated, but for which `images` may return derivatives.
         self.further: tuple[Name, ...] = ()
         first = pupil if pupil.shape == () else pupil[0]
         self.integrate = bool(plan.grid(first).integrate)
         self.lens, self.pixel = first, pixel / float(first.scale)  # in lambda*N
         self.blur = blur if isinstance(blur, Shape) else Shape.known(blur, pixel, first.wavelength)
         self.widths = self.blur.unknown
-        #: The images of one star, whose terms are those of all.
+        #: The images of the first star; its terms and directions apply to all stars.
         self.one = StarImages(electrons[0], variance[0], valid[0], first, defocus, unknowns, plan, pixel)
         self.size = len(unknowns.terms) + (self.widths + self.own) * self.exposures
         self.star = star_counts(electrons, variance, valid)
         self.loosest = loosest_tolerance(self.star, plan.tol)
-        #: Coefficients of the given wavefront; the rest of it is fixed.
+        #: Coefficients of the initial wavefront; the remainder, outside the estimated terms, is fixed.
         self.start, fixed = self.one.split(pupil.wavefront.edge_terms(), (self.count,))
         self.base: Array = np.repeat(fixed[:, None], self.exposures, axis=1)
         self.base[:, :, 0] += defocus[None]
@@ -101,13 +101,13 @@ class FieldStars:
         self.tested = int((self.star[3].sum(axis=(1, 2)) - self.size).mean())
 
     def shaped(self, shape: Shape) -> FieldStars:
-        """Return the same stars behind another blur of unknown widths."""
+        """Return a model of the same stars with another shape of the blur, of unknown widths."""
         more = (shape.unknown - self.widths) * self.exposures
         size = {"widths": shape.unknown, "size": self.size + more, "tested": self.tested - more}
         return self.having(blur=shape, _reader=None, **size)
 
     def on_slopes(self) -> FieldStars:
-        """Return the same stars with backgrounds that slope along rows and columns, in electrons per pixel."""
+        """Return a model with two more parameters per image: slopes of the background, electrons per pixel."""
         more = 2 * self.exposures
         return self.having(sloped=True, own=self.own + 2, size=self.size + more, tested=self.tested - more)
 
@@ -120,16 +120,16 @@ class FieldStars:
     def images(
         self, stars: NDArray[np.intp], waves: Array, squares: Array, own: Array, *, fast: bool, slopes: str = "all"
     ) -> list[Array]:
-        """Return images of rows (r,) of stars, slopes by edge terms and tilts, by squared widths, by angles.
+        """Return the images of r stars, then derivatives by edge terms and tilts, squared widths, and angles.
 
-        `waves` is (r, k), `squares` (r, e, b), `own` (r, own, e); each image list is (r * e, height, width). `slopes`
-        may be "own", by tilts and angles, those by the wavefront being 0, or "none": values alone; or "others": by
-        the further terms, `changes_of` a round pupil, and of points by `OTHER_BLURS`, for squares that are the same
-        for all rows.
+        `waves` is (r, k), `squares` (r, e, b), `own` (r, own, e); each array in the list is (r * e, height, width).
+        `slopes` is "all", "none" (images alone), "own" (derivatives by tilts and angles, with 0 for the others), or
+        "others": derivatives by the `further` terms, by `changes_of` a circular pupil, and, for stars, by
+        `OTHER_BLURS`; `squares` must then be the same for all stars.
         """
         reader = self._readout(squares, always=slopes == "others")
         each = self.exposures * math.prod(reader.shape if reader else self.shape) * (len(self._slopes) + 2)
-        block = max(1, int(_AT_ONCE / each))
+        block = max(1, int(_BLOCK_VALUES / each))
         edge = self.base[stars] + (waves @ self.one.directions)[:, None]
         for j, column in enumerate(self.one.tilts):
             edge[:, :, column] += own[:, j]
@@ -140,7 +140,7 @@ class FieldStars:
         return [np.concatenate(several) for several in zip(*parts, strict=True)] if len(parts) > 1 else parts[0]
 
     def _readout(self, squares: Array, *, always: bool) -> Readout | None:
-        """Return the readout of pixels from samples, for blur of these variances; None if samples are pixels."""
+        """Return the readout of pixels from samples, for blur of widths `squares`; None if samples are the pixels."""
         reader, shape = self._reader, self.blur
         if self.target is not None:
             if reader is None:
@@ -148,7 +148,7 @@ class FieldStars:
             return self._reader
         if not (always or self.widths or self.integrate or shape.fixed.any()):
             return None
-        # The wide Gaussians of seeing reach farther: they leave out light far beyond the window alone.
+        # The support is that of the typical width: the wide Gaussians of seeing lose only light far from the window.
         known = float(np.exp(shape.weights @ np.log(shape.fixed + 1e-12)))
         width = math.sqrt(float(squares.sum(axis=-1).max(initial=0.0)) + known)
         variances = shape.variances(squares).reshape(-1, len(shape.weights)).min(axis=0)
@@ -156,7 +156,7 @@ class FieldStars:
             return reader
         least, widest = variances, width
         if self.widths:
-            # Of a ladder of widths: lattices of sampled pupils are used again.
+            # Round the width up to a multiple of ROOM, so that lattices of sampled pupils can be reused.
             widest = ROOM * (math.ceil(width / ROOM) + 1)
             least = variances * max(1.0 - ROOM / max(width, ROOM), 0.0) ** 2
         self._reader = StarReadout(self.shape, self.pixel, widest, shape, integrate=self.integrate, narrowest=least)
@@ -165,7 +165,7 @@ class FieldStars:
     def _block(
         self, reader: Readout | None, edge: Array, squares: Array, own: Array, *, fast: bool, slopes: str
     ) -> list[Array]:
-        """Return images of rows that are computed together, of edge terms (r * e, terms)."""
+        """Return the result of `images` for a block of stars, from edge terms (r * e, terms)."""
         pupil = self.lens.carrying(Wavefront.trusted(self.one.terms, edge), None)
         tol = self.loosest if fast else self.tol
         shape, pitch = (self.shape, self.pixel) if reader is None else (reader.shape, reader.step)
@@ -175,7 +175,7 @@ class FieldStars:
         dtype = output_type(None, tol)
         prepared = asked_about(pupil, facts, plan.grid(pupil), None, tol, "energy", dtype, self.threads)
         by = {"all": self._slopes, "own": self._slopes[-2:], "none": (), "others": self.further}[slopes]
-        # Sampled pupils have no masks, and no derivatives but those by phases.
+        # Sampled pupils do not support masks, and have derivatives by phases only.
         proven = pupil.mask is not None or (pupil.circular and (slopes == "others" or max(shape) <= SMALL))
         if proven:
             _, made, rates = prepared.images(pupil, by)
@@ -185,7 +185,7 @@ class FieldStars:
         else:
             columns = [(*self.one.terms, *self.further).index(name) for name in by]
             samples = list(self._sampled(plan.grid(self.lens)).images(edge, columns, values=fast))
-            if not fast:  # slopes are no nearer to the true ones: of steps, and of standard errors, they hardly show
+            if not fast:  # only values are replaced: errors of derivatives hardly affect steps and standard errors
                 samples.insert(0, prepared.images(pupil)[1].values)
         if reader is None:
             found = [np.asarray(image).reshape(-1, *self.shape) for image in samples]
@@ -216,18 +216,18 @@ class FieldStars:
     def likelihood(
         self, stars: NDArray[np.intp], images: Sequence[Array], own: Array, others: Sequence[Array] = ()
     ) -> tuple[Array, Array, Array]:
-        """Return deviance, expectation and variance of chi2 (3, r), slopes and information (r, p, p + 1).
+        """Return deviance, expectation and variance of chi2 (3, r), and information and slopes (r, p, p + 1).
 
-        Of all parameters of single stars, with the q `others` (r * e, height, width), derivatives of electrons by
-        what all exposures share, between those that stars share and those of their own. `own` is that of `images`.
+        The p parameters of a star are those shared by stars, q further ones common to all exposures, and its own. The
+        derivatives of electrons by the further ones are `others` (r * e, height, width). `own` is as for `images`.
         """
         r, e, k, b, q = len(stars), self.exposures, len(self.one.directions), self.widths, len(others)
         slopes = slants(r * e, self.shape) if self.sloped else ()
         numbers, products = self._products(stars, [*images, *slopes, *others], own)
         d = products.shape[-1]
         edge = len(self.one.unknowns.edge)
-        # From derivatives of PSFs by edge terms, tilts, blur, angles, of electrons by slopes and others; the PSF, 1
-        # and the residual last.
+        # Chain rule. Columns: derivatives of PSFs by edge terms, tilts, blur and angles; derivatives of electrons by
+        # slopes and others; then the PSF, 1 (for the background) and the residual.
         chain = np.zeros((r, e, self.size + q + 1, d))
         flux = own[:, 2]
         chain[:, :, :k, :edge] = self.one.unknowns.directions * flux[:, :, None, None]
@@ -256,10 +256,10 @@ class FieldStars:
         return numbers.reshape(3, *each).sum(axis=-1), products.reshape(*each, *products.shape[-2:])
 
     def observed(self, stars: NDArray[np.intp], own: Array) -> tuple[Array, Array]:
-        """Return counts and variances (4, r, e, pixels) less slopes of the background, and flux and background there.
+        """Return counts and variances (4, r, e, pixels) without slopes of the background, and flux and background.
 
-        Counts plus the variance of reading are Poisson's around their expectation: what the background adds may be
-        taken from the counts and given to the variance.
+        Counts plus the read variance have a Poisson distribution. A known part of the background may therefore be
+        subtracted from the counts and added to the variance.
         """
         star, light = self.star[:, stars], own[:, 2:4].copy()
         if self.sloped:
@@ -271,7 +271,7 @@ class FieldStars:
         return star, light
 
     def _lowest(self, own: Array) -> Array:
-        """Return by how much backgrounds are lower than in the middle, at least at one corner (r, e)."""
+        """Return the largest decrease of sloping backgrounds from the middle to a corner of the window (r, e)."""
         return np.asarray(np.tensordot(np.abs(own[:, -2:]), [side // 2 for side in self.shape], (1, 0)))
 
     def _slope(self, own: Array) -> Array:
@@ -293,13 +293,13 @@ class FieldStars:
         self, stars: NDArray[np.intp], square: Array, total: Array, spread: Array, unknown: float
     ) -> Quality:
         """Return chi2 of single stars from sums of squares, expectation, variance and the number of parameters."""
-        share = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
-        return Quality(*reduced_chi2(square, total, spread, share))
+        freedom = np.maximum(1.0 - unknown / self.star[3][stars].sum(axis=(1, 2)), 0.1)
+        return Quality(*reduced_chi2(square, total, spread, freedom))
 
     def bright(self, stars: NDArray[np.intp], values: Array, own: Array, unknown: float) -> tuple[float, float]:
-        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN of too few.
+        """Return chi2 of the pixels in which stars exceed the noise, and its standard deviation; NaN if too few.
 
-        Wrong wavefronts show there, and hardly in the chi2 of whole windows, most of which is background.
+        A wrong wavefront increases this chi2 more than that of whole windows, most pixels of which are background.
         """
         psf = values.reshape(len(stars), self.exposures, -1)
         (counted, _, read, valid), light = self.observed(stars, own)
@@ -318,7 +318,7 @@ class FieldStars:
     def light(self, stars: NDArray[np.intp], values: Array, before: Array) -> Array:
         """Return flux and background (r, 2, e) of rows of stars by least squares, given their PSFs.
 
-        The slopes of the background, if there are, are those `before`.
+        Slopes of the background, if any, are taken from `before`, the previous parameters.
         """
         psf = values.reshape(len(stars), self.exposures, -1).astype(np.float64)
         (counted, _, read, valid), _ = self.observed(stars, before)
@@ -326,14 +326,14 @@ class FieldStars:
         return np.stack([flux, level + self._lowest(before) if self.sloped else level], axis=1)
 
     def centroids(self) -> Array:
-        """Return tilts (n, 2, e) that put each star at the centroid of its light, and corners where lines cross."""
+        """Return tilts (n, 2, e) for the centroid of each star image, or for the crossing point of each corner."""
         if self.cornered:
             return np.asarray(self._crossings[:, :2] * self.one.tilt_of_pixel)
         tilts = centroids(self.star, self.shape) * self.one.tilt_of_pixel
         return tilts.reshape(self.count, self.exposures, 2).swapaxes(1, 2)
 
     def shifts(self, stars: NDArray[np.intp], values: Array) -> Array:
-        """Return shifts (r, 2, e) in whole pixels after which PSFs of rows of stars correlate best with images."""
+        """Return shifts (r, 2, e) in whole pixels that maximize the correlation of PSFs with the images of stars."""
         counted, _, _, valid = self.star[:, stars].reshape(4, -1, *self.shape)
         level = np.median(counted, axis=(1, 2), keepdims=True)
         size = (2 * self.shape[0], 2 * self.shape[1])
@@ -345,12 +345,17 @@ class FieldStars:
         return np.asarray(found.reshape(len(stars), self.exposures, 2).swapaxes(1, 2), np.float64)
 
     def limited(self, own: Array, before: Array) -> None:
-        """Limit tilts to the window, and flux and angles to steps from those before, in place."""
+        """Limit tilts to the window, and flux and angles to steps from the values in `before`, in place."""
         for j, largest in enumerate(self.one.largest_tilts):
             np.clip(own[:, j], -largest, largest, out=own[:, j])
         np.maximum(own[:, 2], 0.1 * before[:, 2], out=own[:, 2])
         if self.cornered:
-            np.clip(own[:, _OWN:], before[:, _OWN:] - _TURNED, before[:, _OWN:] + _TURNED, out=own[:, _OWN:])
+            np.clip(
+                own[:, _OWN:],
+                before[:, _OWN:] - _MAX_ANGLE_STEP,
+                before[:, _OWN:] + _MAX_ANGLE_STEP,
+                out=own[:, _OWN:],
+            )
 
     def start_values(self, rows: NDArray[np.intp], tilts: Array) -> Array:
         """Return start values of the parameters of each image (r, own, e), from tilts (r, 2, e)."""
@@ -360,14 +365,14 @@ class FieldStars:
 
     @cached_property
     def _crossings(self) -> Array:
-        """Rows and columns, and two angles (n, 4, e), of crossings."""
+        """Start values of row, column and two angles of each crossing, (n, 4, e)."""
         images = self.star[0].reshape(-1, *self.shape)
         found = np.array([start_of_crossing(image) for image in images])
         return found.reshape(self.count, self.exposures, -1).swapaxes(1, 2)
 
 
 def limit_widths(squares: Array, before: Array, widest: float, *, sharp: float) -> None:
-    """Limit squared widths (r, e, b) to steps from those before, in place; a sum below `sharp` may become 0."""
+    """Limit squared widths (r, e, b) to steps from `before`, in place; only sums below `sharp` may become 0."""
     total = before.sum(axis=-1, keepdims=True)
     np.clip(squares, 0.0, np.minimum(4.0 * total + 0.1, widest), out=squares)
     least = np.where(total < sharp, 0.0, 0.25 * total)
@@ -454,10 +459,11 @@ class SingleStars(_StarModel):
 
 @dataclass(frozen=True, eq=False)
 class Blocks:
-    """Information of a field: of shared parameters, and of those of each star.
+    """Information matrix of a field in blocks.
 
-    `shared` (s, s), `own` (n, o, o), `mixed` (n, c, o) of the c waves and squares of a star with its own, `basis`
-    (n, m) of the monomials at each. `squares` (e * b,) are the squared widths of the blur there.
+    `shared` (s, s) is the block of shared parameters, `own` (n, o, o) that of the own parameters of each star, and
+    `mixed` (n, c, o) that of the c waves and squares of a star with its own parameters. `basis` (n, m) are the
+    monomials at each star, `squares` (e * b,) the present squared widths of the blur.
     """
 
     shared: Array
@@ -469,12 +475,12 @@ class Blocks:
 
     @classmethod
     def of_stars(cls, local: Array, basis: Array, waves: int, shared: int, squares: Array) -> Blocks:
-        """Return that of information of single stars (n, p, p), of whose parameters so many are shared."""
-        made = cls(np.empty((0, 0)), local[:, shared:, shared:], local[:, :shared, shared:], basis, waves, squares)
-        return replace(made, shared=made.outward(local[:, :shared, :shared]))
+        """Return blocks of the information of single stars (n, p, p), whose first `shared` parameters are shared."""
+        blocks = cls(np.empty((0, 0)), local[:, shared:, shared:], local[:, :shared, shared:], basis, waves, squares)
+        return replace(blocks, shared=blocks.outward(local[:, :shared, :shared]))
 
     def outward(self, local: Array) -> Array:
-        """Return the sum over stars of matrices (n, c, c) of waves and squares, as of shared parameters (s, s)."""
+        """Convert matrices (n, c, c) of waves and squares to shared parameters, and sum over stars: (s, s)."""
         k, m = self.waves, self.basis.shape[1]
         e = local.shape[1] - k
         found = np.empty((k * m + e, k * m + e))
@@ -487,19 +493,19 @@ class Blocks:
         return found
 
     def gathered(self, local: Array) -> Array:
-        """Return the sum over stars of vectors (n, c) of waves and squares, as of shared parameters (s,)."""
+        """Convert gradients (n, c) by waves and squares to shared parameters, and sum over stars: (s,)."""
         k = self.waves
         return np.concatenate([(local[:, :k].T @ self.basis).ravel(), local[:, k:].sum(axis=0)])
 
     def spread(self, shared: Array) -> Array:
-        """Return shared parameters (s,) as waves and squares of each star (n, c)."""
+        """Convert shared parameters (s,) to waves and squares of each star (n, c)."""
         k, m = self.waves, self.basis.shape[1]
         waves = self.basis @ shared[: k * m].reshape(k, m).T
         rest = np.broadcast_to(shared[k * m :], (len(waves), len(shared) - k * m))
         return np.concatenate([waves, rest], axis=1)
 
     def damped(self, damping: float) -> tuple[Array, Array]:
-        """Return the shared matrix with the parameters of stars eliminated, and the inverses of those."""
+        """Return the damped shared matrix with own parameters eliminated, and inverses of damped own blocks."""
         own, shared = self.own.copy(), self.shared.copy()
         for matrix in (own, shared):
             diagonal = np.einsum("...ii->...i", matrix)
@@ -508,14 +514,14 @@ class Blocks:
         return shared - self.outward(self.mixed @ inverse @ self.mixed.swapaxes(-1, -2)), np.asarray(inverse)
 
     def eliminated(self, slope: Array, first: Array) -> Array:
-        """Return the slope by shared parameters (s,) with those of stars eliminated, whose step alone is `first`."""
+        """Return the slope (s,) with own parameters eliminated; `first` is the step of the own parameters alone."""
         return np.asarray(slope - self.gathered((self.mixed @ first[:, :, None])[:, :, 0]))
 
 
 class WholeField(_StarModel):
     """Stars of a field whose wavefronts are polynomials of their positions: one row of a search.
 
-    `basis` (n, m) has the values of the polynomials at each star. Where `held`, polynomials and blur are fixed.
+    `basis` (n, m) has the values of the polynomials at each star. If `held`, polynomials and blur are fixed.
     """
 
     sharp = _SHARP
@@ -563,7 +569,7 @@ class WholeField(_StarModel):
         return Scores(np.array([deviance.sum()]), whole[None], boxed, *(np.array([each]) for each in quality))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return a damped step (1, p), with the parameters of stars eliminated, and its product with the slope."""
+        """Return a damped step (1, p), with own parameters eliminated, and its product with the slope."""
         blocks: Blocks = scores.information[0]
         slope = scores.slope[0]
         own = slope[self.shared :].reshape(len(self.chosen), -1)
@@ -578,7 +584,7 @@ class WholeField(_StarModel):
             shared = scale * np.linalg.solve(matrix, right)
             at = np.arange(self.shared - len(blocks.squares), self.shared)
             sharp = shared[at] < -blocks.squares
-            if sharp.any():  # the squared width of the blur would be negative: the step ends at 0
+            if sharp.any():  # a squared width would become negative: it is set to 0
                 bound = np.zeros(self.shared, dtype=bool)
                 bound[at[sharp]] = True
                 ended = (-blocks.squares / scale[at])[sharp]

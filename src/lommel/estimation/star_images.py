@@ -1,6 +1,6 @@
-"""Star images as a model of wavefront and light, and the search for the parameters of maximum likelihood.
+"""Star images as functions of wavefront, pupil, position, flux and background, with their likelihood.
 
-Fisher scoring: damped steps (Levenberg-Marquardt) by Fisher's information, whose inverse there is the covariance.
+The parameters of one search are a row `x`; s rows are evaluated together.
 """
 
 from __future__ import annotations
@@ -32,30 +32,30 @@ from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
 LINEAR = 0.22
-"""Radians rms, standard error of all terms together, up to which images are linear in them."""
-_NODES = 256  # degree of the rule whose nodes test the symmetry of an aperture
-_PART, _LOOSEST = 0.3, 1e-4  # errors of images far from the answer: of a pixel's noise, and over the peak
-_LEAST = 0.05  # electrons squared: least variance of reading
-_ORDERS = 2  # radial orders beyond the estimated terms that are tested
-_RIPPLE_ORDERS, _ZONES = 4, 20  # radial orders of ripples, and the last one of zones
+"""Largest standard error of a wavefront, radians rms, within which images are linear in its terms."""
+_NODES = 256  # degree of the quadrature rule at whose nodes the symmetry of an aperture is tested
+_NOISE_PART, _LOOSEST = 0.3, 1e-4  # largest errors of images in a search: divided by a pixel's noise; by the peak
+_MIN_VARIANCE = 0.05  # smallest variance of the read noise, electrons squared
+_ORDERS = 2  # number of radial orders beyond the estimated terms that are tested
+_RIPPLE_ORDERS, _ZONES = 4, 20  # number of radial orders of ripples; largest radial order of zones
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
 class Unknowns:
-    """The parameters that `terms` and `also` of :func:`lommel.retrieve` name.
+    """The estimated parameters, from the arguments `terms` and `also` of :func:`lommel.retrieve`.
 
     Attributes
     ----------
     terms : tuple
-        Of the wavefront, as they were named.
+        Names of the terms of the wavefront.
     edge : tuple of (n, m)
-        The Zernike terms that these are made of.
+        Zernike terms of which `terms` are linear combinations.
     directions : ndarray, shape (terms, edge)
-        Share of each Zernike term, radians at the edge, in a unit of a term.
+        Coefficients of these combinations: radians at the pupil edge per unit of a term.
     pupil : tuple of str
-        Nuisance parameters of the pupil, shared by all images.
+        Nuisance parameters of the pupil, common to all images.
     places : tuple of str
-        "row" and "column" where estimated, one of each image as flux and background are.
+        "row" and "column" if estimated, separately for each image.
     """
 
     def __init__(self, terms: int | Sequence[Term | str], also: str | Sequence[str]) -> None:
@@ -99,15 +99,15 @@ def _names(terms: int | Sequence[Term | str]) -> tuple[Name, ...]:
 
 @lru_cache(maxsize=1024)
 def _zernike_terms(name: Name) -> dict[Term, float]:
-    """Return the Zernike terms, radians at the edge, of a unit of a term: 1 radian rms, or of its power of rho."""
+    """Return the Zernike coefficients, radians at the edge, of a unit of a term: 1 rad rms, or 1 rad of rho^n."""
     found = cast("dict[Term, float]", translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False))
     return found if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in found}
 
 
 def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ...]:
-    """Return the Zernike terms up to two radial orders beyond those that are estimated, without these and others.
+    """Return the Zernike terms up to two radial orders beyond the `solved` ones, without `solved` and `others`.
 
-    Of those of rotational symmetry up to four: they pass for spherical aberration.
+    Rotationally symmetric terms are included up to four orders beyond, because they resemble spherical aberration.
     """
     if not solved:
         return ()
@@ -118,7 +118,7 @@ def next_terms(solved: Sequence[Term], others: Sequence[Term]) -> tuple[Term, ..
 
 
 def ripple_terms(solved: Sequence[Term]) -> tuple[Term, ...]:
-    """Return the terms of radial orders beyond :func:`next_terms`: ripples of polishing, and zones of a mirror."""
+    """Return terms of higher radial orders than :func:`next_terms`: polishing ripples, and zones of a mirror."""
     if not solved:
         return ()
     last = max(n for n, _ in solved) + _ORDERS
@@ -139,9 +139,9 @@ def label(name: Name) -> str:
 
 
 def star_counts(electrons: Array, variance: Array, valid: NDArray[np.bool_]) -> Array:
-    """Return counts, variances of reading, the same kept above 0, and validity (4, ..., pixels) of images."""
+    """Return counts, read variances, read variances limited to positive values, and validity (4, ..., pixels)."""
     counted = np.where(valid, electrons, 0.0)
-    star = np.stack([counted, variance, np.maximum(variance, _LEAST), valid])
+    star = np.stack([counted, variance, np.maximum(variance, _MIN_VARIANCE), valid])
     return star.reshape(*star.shape[:-2], -1)
 
 
@@ -161,35 +161,35 @@ def known_defocus(defocus: ArrayLike, count: int, of: str) -> Array:
 
 
 def slants(images: int, shape: tuple[int, int]) -> list[Array]:
-    """Return rows and columns of pixels from the middle, for `images` images (n, height, width) each."""
+    """Return row and column of each pixel from the middle, two arrays (images, height, width)."""
     made = np.meshgrid(*(np.arange(side) - side // 2.0 for side in shape), indexing="ij")
     return [np.broadcast_to(one, (images, *shape)) for one in made]
 
 
 def centroids(star: Array, shape: tuple[int, int]) -> Array:
-    """Return row and column from the middle (n, 2) of the light above noise and background in images."""
+    """Return the centroids (n, 2) of the light above noise and background, row and column from the middle."""
     counted, _, read, valid = star.reshape(4, -1, *shape)
     good, rim = valid > 0.0, np.ones(shape, dtype=bool)
     rim[1:-1, 1:-1] = False
-    # The outermost pixels, all where these are unknown.
+    # The background is that of the outermost pixels, or of all pixels if no outermost pixel is valid.
     seen = good & (rim | ~(good & rim).any(axis=(1, 2), keepdims=True))
     level = np.nanmedian(np.where(seen, counted, np.nan), axis=(1, 2), keepdims=True)
     noise = np.sqrt(np.maximum(level, 0.0) + read.mean(axis=(1, 2), keepdims=True))
     light = np.where(good & (counted > level + 3.0 * noise), counted - level, 0.0)
-    total = np.maximum(light.sum(axis=(1, 2)), 1e-12)  # of no light the middle is the start
+    total = np.maximum(light.sum(axis=(1, 2)), 1e-12)  # without light, the centroid is the middle
     rows, columns = (np.arange(side) - side // 2 for side in shape)
     return np.stack([light.sum(axis=2) @ rows / total, light.sum(axis=1) @ columns / total], axis=1)
 
 
 def loosest_tolerance(star: Array, tol: float) -> float:
-    """Return the tolerance of images far from the answer, whose error may be a part of the noise."""
+    """Return the tolerance of images in a search, whose error may be a fraction of the noise."""
     brightest = max(float(star[0].max()), 1.0)
-    # The largest value is about the brightest pixel: an error of `tol` of it, against the noise of the darkest.
-    return min(max(tol, _PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
+    # The peak is about the brightest pixel: limit the error, tol * peak, to a fraction of the read noise.
+    return min(max(tol, _NOISE_PART * math.sqrt(star[2].min()) / brightest), max(tol, _LOOSEST))
 
 
 def _point_symmetric(pupil: Pupil) -> bool:
-    """Return whether the aperture is the same after half a turn, without phases of its own."""
+    """Return whether the aperture has two-fold symmetry, and no phases of segments or masks."""
     if pupil.circular:
         return True
     if pupil.segmented or pupil.phase_mask:
@@ -200,9 +200,10 @@ def _point_symmetric(pupil: Pupil) -> bool:
 
 
 class StarImages(RowModel):
-    """Star images as functions of a row of parameters: terms, numbers of the pupil, tilts, flux, background.
+    """Star images as functions of a row of parameters: terms, pupil parameters, tilts, flux, background.
 
-    Of `electrons` (n, height, width), with `variance` from reading and known `defocus` (C_d, radians) of each image.
+    `electrons` (n, height, width) are the recorded images, `variance` is that of the read noise, and `defocus` the
+    known C_d (radians) of each image.
     """
 
     alternatives = True
@@ -238,7 +239,7 @@ class StarImages(RowModel):
         self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
         #: Moore-Penrose inverse of directions.
         self.inverse = np.linalg.pinv(self.directions)
-        # The part of the initial wavefront that the terms span is where they start; the rest is fixed.
+        # The terms start at the projection of the initial wavefront; the remainder of the wavefront is fixed.
         self.start = edge @ self.inverse
         self.fixed = edge - self.start @ self.directions
         self.base = np.tile(self.fixed, (count, 1))
@@ -246,7 +247,7 @@ class StarImages(RowModel):
         halves = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
         self.largest_tilts = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
         self.tilts = [self.terms.index(term) for term in tilts]
-        # The values of a parameter of single images follow each other.
+        # The n values of each parameter of single images are contiguous.
         k, self.shared = len(unknowns.terms), len(self.names)
         self.size = self.shared + (len(unknowns.places) + 2) * count
         self.waves, self.optics = slice(0, k), slice(k, self.shared)
@@ -261,28 +262,28 @@ class StarImages(RowModel):
             self._chain[np.arange(count), self.shared + j * count + np.arange(count), row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
-        # Mean square of a term of 1 at the edge: 1 / (n + 1), and half of that with an angle.
+        # The mean square of a term with amplitude 1 at the edge is 1 / (n + 1) if m = 0, otherwise half of this.
         self.mean_squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
 
     def mean_slopes(self, edge: Array) -> Array:
-        """Return the shift of light by the mean slopes of phases (..., terms at the edge), as tilts (places, ...)."""
-        # Each term R_n^1 moves it as far as a tilt.
+        """Return the shift of the centroid due to phases (..., terms at the edge), as tilts (places, ...)."""
+        # Each term R_n^1 shifts the centroid as much as a tilt with the same amplitude at the edge.
         orders = np.array([m for _, m in self.terms])
         return np.array([edge[..., orders == SHIFTS[place][1]].sum(axis=-1) for place in self.unknowns.places])
 
     def split(self, edge: Mapping[Term, Any], shape: tuple[int, ...]) -> tuple[Array, Array]:
-        """Return the coefficients of wavefronts, from terms at the edge of this shape, and the fixed rest of them."""
+        """Return the coefficients of wavefronts, from terms at the edge of this shape, and the fixed remainders."""
         whole = np.stack([np.broadcast_to(edge.get(term, 0.0), shape) for term in self.terms], axis=-1)
         found = whole @ self.inverse
         return found, np.asarray(whole - found @ self.directions)
 
     @cached_property
     def sign_ambiguous(self) -> bool:
-        """Whether the wavefront with the even part of its phase negated has the same images."""
+        """Whether images do not change if the even part of the phase is negated."""
         if not _point_symmetric(self.pupil):
             return False
         even = self.even * np.vstack([self.directions, self.base])
-        # The even part must lie within the estimated terms: only then can they be negated.
+        # The even part can only be negated if it is a combination of the estimated terms.
         missed = even - even @ self.inverse @ self.directions
         one = np.ptp(self.base * self.even, axis=0).max() == 0.0
         return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
@@ -296,7 +297,7 @@ class StarImages(RowModel):
         return np.concatenate([self.negated(x[:, self.waves], self.base[0]), x[:, self.waves.stop :]], axis=1)
 
     def nearest(self, x: Array) -> Array:
-        """Return the parameters, or those of the other sign of the even terms, whichever are nearer to the start."""
+        """Negate the even parts of those parameters whose twin is nearer to the start; return all parameters."""
         if not self.sign_ambiguous:
             return x
         other = self.even_part_negated(x)
@@ -304,7 +305,7 @@ class StarImages(RowModel):
         far, near = (self.rms(part - start) for part in (x, other))
         even = next(j for j, row in enumerate(self.directions) if row[self.even].any())
         alike = near < far * (1.0 + 1e-6)
-        # Both equally near: the first even term is positive.
+        # At equal distances, the first even term is made positive.
         swap = (near < far * (1.0 - 1e-6)) | (alike & (other[:, even] > x[:, even]))
         return np.where(swap[:, None], other, x)
 
@@ -321,30 +322,30 @@ class StarImages(RowModel):
             edge[..., column] += own[..., j, :]
         optics: dict[str, Any] = self.optics_of(x) if self.unknowns.pupil else {}
         if "wavelength" in optics:
-            # Path differences stay: they are the parameters, in radians at the wavelength to start with.
+            # Parameters are path differences, in radians at the initial wavelength: convert to the present one.
             edge *= self.ratio(optics)
         made = self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
         return replace(made, **optics) if optics else made
 
     def optics_of(self, x: Array) -> dict[str, float]:
-        """Return the estimated numbers of the pupil, from the first set of parameters."""
+        """Return the estimated pupil parameters, from the first row of `x`."""
         return dict(zip(self.unknowns.pupil, x.reshape(-1, self.size)[0, self.optics].tolist(), strict=True))
 
     def ratio(self, optics: dict[str, float]) -> float:
-        """Return the initial wavelength over the estimated one."""
+        """Return the initial wavelength divided by the estimated one."""
         at = self.pupil.wavelength
         return 1.0 if at is None else at / optics.get("wavelength", at)
 
     def per_image(self, x: Array) -> Array:
-        """Return a view of the parameters of single images: tilts, flux, background; shape (s, these, n)."""
+        """Return a view of the parameters of single images, shape (s, parameters, n): tilts, flux, background."""
         return x[:, self.own].reshape(len(x), -1, self.count)
 
     def images(
         self, x: Array, *, fast: bool = False, by: tuple[Name, ...] | None = None
     ) -> tuple[Pixels, list[Slope]]:
-        """Return the PSFs of images, shape (s * n, height, width), and their derivatives; `fast` within `loosest`.
+        """Return the PSFs of images, shape (s * n, height, width), and derivatives by parameters or names `by`.
 
-        These are by the parameters, or by other names.
+        If `fast`, the tolerance is `loosest`.
         """
         pupil, plan = self.pupils(x), self.plan
         tol = self.loosest if fast else plan.tol
@@ -365,14 +366,14 @@ class StarImages(RowModel):
         return own[:, -2, :, None] * psf + own[:, -1, :, None]
 
     def variance(self, mean: Array) -> Array:
-        """Return the variance of pixels, at least a quarter of that of reading where a background is below 0."""
+        """Return the variance of pixels, at least a quarter of the read variance (`mean` may be negative)."""
         return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
 
     def scores_of(self, x: Array, values: Pixels, slopes: Sequence[Slope]) -> Scores:
-        """Return the same from the PSFs of images and their derivatives, for any flux and background in `x`."""
+        """Return the scores from PSFs of images and their derivatives; flux and background are those in `x`."""
         numbers, found = self.products(x, values, slopes)
         deviance, total, spread = numbers
-        # Each fitted parameter takes the share of a mean pixel.
+        # Each fitted parameter reduces the expectation by that of an average pixel.
         quality = reduced_chi2(found[:, -1, -1], total, spread, self.tested / (self.tested + self.size))
         return Scores(deviance, found[:, :-1, -1], found[:, :-1, :-1], *quality)
 
@@ -381,13 +382,13 @@ class StarImages(RowModel):
     ) -> tuple[Array, Array]:
         """Return deviance, expectation and variance of chi2 (3, s), and products (s, p + q + 1, p + q + 1).
 
-        Of derivatives by the p parameters, of q `others` (s * n, height, width), derivatives of electrons, and of the
-        residual, over standard deviations.
+        The products are those of derivatives by the p parameters, of q further derivatives of electrons, `others`
+        (s * n, height, width), and of the residual, all divided by the standard deviations of pixels.
         """
         light, q = np.ascontiguousarray(self.per_image(x)[:, -2:]), len(others)
         images = [values, *[slope.values for slope in slopes], *others]
         numbers, products = star_likelihood(images, light, self.star, self.plan.threads)
-        # Derivatives of images by parameters, over those of PSFs, flux and background; the residual stays.
+        # Chain rule from derivatives of PSFs, flux and background to parameters; the residual is not changed.
         factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
         factors[..., :-3] = light[:, 0, :, None, None]
         if self.unknowns.pupil:
@@ -432,12 +433,12 @@ class StarImages(RowModel):
 def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
     """Return the largest rms error of the phase of an image, radians, and the principal axes (k, p) of a covariance.
 
-    Each axis is one standard deviation long; parameters of infinite variance are held.
+    The length of each axis is one standard deviation; parameters of infinite variance are fixed.
     """
     known = np.isfinite(np.diag(inverse))
     scale = np.sqrt(np.diag(inverse)[known])
     alike = inverse[np.ix_(known, known)] / np.outer(scale, scale)
-    # Singular vectors, as no eigenvalue is negative: of more than 25, eigh takes all threads of BLAS.
+    # No eigenvalue is negative: svd replaces eigh, which would use all threads of BLAS for more than 25 parameters.
     vectors, values, _ = np.linalg.svd(alike)
     # An eigenvector has no sign: its largest component is made positive.
     vectors *= np.sign(vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))])
@@ -449,8 +450,8 @@ def uncertainty(model: StarImages, inverse: Array) -> tuple[float, Array]:
 
 
 def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
-    """Return the factor by which each shared standard error changes near the answer `x`, (1, p)."""
-    # The geometric rms of those at two opposite points, one standard deviation away along all principal axes.
+    """Return the factor by which the standard error of each common parameter changes near `x`, (1, p)."""
+    # Geometric rms of the factors at two opposite points, one standard deviation away along all principal axes.
     found = np.ones(model.shared)
     known = np.isfinite(np.diag(inverse)[: model.shared])
     if known.any():
@@ -459,7 +460,7 @@ def changes(model: StarImages, x: Array, inverse: Array, axes: Array) -> Array:
         stacks = points if model.unknowns.pupil else [np.concatenate(points)]
         squares = [one for stack in stacks for one in model.scores(stack, fast=True).information]
         there = np.array([np.diag(covariance(one))[: model.shared][known] for one in squares])
-        # Half: information and covariance are squares of standard errors.
+        # The factor 0.5 converts variances to standard errors.
         ratios = 0.5 * np.log(there / np.diag(inverse)[: model.shared][known])
         found[known] = np.exp(np.sqrt((ratios**2).mean(axis=0)))
     return found

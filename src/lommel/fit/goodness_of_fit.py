@@ -1,9 +1,9 @@
-r"""The verdict on residuals: which chi2 noise explains, whether the variance is that of photons, and stripes in them.
+r"""Goodness of fit: tests of chi2, of the variance of photon noise, and of stripes in residuals.
 
-Pearson's chi2 over its expectation, with a standard deviation s, follows closely a gamma distribution of that mean
-and standard deviation: the chi2 distribution of 2 / s^2 degrees of freedom over their number (Satterthwaite 1946,
-doi:10.2307/3002019). Few pixels have a longer tail above than a normal distribution, and counts of few electrons
-have fewer degrees of freedom than pixels.
+`chi2` is Pearson's sum divided by its expectation, and s the standard deviation of chi2. Its distribution is close to
+a gamma distribution of mean 1 and standard deviation s, that of a chi-squared variable divided by its 2 / s^2 degrees
+of freedom (Satterthwaite 1946, doi:10.2307/3002019). Counts of few electrons yield fewer degrees of freedom than
+pixels.
 
 The score test of excess noise is of a variance that is a multiple of the light, as of electron multiplication. With
 the mean m of a pixel in electrons, the variance v = m + read^2 that was taken, the residual r and s = m / v, the
@@ -31,42 +31,42 @@ from lommel.base.arrays import Array
 from lommel.fit.findings import Finding, Severity
 
 BY_CHANCE = 1e-4
-"""Probability with which noise alone makes a fit a misfit."""
+"""Probability that a correct fit is reported as a misfit."""
 SURE = 1e-3
-"""The same with which a search goes on although its fit is right."""
-_DOUBTED = 1e-2  # chance below which a chi2 is reported
-_EXCEEDS = 5.0  # standard deviations from which on an excess is reported
-_RANGE = 0.8, 1.4  # of the share: 1 for a register of high gain, and more where there is a misfit as well
-_CELLS = 8  # groups of pixels, in the order of their light
-_FLAT = 0.3  # largest difference of a cell's share from that of all, besides five standard deviations
-_OF_LIGHT = 0.1  # s above which a pixel has information on the variance of light
-_REAL = 1e-6  # of the variance of both parts: below, the transform is real
-_LEAST_SIDE = 6  # pixels of windows in which stripes are looked for
+"""Probability that a search continues although its fit is correct."""
+_RARE = 1e-2  # probability below which a chi2 is reported
+_EXCEEDS = 5.0  # smallest significance of excess noise that is reported, standard deviations
+_RANGE = 0.8, 1.4  # range of `share` for electron multiplication: 1 at high gain, more if there is also a misfit
+_CELLS = 8  # number of groups of pixels of similar light
+_FLAT = 0.3  # largest difference of the share of a cell from that of all pixels, plus five standard deviations
+_MIN_PHOTON_PART = 0.1  # smallest s = m / v of a pixel that is used to test the variance of photons
+_REAL = 1e-6  # relative variance of the imaginary part below which a transform counts as real
+_LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
 def most(spread: Any, probability: float = BY_CHANCE) -> Array:
-    """Return the chi2 that noise exceeds with a probability, for standard deviations `spread` of chi2."""
+    """Return the chi2 that noise exceeds with this probability, for a standard deviation `spread` of chi2."""
     # The gamma distribution of mean 1 and standard deviation s has the shape 1 / s^2.
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
     return np.asarray(special.gammainccinv(shape, probability) / shape)
 
 
 def least(spread: Any, probability: float = BY_CHANCE) -> Array:
-    """Return the chi2 below which noise stays with a probability."""
+    """Return the chi2 that noise falls below with this probability."""
     shape = 1.0 / np.square(np.maximum(spread, 1e-9))
     return np.asarray(special.gammaincinv(shape, probability) / shape)
 
 
 def chance(chi2: float, spread: float) -> float:
-    """Return the probability that noise alone makes a chi2 as large."""
+    """Return the probability that noise alone causes a chi2 of this value or more."""
     shape = 1.0 / max(spread, 1e-9) ** 2
     return float(special.gammaincc(shape, shape * chi2))
 
 
 def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
-    """Return the finding of a chi2 that noise does not explain, or seldom, once in 1000 fits a doubt.
+    """Return the finding of a chi2 that noise does not explain or explains rarely; a doubt below a probability SURE.
 
-    `causes` of a misfit in words, "" where another finding names them.
+    `causes` is a text on possible causes of a misfit, or "" if another finding has them.
     """
     limit, floor, rare = float(most(spread)), float(least(spread)), chance(chi2, spread)
     numbers = {"chi2": chi2, "limit": limit, "least": floor, "chance": rare}
@@ -76,7 +76,7 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
     if chi2 < floor:
         text = "the images are less noisy than gain, read noise and offset state, so that standard errors do not hold"
         return [Finding("too_quiet", "doubt", text, numbers)]
-    if rare < _DOUBTED:
+    if rare < _RARE:
         percent = f"{100.0 * max(rare, 1e-6):.1g}"
         severity: Severity = "doubt" if rare < SURE else "note"
         return [Finding("rare_chi2", severity, f"noise alone exceeds this chi2 in {percent} % of fits", numbers)]
@@ -90,11 +90,11 @@ class ExcessTest:
     Attributes
     ----------
     share : float
-        The variance beyond what was taken, over the light: ``excess - 1``; 0 where the noise is right.
+        (actual variance - assumed variance) / light: ``excess - 1``, or 0 if the assumed noise is right.
     error : float
-        Standard error of `share` where the noise is right.
+        Standard error of `share` if the assumed noise is right.
     flat : bool
-        Whether pixels of little and of much light have the same share, as of a camera, not of wrong means.
+        Whether dim and bright pixels have the same share, which indicates the camera and not wrong means.
     """
 
     share: float
@@ -103,16 +103,16 @@ class ExcessTest:
 
     @property
     def sigmas(self) -> float:
-        """`share` over its error; 0 where nothing is known."""
+        """`share` divided by its standard error; 0 if the error is infinite."""
         return self.share / self.error if np.isfinite(self.error) else 0.0
 
     @property
     def found(self) -> bool:
-        """Whether it is the noise of an electron-multiplying register: near 1, beyond chance, and flat."""
+        """Whether there is noise of electron multiplication: `share` is flat, significant and near 1."""
         return self.flat and self.sigmas > _EXCEEDS and _RANGE[0] <= self.share <= _RANGE[1]
 
     def findings(self, excess: float) -> list[Finding]:
-        """Return the finding on a register; none if an `excess` above 1 was stated."""
+        """Return the finding on electron multiplication; none if an `excess` above 1 was stated."""
         if not self.found or excess > 1.0:
             return []
         factor = 1.0 + self.share
@@ -130,9 +130,9 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
     Parameters
     ----------
     residual, light, read : array_like, of one shape or broadcast to one
-        Of each pixel, in electrons: the difference of counts and mean; the mean; the variance of reading. Pixels of a
-        residual that is NaN do not count. Residuals of fits with few pixels a parameter are too small: multiply them
-        by the root of the pixels over the degrees of freedom.
+        For each pixel, in electrons: counts minus mean; mean; read variance. Pixels with a residual of NaN are
+        ignored. Residuals of fits with few pixels per parameter are too small: multiply them by
+        ``sqrt(pixels / degrees of freedom)``.
 
     Returns
     -------
@@ -141,13 +141,13 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
     off, mean, added = (np.asarray(each, float).ravel() for each in np.broadcast_arrays(residual, light, read))
     variance = np.maximum(mean + added, 1e-9)
     s = np.maximum(mean, 0.0) / variance
-    known = np.flatnonzero(np.isfinite(off) & (s > _OF_LIGHT))
+    known = np.flatnonzero(np.isfinite(off) & (s > _MIN_PHOTON_PART))
     if not known.size:
         return ExcessTest(0.0, np.inf, flat=False)
     known = known[np.argsort(mean[known], kind="stable")]
     off, mean, variance, s = off[known], mean[known], variance[known], s[known]
     sums = np.stack([s * (off**2 / variance - 1.0), s * s, s * s * (2.0 + 1.0 / variance)])
-    # All pixels, and cells of like light, each of as much of all light.
+    # Sums over all pixels, and over cells of pixels of similar light, each with an equal part of the total light.
     starts = np.unique(np.searchsorted(np.cumsum(mean), mean.sum() * np.arange(_CELLS) / _CELLS))
     beyond, information, spread = np.column_stack([sums.sum(axis=1), np.add.reduceat(sums, starts, axis=1)])
     shares, errors = beyond / information, np.sqrt(spread) / information
@@ -158,12 +158,12 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
 
 
 def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> list[Finding]:
-    """Return the finding of stripes, or of rows or columns with offsets, in residuals beyond chance.
+    """Return the finding of significant stripes, or offsets of rows or columns, in residuals.
 
     Parameters
     ----------
     residual, variance : ndarray, shape (images, height, width)
-        Electrons and their squares, over `excess`; pixels of a residual that is NaN do not count.
+        Residuals (electrons) and variances (electrons^2), both for electrons divided by `excess`.
     excess : float, default 1
         Factor of the variance of an electron-multiplying camera.
     """
@@ -173,7 +173,7 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     height, width = residual.shape[1:]
     if not len(weight) or min(height, width) < _LEAST_SIDE:
         return []
-    # Backgrounds that slope are no stripes: a plane is taken from each window.
+    # Subtract a plane from each window, because sloping backgrounds are not stripes.
     plane = np.stack([np.ones((height, width)), *np.mgrid[:height, :width]])
     normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
     pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
@@ -188,13 +188,13 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     parts = 2.0 * (total * np.abs(pull) ** 2 - (pull**2 * twice.conj()).real) / np.where(real, 1.0, spread)
     squares = np.where(real, np.abs(pull) ** 2 / total, parts).sum(axis=0)
     freedom = np.where(real, 1.0, 2.0).sum(axis=0)
-    # Where the noise is larger than stated, all wave vectors have more.
+    # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
     squares /= max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
     alone = special.gammaincc(0.5 * freedom, 0.5 * squares)
     alone[:2, :2] = alone[-1, :2] = 1.0  # as wide as the window are backgrounds and their slopes
     i, j = np.unravel_index(int(alone.argmin()), alone.shape)
     power = {"stripes": (squares[i, j] - freedom[i, j], len(weight) / freedom[i, j])}
-    # The least of so many independent chances is as rare as one that is their number times smaller.
+    # The smallest of n independent probabilities is multiplied by n (Bonferroni).
     chances = {"stripes": float(alone[i, j]) * height * half}
     for name, at, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:half], width)):
         found, of = float(squares[at].sum()), float(freedom[at].sum())

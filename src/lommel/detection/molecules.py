@@ -1,16 +1,16 @@
 r"""Detection of molecules: spots of light above the background, and boxes around them.
 
-Frames are smoothed by a narrow Gaussian less a wide one (difference of Gaussians, kernel k of sum 0). Where there
-is background alone, e = sum k d has the variance ``m sum k^2`` and the third moment ``m sum k^3``, m being the
-background by the wide Gaussian and the read variance in electrons, d the electrons. It is compared with a Poisson
-number of the same three moments, ``lambda = m sum k^2 / a^2`` with ``a = sum k^3 / sum k^2``, by the signed root of
-the likelihood ratio (Cash 1979, doi:10.1086/156922):
+Frames of electrons d are smoothed by a kernel k of sum 0, a narrow Gaussian minus a wide one. In a region of
+background, e = sum k d has the variance ``m sum k^2`` and the third moment ``m sum k^3``, where m is the background
+(smoothed by the wide Gaussian) plus the read variance, in electrons. A scaled Poisson variable has the same moments
+if its mean is ``lambda = m sum k^2 / a^2`` and its scale ``a = sum k^3 / sum k^2``. The score of a spot is the signed
+root of the likelihood ratio of this variable (Cash 1979, doi:10.1086/156922):
 
 .. math:: s = \sqrt{2 \bigl((\lambda + e/a) \ln(1 + e/(a \lambda)) - e/a\bigr)}
 
-for e > 0. It is nearly normal also of a few electrons a pixel, where e over its standard deviation is not. Of a
-smooth normal field, the expected number of maxima above a threshold u, a pixel, is (Adler 1981, The Geometry of
-Random Fields, 6.9)
+for e > 0. The score is nearly normal even for a few electrons per pixel, unlike e divided by its standard deviation.
+For a smooth normal field, the expected number of maxima above a threshold u, per pixel, is (Adler 1981, The Geometry
+of Random Fields, 6.9)
 
 .. math:: \Lambda \, (2 \pi)^{-3/2} \, u \, e^{-u^2 / 2}, \qquad
           \Lambda = \int (\partial_x k)^2 \big/ \int k^2 .
@@ -34,11 +34,11 @@ from lommel.base.threads import side_by_side
 from lommel.recorded.counts import Counts
 from lommel.recorded.noise import Noise
 
-_LEAST = 1e-3  # electrons a pixel: least mean, where the background is 0
-_REACH = 4.0  # standard deviations at which kernels end
-_FAR = 1e-3  # of the weights around a pixel: below, it has no known neighbours
-APART = 1.0 - 1e-9  # distance, in boxes, at which they do not overlap
-DEFECT = 1e3  # electrons of read noise at and above which a pixel is a defect
+_LEAST = 1e-3  # smallest mean of a pixel, electrons
+_REACH = 4.0  # half-width of kernels, standard deviations
+_FAR = 1e-3  # fraction of the kernel's weight on known pixels, below which a pixel has no known neighbours
+APART = 1.0 - 1e-9  # smallest distance of boxes that do not overlap, in sides of a box
+DEFECT = 1e3  # smallest read noise of a defective pixel, electrons
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,19 +48,19 @@ class Spots:
     Attributes
     ----------
     frame : ndarray of int, shape (n,)
-        Counted as `first` of :func:`lommel.localize.find` says; rising.
+        Number of the frame, counted from `first` of :func:`lommel.localize.find`; in increasing order.
     row, column : ndarray of int, shape (n,)
         First pixel of the box; its centre is pixel ``rows // 2, columns // 2`` of the box.
     score : ndarray, shape (n,)
         Height above the background in standard deviations of the background noise.
     images : ndarray, shape (n, rows, columns)
-        Boxes cut from the frames, in their unit and type; of frames with saturated or unknown pixels as floats, NaN
-        there.
+        Boxes cut from the frames, in the unit and type of the frames. If frames have saturated or unknown pixels,
+        boxes are floats, with NaN at these pixels.
     borders, overlapping : int
-        Spots left out because their boxes extend beyond the frame, or overlap that of a brighter spot: another
-        molecule, or another part of the same image.
+        Numbers of spots left out because the box extends beyond the frame, or overlaps the box of a brighter spot
+        (another molecule, or another part of the same image).
     saturated, left_out : int
-        Pixels of the boxes that are saturated, and others that are unknown: NaN, infinite or masked.
+        Numbers of pixels of the boxes that are saturated, and that are NaN, infinite or masked.
     false_spots : float
         Expected number of spots in a frame from noise alone.
     """
@@ -78,7 +78,7 @@ class Spots:
 
     @property
     def corners(self) -> NDArray[np.int64]:
-        """Row and column of the first pixel of each box, shape (n, 2): by them fits choose boxes of camera maps."""
+        """Row and column of the first pixel of each box, shape (n, 2), for fits with maps of the camera."""
         return np.column_stack([self.row, self.column])
 
     def __len__(self) -> int:
@@ -105,22 +105,22 @@ def find(
     Parameters
     ----------
     frames : array_like, shape (frames, rows, columns) or (rows, columns)
-        As the camera recorded them, in the unit of `noise`. NaN, infinite and masked values are left out.
+        Recorded frames, in the unit of `noise`. NaN, infinite and masked values are ignored.
     box : int or (int, int), default 15
         Rows and columns of the boxes.
     noise : Noise, optional
         Gain, offset and read noise of the camera, each a number or a map of the frame. By default frames are in
-        electrons without read noise. Pixels of a read noise of 1000 electrons or more are defects: their values are
-        not looked at.
+        electrons without read noise. Pixels with a read noise of 1000 electrons or more are defects, and ignored.
     threshold : float, default 6.0
-        Least height of a spot in standard deviations of the background noise, at least 3.
+        Minimum height of a spot in standard deviations of the background noise, at least 3.
     width : float, default 2.0
-        Standard deviation of the smoothing in pixels, at most a quarter of the box: about that of the images of
-        molecules, so that elongated ones have one maximum, in their middle. The background is smoothed by a third of
-        the box.
+        Standard deviation of the smoothing in pixels, at most a quarter of the box. It should be about that of the
+        images of molecules, so that an elongated image has a single maximum, in the middle. The background is
+        smoothed with a standard deviation of a third of the box.
     saturation : float, optional
-        Values from here on, in the unit of the frames, are saturated: they count for the search, and are NaN in
-        boxes. By default the largest value of integers, and where many pixels are full, that of 8 to 16 bits.
+        Pixels of this value or more, in the unit of the frames, are saturated: they are used in the search, and are
+        NaN in boxes. By default the largest value of the integer type or, if many pixels have the largest value of 8
+        to 16 bits, this value.
     first : int, default 0
         Number of the first frame.
     threads : int, optional
@@ -129,19 +129,20 @@ def find(
     Returns
     -------
     Spots
-        Of spots whose boxes overlap only the brighter is kept. Of a background without structure at most
-        `false_spots` a frame are noise: at 6.0 one in 3700 frames of 512 x 512.
+        If the boxes of two spots overlap, only the brighter spot is kept. A background without structure yields at
+        most `false_spots` spots per frame: for a threshold of 6.0, one in 3700 frames of 512 x 512 pixels.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or frames are smaller than the box, or have no pixel that is known.
+        If an argument is out of range, or frames are smaller than the box or have no valid pixel.
 
     Notes
     -----
-    Detection by a difference of Gaussians with the likelihood ratio of a Poisson number as height, so that thresholds
-    hold for dim and bright backgrounds and pixels of any read noise: see the module's docstring for equations and
-    sources. Images with several bright parts, as of strong aberrations, are one spot if these are within a box.
+    Detection uses a difference of Gaussians and the likelihood ratio of a Poisson variable, so that a threshold has
+    the same meaning for dim and bright backgrounds and for any read noise. Equations and references are in the
+    docstring of the module. An image with several bright parts, due to strong aberrations, is one spot if a box
+    contains all parts.
 
     Examples
     --------

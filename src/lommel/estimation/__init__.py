@@ -43,25 +43,25 @@ class FitOptions:
     Parameters
     ----------
     mask : array_like of bool, optional
-        True where a pixel is to be left out, of the shape of all images, of one stack or of one image.
+        True for pixels to be left out; of the shape of all images, of one stack or of one image.
     saturation : float, optional
-        Values from here on, in the unit of the images, are left out.
+        Pixels of this value or more, in the unit of the images, are left out.
     integrate : bool, optional
-        Pixel-integrated or point-sampled: by default, as of :func:`lommel.psf`, pixels in metres integrate and pixels
-        in units of lambda*N sample.
+        Pixel-integrated (True) or point-sampled (False) images. The default is that of :func:`lommel.psf`: integrated
+        for pixels in metres, sampled for pixels in units of lambda*N.
     tol : float, default 1e-6
-        Tolerance of the PSFs relative to the peak: less than the noise of 1e10 electrons there.
+        Tolerance of the PSFs relative to the peak; the default is below the photon noise of 1e10 electrons.
     starts : int, default 20
-        Maximum number of starts: `pupil`, and random restarts 1.5 radians rms from it until a fit is certain.
+        Maximum number of starts: `pupil`, then random restarts 1.5 radians rms from it until a fit is accepted.
     steps : int, default 60
         Maximum number of steps from each start.
     seed : int or Generator, default 0
-        Of random starts.
+        Seed or generator of random starts.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Called as ``progress(share, chi2)`` before each step, with the share done of the longest possible search;
-        an exception that it raises stops the search.
+        Called as ``progress(fraction, chi2)`` before each step; `fraction` is the part done of the longest possible
+        search. An exception raised by this function stops the search.
     """
 
     mask: ArrayLike | None = None

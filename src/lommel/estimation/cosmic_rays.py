@@ -23,19 +23,18 @@ Mask: TypeAlias = NDArray[np.bool_]
 
 # Threshold in standard deviations for a pixel of a track, and for a pixel adjacent to one that is already found.
 _SIGMA, _SIGMA_ADJACENT = 6.0, 3.0
-_RATIO_FACTOR = (
-    2.0  # threshold of the ratio to neighbours, over that of an unaberrated star; half of it beside a track
-)
+# Threshold of the ratio of a pixel to its neighbours, divided by that of an unaberrated star; half next to a track.
+_RATIO_FACTOR = 2.0
 _MIN_RATIO = 8.0  # smallest threshold of the ratio: with pixels far below lambda*N images have narrow dark lines
-# Assumed standard deviation of the median of neighbours over that of a pixel: about half of it for equal pixels,
-# since faint points are rare.
+# Assumed standard deviation of the median of the neighbours, divided by that of a pixel. For equal pixels it is
+# about twice as large; the smaller value is sufficient because faint points are rare.
 _NEIGHBOUR_SIGMA = 0.25
-# Star from which the ratio is computed: side in pixels, positions of the axis within a pixel along either side, and
-# the least brightness of the pixels that count, over the peak.
+# Star for which the ratio is computed: side of the window in pixels, number of positions of the axis within a pixel
+# along each side, and smallest brightness of pixels that are used, divided by the peak.
 _SPAN, _SHIFTS, _BRIGHT = 7, 4, 0.05
 _DARK_QUANTILE = 0.02  # fraction of pixels of a window that is assumed to contain sky only
-_MAX_PASSES = 8  # in each of which tracks grow by a pixel
-_MAX_FRACTION = 0.06  # of the pixels of a window: more are not due to cosmic rays
+_MAX_PASSES = 8  # maximum number of passes; tracks grow by a pixel in each pass
+_MAX_FRACTION = 0.06  # largest fraction of pixels of a window that cosmic rays are assumed to hit
 # The eight neighbours of a pixel, and its four edge neighbours, both with the pixel itself.
 _EIGHT, _FOUR = (ndimage.generate_binary_structure(2, n)[None] for n in (2, 1))
 _OFFSETS = [offset for offset in product(range(3), range(3)) if offset != (1, 1)]
@@ -62,8 +61,8 @@ def sharpness(pupil: Pupil, pixel: float, *, integrate: bool) -> float:
 def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> Mask:
     """Return a mask of pixels of images (..., height, width) in tracks of cosmic rays and at their edges.
 
-    `variance` is that of the noise besides Poisson noise (electrons^2), `sharpest` the result of :func:`sharpness`.
-    In a window with more such pixels than cosmic rays would leave the star itself is sharp, and none is returned.
+    `variance` is the read variance (electrons^2), `sharpest` a result of :func:`sharpness`. If a window has more such
+    pixels than cosmic rays would hit, the star itself is sharp, and no pixel of the window is returned.
     """
     height, width = electrons.shape[-2:]
     known = valid.reshape(-1, height, width)
@@ -72,7 +71,7 @@ def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> M
     # The sky is estimated from the darkest pixels, because the star may fill most of a window.
     dark = np.nanquantile(light, _DARK_QUANTILE, axis=(1, 2), method="lower", keepdims=True)
     noise = np.maximum(dark, 0.0) + read.mean(axis=(1, 2), keepdims=True)
-    # Noise alone puts this quantile below the sky, by the quantile of a normal distribution.
+    # This quantile of the pixels is below the sky by the corresponding quantile of normal noise.
     sky = dark - norm.ppf(_DARK_QUANTILE) * np.sqrt(noise)
     excess, noise = light - sky, read + np.maximum(sky, 0.0)
     tracks, ratio = np.zeros(known.shape, dtype=bool), max(_RATIO_FACTOR * sharpest, _MIN_RATIO)
@@ -95,7 +94,7 @@ def struck(electrons: Array, variance: Array, valid: Mask, sharpest: float) -> M
 
 
 def _neighbour_median(images: Array, known: Mask) -> Array:
-    """Return the median of the known neighbours of each pixel; of an even number the brighter middle one."""
+    """Return the median of the known neighbours of each pixel; of an even number, the brighter of the middle two."""
     padded = np.pad(np.where(known, images, -np.inf), ((0, 0), (1, 1), (1, 1)), constant_values=-np.inf)
     _, height, width = images.shape
     neighbours = [padded[:, y : y + height, x : x + width] for y, x in _OFFSETS]

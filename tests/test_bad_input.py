@@ -342,9 +342,9 @@ NOISE = lm.Noise(white=1e4, read=3.0)
         (lambda: CAMERA.phase([1.0, 1e308]), "must be finite"),
         (lambda: replace(CAMERA, model="aplanatic").phase(1e308), "model 'aplanatic' is not possible"),
         (lambda: lm.Wavefront.zernike({11: 1e308}, order="noll"), "must be finite"),
-        (lambda: lm.mse(HUGE, np.ones((3, 3))), "values and reference differ by more than the range of numbers"),
-        (lambda: lm.mse(-HUGE, HUGE), "values and reference differ by more than the range of numbers"),
-        (lambda: lm.measures.errors.peak_error(HUGE, np.full((3, 3), 1e-300)), "values and reference differ"),
+        (lambda: lm.mse(HUGE, np.ones((3, 3))), "values and reference must not differ so much"),
+        (lambda: lm.mse(-HUGE, HUGE), "values and reference must not differ so much"),
+        (lambda: lm.measures.errors.peak_error(HUGE, np.full((3, 3), 1e-300)), "values and reference must not differ so much"),
         (lambda: lm.psf(PUPIL, 5, 1e-6, derivatives=0.5, blur=lm.Jitter(1e-6)), "derivatives must be a sequence"),
         (lambda: lm.ColourPSF(lm.Channels.rgb(), 1e9), "psfs must be a PSF for each of the 3 channels, got 1"),
         (lambda: NOISE.record(np.ones((2, 2)), seed="a" * 10000), "seed must be an integer >= 0 or a Generator"),
@@ -390,5 +390,5 @@ def test_refused_arguments_of_a_stack_say_how_it_is_given():
         lm.psf(pupil, 9, 0.5, center=axes)
     with pytest.raises(TypeError, match="text with a unit is for files and the command line"):
         lm.psf(pupil, 9, "4 um")
-    with pytest.raises(TypeError, match=r"zip\(range\(4, 16\), coefficients\) are such pairs"):
+    with pytest.raises(TypeError, match=r"such as zip\(range\(4, 16\), coefficients\), got"):
         lm.Wavefront.zernike(np.zeros(12), order="noll", unit="waves")

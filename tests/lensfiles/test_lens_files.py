@@ -93,7 +93,7 @@ def test_a_lens_has_a_model(load):
     assert (lens.model, lens.corrected_for) == ("aplanatic", "focus")
     with pytest.raises(LensFileError, match=r"lens.model \(line 9\): .*'paraxial' or 'aplanatic'"):
         load('model = "thick"')
-    with pytest.raises(LensFileError, match="the sine of the angle of its rim would be"):
+    with pytest.raises(LensFileError, match="the sine of the angle of the marginal ray would be"):
         load('model = "aplanatic"', "f_number = 0.4")
 
 

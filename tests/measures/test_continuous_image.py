@@ -362,7 +362,9 @@ def test_what_makes_no_sense_is_refused():
         arguments = () if call == psf.fwhm else (0.5,) if call == psf.energy_diameter else (1e-6,)
         with pytest.raises(ValueError, match="of must be one of 'image', 'optics', got 'pixels'"):
             call(*arguments, of="pixels")
-    with pytest.raises(ValueError, match=r"what reaches 0\.01 m from the axis .* ask for less of at most 0\.0016"):
+    with pytest.raises(
+        ValueError, match=r"a distance of 0\.01 m from the axis .* use a smaller distance of at most 0\.0016"
+    ):
         psf.encircled_energy(1e-2)
     with pytest.raises(ValueError, match="pixel must be left out for a PSF, which has its own; give it with"):
         lm.mtf(psf, 1e4, pixel=1e-6)

@@ -51,7 +51,7 @@ def test_the_best_focus_is_found_with_the_method_that_is_given() -> None:
 
 
 def test_other_apertures_have_no_best_focus_in_a_circle():
-    with pytest.raises(ValueError, match="pupil must be radially symmetric for its best focus"):
+    with pytest.raises(ValueError, match="pupil must be radially symmetric, got a wavefront or an aperture"):
         lm.best_focus(lm.Pupil(stop=lm.Polygon.regular(6, 1.0)), 1.0)
 
 
@@ -195,12 +195,12 @@ def test_what_is_no_stack_over_z_is_refused():
 
     z = np.arange(-3, 4) * 0.1e-6
     for answer, said in (
-        (lm.psf(lm.Pupil(lm.Wavefront()), 5, 0.3), "this is the PSF of a lens"),
-        (made(depth=0.0), "a stack of planes, got one of shape"),
+        (lm.psf(lm.Pupil(lm.Wavefront()), 5, 0.3), "got the PSF of a lens"),
+        (made(depth=0.0), "at least two planes z, got one of shape"),
         (made(depth=[0.0, 1e-6], z=0.0), "several depths"),
         (made(depth=[0.0, 1e-6], z=z[:2]), "several depths"),
-        (made(depth=0.0, z=z[::-1]), "z must rise"),
-        (made(depth=0.0, z=[0.0, 0.0, 1e-7, 2e-7]), "z must rise"),
+        (made(depth=0.0, z=z[::-1]), "z must increase"),
+        (made(depth=0.0, z=[0.0, 0.0, 1e-7, 2e-7]), "z must increase"),
     ):
         for ask in (lambda of: of.z, lambda of: of.axial_fwhm()):
             with pytest.raises(ValueError, match=said):

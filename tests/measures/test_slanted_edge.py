@@ -88,9 +88,9 @@ EDGE = picture(5.0)
         (np.full((40, 40), 0.5), "must show an edge"),
         (np.random.default_rng(0).random((40, 40)), "must show an edge"),
         (picture(0.5), "2 to 40 degrees"),
-        (picture(44.0), "2 to 40 degrees|must hold the whole edge"),
-        (picture(np.degrees(np.arctan(1.0 / 3.0))), "no fraction such as 1/3"),
-        (picture(30.0, shape=(60, 40)), "must hold the whole edge"),
+        (picture(44.0), "2 to 40 degrees|must show the edge from end to end"),
+        (picture(np.degrees(np.arctan(1.0 / 3.0))), "not a simple fraction such as 1/3"),
+        (picture(30.0, shape=(60, 40)), "must show the edge from end to end"),
         (EDGE[:10], "20 pixels or more"),
         (EDGE[..., None], "20 pixels or more"),
         (np.where(EDGE > 0.89, np.nan, EDGE), "image"),
@@ -102,7 +102,7 @@ def test_pictures_without_a_slanted_edge_are_refused(image, message):
 
 
 def test_frequencies_beyond_nyquist_are_refused():
-    with pytest.raises(ValueError, match="frequency must be at most that of Nyquist, 125 cycles/mm"):
+    with pytest.raises(ValueError, match="frequency must be at most the Nyquist frequency, 125 cycles/mm"):
         lm.sfr(EDGE, PIXEL)(130e3)
 
 

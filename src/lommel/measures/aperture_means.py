@@ -1,8 +1,8 @@
 r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and spot radius from the wavefront.
 
-All are integrals over the clear aperture. Discs and annuli are integrated in polar coordinates, with Gauss-Legendre
-nodes in ``t = rho^2`` and equal steps in theta; other apertures with the nodes of :meth:`lommel.Pupil.rule`, and with
-the phases of segments. An average over theta is even in rho and therefore smooth in t, so that convergence is
+All these measures are integrals over the clear aperture. For discs and annuli the nodes are Gauss-Legendre nodes in
+``t = rho^2`` and equal steps in theta. Other apertures, also those of segments with their own phases, use the nodes
+of :meth:`lommel.Pupil.rule`. An average over theta is even in rho and therefore smooth in t, so that convergence is
 spectral. Integrals of polynomials are exact with a finite number of nodes; for the Strehl ratio the number of nodes
 is increased until the result converges.
 """
@@ -26,27 +26,28 @@ from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-_MAX_NODES = 2**24
+_MAX_NODES = 2**24  # largest number of nodes for a Strehl ratio
 
 
 def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
-    """Return the root mean square of the phase over the aperture, about its mean: the rms wavefront error.
+    """Return the rms wavefront error: the root mean square over the aperture of the phase minus its mean.
 
     Parameters
     ----------
     pupil : Pupil or Wavefront
-        The average is weighted by the amplitude of a pupil; a wavefront is averaged over the full disc.
+        The average over a pupil is weighted by its amplitude. A wavefront is averaged over the full disc.
     unit : {"radians", "waves"}, default "radians"
+        Unit of the result.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Exact except for rounding. Tilt is included like every other term, although it only shifts the image.
+        Rms wavefront error, exact up to rounding. Tilt contributes, although it only shifts the image.
 
     Raises
     ------
     TypeError, ValueError
-        If `pupil` is neither a pupil nor a wavefront, or `unit` is unknown.
+        If `pupil` is neither a pupil nor a wavefront, or if `unit` is unknown.
 
     Examples
     --------
@@ -62,9 +63,9 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
 def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]) -> Array:
     """Return the coefficients (radians) of the least-squares fit of functions of (rho, theta) to a pupil's phase.
 
-    The fit is over the clear aperture, weighted by amplitude, and includes a constant, whose coefficient is not
-    returned. Without the fitted terms the rms phase is smallest. The result is exact except for rounding if the
-    functions are polynomials of no higher degree and order than tilt, defocus and the phase.
+    The fit covers the clear aperture, weighted by amplitude, and includes a constant, whose coefficient is omitted
+    from the result. The result is exact up to rounding if the functions are polynomials whose radial degree and
+    azimuthal order are at most those of the phase or of defocus and tilt.
     """
     nodes = _polynomial_rule(checked(pupil), 1.0)
     columns = np.stack([np.ones(nodes.rho.shape), *(term(nodes.rho, nodes.theta) for term in terms)], axis=-1)
@@ -76,8 +77,8 @@ def marechal(pupil: Pupil) -> Numbers:
     """Return the extended Marechal estimate of the Strehl ratio, ``exp(-sigma^2)``.
 
     Here sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). The estimate agrees with
-    :func:`lommel.strehl` to second order in the phase. It is within 10 % for Strehl ratios above 0.38 for defocus,
-    and above 0.3 for a Zernike term of astigmatism, coma or spherical aberration.
+    :func:`lommel.strehl` to second order in the phase. Its relative error is below 10 % if the Strehl ratio exceeds
+    0.38 for defocus, or 0.3 for a single Zernike term of astigmatism, coma or spherical aberration.
 
     Parameters
     ----------
@@ -86,6 +87,7 @@ def marechal(pupil: Pupil) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
+        Estimated Strehl ratio.
 
     References
     ----------
@@ -96,7 +98,7 @@ def marechal(pupil: Pupil) -> Numbers:
 
 
 def strehl(pupil: Pupil) -> Numbers:
-    """Return the Strehl ratio: intensity on the axis relative to the same aperture without aberration.
+    """Return the Strehl ratio, the intensity on the axis relative to the same aperture without aberrations.
 
     It is ``abs(mean of exp(i phase))^2``, weighted by the amplitude. The brightest point of the image may lie off the
     axis, for example by a tilt: see :func:`lommel.measures.spot.peak_strehl`. The Strehl ratio of a computed image is
@@ -109,8 +111,8 @@ def strehl(pupil: Pupil) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        The number of nodes is increased until two results differ by less than 1e-12; the last one is then accurate to
-        about rounding.
+        Strehl ratio, accurate to about rounding: the number of nodes is increased until two successive results differ
+        by at most 1e-12.
 
     Raises
     ------
@@ -120,18 +122,18 @@ def strehl(pupil: Pupil) -> Numbers:
         If the phase needs more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
-    # One pupil at a time, since each needs another number of nodes.
+    # One pupil at a time, because the numbers of nodes differ.
     pupils = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
     return numbers([_strehl(single) for single in pupils], pupil.shape)
 
 
 def centroid(pupil: Pupil) -> Array:
-    """Return the centroid of the light, from the wavefront: the mean gradient of the phase, weighted by intensity.
+    """Return the centroid of the light from the wavefront: the mean gradient of the phase, weighted by intensity.
 
-    The centroids of the rays and of the light are the same. The centroid of the values in a window,
-    :func:`lommel.measures.energy.window_centroid`, approaches it as the window grows. The phase of a complex mask has
-    no gradient: the result is then the centroid of the image, over one period around the axis or, for
-    ``squares=True``, in the limit of large windows around the axis.
+    The centroid of the rays equals the centroid of the light. The centroid of the values in a window,
+    :func:`lommel.measures.energy.window_centroid`, converges to it as the window grows. The phase of a complex mask
+    has no gradient: for such a mask the function returns the centroid of one period of the image around the axis or,
+    for ``squares=True``, the limit of the centroid in large windows around the axis.
 
     Parameters
     ----------
@@ -140,8 +142,8 @@ def centroid(pupil: Pupil) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
-        Exact except for rounding.
+        x (columns) and y (rows) relative to the axis, metres if the pupil has a wavelength, else units of lambda*N.
+        The result is exact up to rounding.
     """
     if checked(pupil).phase_mask:
         assert pupil.mask is not None
@@ -155,8 +157,8 @@ def centroid(pupil: Pupil) -> Array:
 def spot_radius(pupil: Pupil) -> Numbers:
     """Return the rms radius of the rays on the sensor about their centroid, weighted by intensity.
 
-    The position of a ray on the sensor is proportional to the gradient of the phase. Diffraction is ignored: the rms
-    radius of a diffraction PSF is infinite for any hard-edged aperture.
+    The position of a ray on the sensor is proportional to the gradient of the phase. Diffraction is ignored, because
+    the rms radius of a diffraction PSF is infinite for every hard-edged aperture.
 
     Parameters
     ----------
@@ -165,7 +167,7 @@ def spot_radius(pupil: Pupil) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres if the pupil has a wavelength, else units of lambda*N. Exact except for rounding.
+        Radius in metres if the pupil has a wavelength, else in units of lambda*N, exact up to rounding.
     """
     nodes = _polynomial_rule(checked(pupil), 2.0)
     rays = nodes.rays(pupil)
@@ -175,7 +177,7 @@ def spot_radius(pupil: Pupil) -> Numbers:
 
 
 def slopes(pupil: Pupil, rho: Array, theta: Array) -> Array:
-    """Return the gradient of the phase of wavefront and segments at points of the pupil, shape (n, 2, points)."""
+    """Return the phase gradient of wavefront plus segments for the flattened stack, shape (n, 2, points)."""
     slope = gradient(pupil.wavefront, rho, theta)
     if pupil.segmented:
         slope = slope + pupil.opening.tilted(rho * np.cos(theta), rho * np.sin(theta))[1:]
@@ -191,9 +193,9 @@ def _variance(pupil: Pupil) -> Array:
 
 
 class _Nodes(NamedTuple):
-    """Quadrature nodes of an aperture, with weights of sum 1.
+    """Quadrature nodes of an aperture, with weights whose sum is 1.
 
-    `added` (3, points) are the phase of segments and mask at the nodes, and its derivatives with respect to x and y.
+    `added`, shape (3, points), is the phase of segments and mask at the nodes and its derivatives along x and y.
     """
 
     rho: Array
@@ -214,17 +216,17 @@ class _Nodes(NamedTuple):
 
 def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
     """Return nodes that integrate squares of the phase and of its gradient exactly, weighted by amplitude^power."""
-    # The phase of complex samples is known modulo 2 pi, so that neither its mean nor its slope is defined.
+    # A complex mask defines its phase modulo 2 pi only, so that neither the mean nor the slope of the phase exists.
     if pupil.phase_mask:
         raise ValueError(
-            "mask must be real for measures of the wavefront, since the phase of a complex one is known up to whole "
-            "waves at its samples only; give that phase as Zernike terms (lommel.fit_opd), or take lommel.strehl"
+            "mask must be real for measures of the wavefront, since a complex mask defines its phase only up to whole "
+            "waves; pass this phase as Zernike terms (lommel.fit_opd), or use lommel.strehl"
         )
     terms = pupil.wavefront.nonradial
-    # The square of a phase of degree n in rho has the degree n in t.
+    # The square of a phase of degree n in rho has degree n in t = rho^2.
     degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
-    # n Gauss nodes are exact to the degree 2 n - 1 in t; a varying amplitude needs some more.
+    # n Gauss nodes are exact up to the degree 2 n - 1 in t; a varying amplitude needs additional nodes.
     slope = power * pupil.illumination.slope
     if not pupil.circular:
         return _clear_rule(pupil, power, 2 * degree + 2 + (0 if slope == 0.0 else 48 + math.ceil(slope)))
@@ -233,10 +235,10 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
 
 
 def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
-    """Return a rule for discs and annuli of radial Gauss-Legendre nodes times `around` angles."""
+    """Return a quadrature rule for discs and annuli: `radial` Gauss-Legendre nodes times `around` angles."""
     low = pupil.obscuration**2
     t, weight = gauss_legendre(radial, low, 1.0)
-    # Relative to the brightest zone, so that a strong apodization does not underflow.
+    # Amplitudes are relative to the brightest zone, so that a strong apodization does not underflow.
     exponent = pupil.illumination.exponent_at(t)
     weight = weight * np.exp(-power * (exponent - exponent.min()))
     theta = np.arange(around) * (2.0 * math.pi / around)
@@ -245,11 +247,11 @@ def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
 
 
 def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
-    """Return a rule over the clear parts of any aperture, exact for polynomials of a degree in x and y."""
+    """Return a quadrature rule for any aperture, exact for polynomials of this `degree` in x and y."""
     x, y, weight = pupil.rule(degree)
-    # The weights of a mask contain the amplitude of its cells once: for amplitude^power the power - 1 is missing.
+    # The weights of a mask include the amplitude of its cells to the power 1; multiply by amplitude^(power - 1).
     mask_factor = 1.0 if pupil.mask is None else weight ** (power - 1.0)
-    # A mask may have a node at rho = 0, where (1 / rho) d/dtheta exists as a limit only.
+    # A mask may have a node at rho = 0, where (1 / rho) d/dtheta would divide by 0.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * mask_factor * pupil.illumination.at(rho**2, power)
     added = None
@@ -264,7 +266,8 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
 def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
-    # dPhi/drho and (1/rho) dPhi/dtheta: first of the radial terms, then of c R(rho) cos(m theta) or sin(m theta).
+    # dPhi/drho and (1/rho) dPhi/dtheta, first for radial terms, then for c R(rho) cos(m theta) and c R(rho) sin(m
+    # theta).
     radial = ray_height(flat.edge[:, : flat.symmetric], rho)
     tangential = np.zeros_like(radial)
     for (n, m), c in flat.nonradial.items():
@@ -272,7 +275,7 @@ def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
         function, derivative = (np.cos, -np.sin(k * theta)) if m > 0 else (np.sin, np.cos(k * theta))
         radial = radial + c[:, None] * (_radial_slope(n, k, rho) * function(k * theta))
         tangential = tangential + c[:, None] * (zernike.radial(n, k, rho) / rho * k * derivative)
-    # Rotated to x and y.
+    # Rotate from the radial and tangential directions to x and y.
     cos, sin = np.cos(theta), np.sin(theta)
     return np.stack([radial * cos - tangential * sin, radial * sin + tangential * cos], axis=1)
 
@@ -291,9 +294,9 @@ def _radial_slope(n: int, m: int, rho: Array) -> Array:
 def _strehl(pupil: Pupil) -> float:
     """Return the Strehl ratio of a single pupil."""
     if not pupil.circular:
-        # The error is below 1e-12: the rule has positive weights and the degree that a proven bound requires.
+        # The error is below 1e-12, by the proven bound of degree_needed() for rules with positive weights.
         sizes = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
-        # The tilt of a segment has the same effect on the degree as a shift of the window.
+        # The tilt of a segment needs the same degree as an equal shift of the window.
         largest_tilt = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
         nodes = _clear_rule(pupil, 1.0, degree_needed(sizes, largest_tilt, pupil.illumination, 1e-13))
         mean = np.sum(nodes.weight * np.exp(1j * nodes.phase(pupil)))
@@ -301,14 +304,14 @@ def _strehl(pupil: Pupil) -> float:
     blur = float(pupil.v(pupil.geometric_radius()))
     terms = pupil.wavefront.nonradial
     order = max([0, *(abs(m) for _, m in terms)])
-    # Half a node per radian of the geometric blur (in v) resolves exp(i phase), as the loop below checks.
+    # About 0.5 nodes per unit of the blur (in v) resolve exp(i phase); the loop below verifies this estimate.
     radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.illumination.slope)
     around = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
 
     def quadrature(radial: int, around: int) -> float:
         if radial * around > _MAX_NODES:
             raise ToleranceError(
-                f"the Strehl ratio of a phase with a blur of v = {blur:.3g} takes more than {_MAX_NODES} nodes"
+                f"the Strehl ratio of a phase with a blur of v = {blur:.3g} needs more than {_MAX_NODES} nodes"
             )
         nodes = _rule(pupil, 1.0, radial, around)
         mean = np.sum(nodes.weight * np.exp(1j * nodes.phase(pupil)))
@@ -319,6 +322,6 @@ def _strehl(pupil: Pupil) -> float:
         radial = math.ceil(1.4 * radial)
         around = 2 * math.ceil(0.7 * around) if terms else around
         before, value = value, quadrature(radial, around)
-        # Large phases have a rounding error of about 1e-15 of the blur.
+        # Rounding errors of large phases are about 1e-15 times the blur.
         if abs(value - before) <= 1e-12 + 1e-15 * blur:
             return value

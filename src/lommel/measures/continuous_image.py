@@ -1,4 +1,4 @@
-"""The continuous image that the values of a PSF sample, at any point and over any circle or rectangle.
+"""Continuous image sampled by the values of a PSF: light per area at any point, light in circles and rectangles.
 
 The image e at the position r is the intensity of a point source, convolved with each blur and, if pixels integrate,
 with the pixel. Its Fourier transform is the optical transfer function (OTF) times factors B of blur and S of pixels,
@@ -9,11 +9,11 @@ as a fraction of all light per area. The fraction of all light within the radius
 
     E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R abs(f)) / abs(f) d^2 f .
 
-Two classes compute the OTF. :class:`PolarImage`, for radially symmetric lenses and lenses seen through turbulence,
-takes it from the pupil, at Gauss nodes along the radial frequency. :class:`CartesianImage`, for all pupils, takes the
-discrete transform of samples, with a smooth cut-off from 1 to 0 between one and two times the highest frequency that
-passes. The cut-off replaces the indicator of a circle by a function with the same transform at all frequencies that
-pass. The two functions differ only within 12 lambda*N of the rim, so that no samples are needed farther out.
+Two classes represent the OTF. :class:`PolarImage`, for radially symmetric lenses and lenses seen through turbulence,
+computes it from the pupil, at Gauss nodes along the radial frequency. :class:`CartesianImage`, for all pupils, uses
+the discrete Fourier transform of samples, times a cut-off function. This function is 1 up to the band (the highest
+frequency with a nonzero OTF) and falls smoothly to 0 at twice the band, which does not change the light in a circle.
+The kernel of the cut-off is negligible beyond 12 lambda*N / band, and so are samples that far outside the circle.
 """
 
 from __future__ import annotations
@@ -67,25 +67,25 @@ _GAUSS = 0.5 / math.sqrt(3.0)  # distance of the two Gauss nodes from the middle
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
     """Return the means of the aperture times ``exp(i phase)`` over `side` x `side` cells of [-1, 1] x [-1, 1]."""
-    found = np.zeros((side, side), dtype=np.complex128)
-    at = cell_centers(side)
+    means = np.zeros((side, side), dtype=np.complex128)
+    centers = cell_centers(side)
     for region, phase in zip(opening.regions, opening.phases, strict=True):
-        rows, columns, clear = _cells(listed(region), side)
+        rows, columns, clear = _covered_fractions(listed(region), side)
         if phase.any():
-            x, y = at[columns], at[rows, None]
+            x, y = centers[columns], centers[rows, None]
             mean = float(np.prod(np.sinc(phase[1:] / (math.pi * side))))
-            found[rows, columns] += clear * (mean * np.exp(1j * (phase[0] + phase[1] * x + phase[2] * y)))
+            means[rows, columns] += clear * (mean * np.exp(1j * (phase[0] + phase[1] * x + phase[2] * y)))
         else:
-            found[rows, columns] += clear
-    return found
+            means[rows, columns] += clear
+    return means
 
 
-def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
+def _covered_fractions(region: Listed, side: int) -> tuple[slice, slice, Array]:
     """Return the rows and columns of the cells around a region, and the fraction of each cell that it covers."""
     y, weight, row = _clear_lines(region, side)
-    low, high = np.array([_crossed(region, k, y) for k in range(len(region.polygons))]).transpose(1, 0, 2)
+    low, high = np.array([_intervals(region, k, y) for k in range(len(region.polygons))]).transpose(1, 0, 2)
     ends = np.sort(np.concatenate([low, high]), axis=0)
-    # Between neighbouring ends a line is either clear or blocked throughout, which is tested at the middle.
+    # Between neighbouring ends a line is either clear or blocked throughout: test the midpoint.
     middle = 0.5 * (ends[1:] + ends[:-1])
     inside = [(a < middle) & (middle < b) for a, b in zip(low, high, strict=True)]
     clear = region.combined(inside, np.logical_and, np.logical_or, lambda a, b: a & ~b)
@@ -93,17 +93,17 @@ def _cells(region: Listed, side: int) -> tuple[slice, slice, Array]:
     piece, line = np.nonzero(clear)
     if not line.size:
         return slice(0, 0), slice(0, 0), np.zeros((0, 0))
-    # The start of an interval adds 1 to all cells after it, the end subtracts 1 from all cells after it.
+    # The covered part of each cell along a line is a running sum: the start of an interval adds 1 to all cells after
+    # it, the end of an interval subtracts 1. An edge at the fraction `part` of a cell changes the sum by 1 - part in
+    # this cell and by part in the next.
     place = np.concatenate([ends[piece, line], ends[piece + 1, line]])
     place = np.clip(0.5 * side * (place + 1.0), 0.0, float(side))
-    # The covered part of each cell along a line is a running sum of starts and ends.
     change = np.concatenate([weight[line], -weight[line]])
     first = np.floor(place).astype(np.int64)
     top, left = int(row[line].min()), int(first.min())
     shape = int(row[line].max()) + 1 - top, int(first.max()) + 2 - left
     at = np.tile(row[line] - top, 2) * shape[1] + first - left
     part = place - first
-    # An edge at the fraction `part` of a cell changes the sum by 1 - part in this cell and by part in the next.
     steps = np.bincount(at, change * (1.0 - part), math.prod(shape)) + np.bincount(
         at + 1, change * part, math.prod(shape)
     )
@@ -117,7 +117,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     for corners in region.polygons:
         if len(corners):
             events += [
-                # A new interval of y wherever the edge enters the next column of cells.
+                # The edge is split where it crosses from one column of cells to the next.
                 np.linspace(y0, y1, 2 + int(abs(x1 - x0) / cell) if y0 != y1 else 1)
                 for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True)
             ]
@@ -126,11 +126,11 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
             _, y, a, b, angle = next(ellipses)
             tall = math.hypot(a * math.sin(angle), b * math.cos(angle))
             across = math.hypot(a * math.cos(angle), b * math.sin(angle))
-            # Crossings of columns where the ellipse is flat, up to 0.8 of its half-width.
+            # The ellipse is split in steps of at most one column of cells, up to 0.8 of its half-width.
             height = tall * np.sqrt(1.0 - np.linspace(0.0, 0.8, 2 + int(across / cell)) ** 2)
             events += [y + height, y - height]
             spans.append((y - tall, y + tall))
-    # Range of y in which the region lies.
+    # Smallest and largest y of the region.
     low, high = region.combined(
         spans,
         lambda a, b: (max(a[0], b[0]), min(a[1], b[1])),
@@ -147,8 +147,8 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     return lines, np.tile(0.25 * side * wide, 2), np.tile(row, 2)
 
 
-def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
-    """Return the x at which lines of constant `y` enter and leave a part of a region; 2 (outside) if they miss it."""
+def _intervals(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
+    """Return both ends in x of each line of constant `y` within a part of a region; 2 if the line misses the part."""
     corners = region.polygons[part]
     if len(corners):
         (x0, y0), (x1, y1) = corners.T[:, :, None], np.roll(corners, -1, axis=0).T[:, :, None]
@@ -166,11 +166,12 @@ def _crossed(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
     return np.where(half > 0.0, center - half, 2.0), np.where(half > 0.0, center + half, 2.0)
 
 
-# Autocorrelation of pupils at small shifts, the frequencies that pass strong blur (certificate, "Measures of an
-# image", "From cells"). Each cell has the mean of the pupil function over its area. The autocorrelation of the means
-# is that of the pupil, convolved with two squares of the size of a cell; the second moment of the squares is
-# corrected, and the value at shift 0 is known. Cubic splines interpolate between cells. The error is some 1e-6, more
-# if a shift by less than a cell opens or closes a gap; images average it, and are off by about 1e-6 of all light.
+# OTF at low frequencies, for strong blur: the autocorrelation of the pupil at small shifts (docs/certificate.md,
+# "From cells"). Each cell has the mean of the pupil function over its area. The autocorrelation of these means is the
+# autocorrelation of the pupil, convolved twice with the square of a cell. The code corrects the second moment of the
+# squares and sets the value at shift 0 to 1. Cubic splines interpolate between cells. The error of the OTF is about
+# 1e-6, or more if a shift by less than a cell opens or closes a gap; the error of the light is about 1e-6 of all
+# light.
 
 _MIN_CELLS = 32.0  # least number of cells within the largest shift
 
@@ -184,12 +185,12 @@ class SmallShifts(NamedTuple):
 
     @classmethod
     def of(cls, pupil: Pupil, end: float) -> SmallShifts:
-        """Return the splines for frequencies up to `end` of the cutoff."""
+        """Return the splines for frequencies up to `end` times the cutoff frequency."""
         side = int(np.clip(2 ** math.ceil(math.log2(_MIN_CELLS / end)), 1024, 4096))
         return _small_shifts(pupil, side, min(math.ceil(end * side) + 4, side))
 
     def at(self, fx: Array, fy: Array) -> NDArray[np.complex128]:
-        """Return the OTF at frequencies in units of the cutoff."""
+        """Return the OTF at frequencies in units of the cutoff frequency."""
         from scipy.ndimage import map_coordinates
 
         places = [self.side * f + self.most for f in (fy, fx)]
@@ -204,8 +205,8 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
 
     field = phased_cells(pupil.opening, side)
     rows, columns = np.nonzero(field)
-    at = cell_centers(side)
-    x, y = at[columns], at[rows]
+    centers = cell_centers(side)
+    x, y = centers[columns], centers[rows]
     rho = np.hypot(x, y)
     light = np.ones(rho.size) if pupil.illumination.uniform else pupil.illumination.at(rho * rho)
     if pupil.wavefront.flat:
@@ -218,52 +219,52 @@ def _small_shifts(pupil: Pupil, side: int, most: int) -> SmallShifts:
     # Zero padding by the largest shift, so that no shifted product wraps around.
     size = fft.next_fast_len(side + most + 1)
     spectrum = fft.fft2(field, (size, size))
-    near = np.arange(-most - 1, most + 2)
-    raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(near, near)].conj()
-    # Sum to integral: a cell has the area (2 / side)^2, and all light is pi times the transmission.
+    shifts = np.arange(-most - 1, most + 2)
+    raw = fft.ifft2(spectrum.real**2 + spectrum.imag**2)[np.ix_(shifts, shifts)].conj()
+    # OTF = sum over cells * (area of a cell, (2 / side)^2) / (pi * transmission).
     raw *= 4.0 / (math.pi * side**2 * pupil.transmission)
-    found = raw[1:-1, 1:-1]
-    # The means over cells of both pupils convolve the autocorrelation by a variance of 1/6 (in cells^2) along each
-    # axis, which adds 1/12 of its Laplacian. This is subtracted, by the five-point stencil of the Laplacian.
-    around = raw[:-2, 1:-1] + raw[2:, 1:-1] + raw[1:-1, :-2] + raw[1:-1, 2:]
-    found = found - (around - 4.0 * found) / 12.0
-    # Samples of the cone 1 - c d around shift 0, d in cells, sum to 0.229 c more than its integral (sum of
-    # k^-3 / (4 pi^2) over a lattice): the sample at 0 is lowered by this excess.
-    ring = found[most - 2 : most + 3, most - 2 : most + 3].real
-    slope = float(np.mean([1.0 - ring[0, 2], 1.0 - ring[4, 2], 1.0 - ring[2, 0], 1.0 - ring[2, 4]])) / 2.0
-    found[most, most] = 1.0 - 0.229 * slope
-    parts = (found.real, found.imag) if np.abs(found.imag).max() > 1e-12 else (found.real,)
+    otf = raw[1:-1, 1:-1]
+    # The averages over the cells of both pupils convolve the autocorrelation with a kernel of variance 1/6 (cells^2)
+    # along each axis, which adds 1/12 of its Laplacian. Subtract this term, by the five-point stencil.
+    neighbours = raw[:-2, 1:-1] + raw[2:, 1:-1] + raw[1:-1, :-2] + raw[1:-1, 2:]
+    otf = otf - (neighbours - 4.0 * otf) / 12.0
+    # Near the shift 0 the OTF is the cone 1 - c d, with the distance d in cells. The sum of its samples exceeds the
+    # integral by 0.229 c (sum of k^-3 / (4 pi^2) over a lattice), which is subtracted from the sample at 0.
+    center = otf[most - 2 : most + 3, most - 2 : most + 3].real
+    slope = float(np.mean([1.0 - center[0, 2], 1.0 - center[4, 2], 1.0 - center[2, 0], 1.0 - center[2, 4]])) / 2.0
+    otf[most, most] = 1.0 - 0.229 * slope
+    parts = (otf.real, otf.imag) if np.abs(otf.imag).max() > 1e-12 else (otf.real,)
     return SmallShifts(tuple(spline_filter(part, order=3) for part in parts), side, most)
 
 
 def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:
-    """Return the OTF of a single pupil at frequencies in units of the cutoff, all below `end`."""
+    """Return the OTF of a single pupil at frequencies in units of the cutoff frequency, all below `end`."""
     if pupil.mask is None:
         return SmallShifts.of(pupil, end).at(fx, fy)
     shifts = pupil.mask.side * np.stack([fx.ravel(), fy.ravel()], axis=-1)
     return cells(pupil).between(shifts).reshape(fx.shape)
 
 
-# Cut-off c(f) = erfc((f / band - middle) / width) / 2; see the certificate, "Measures of an image", "From samples".
-_SEAM = 12.0  # distance in lambda*N, times the band, beyond which the kernel of the cut-off is below 1e-10
-# Middle and width in units of the band: the cut-off deviates by erfc(4) / 2 = 8e-9 from 1 at 1 and from 0 at 2.
+# Cut-off function c(f) = erfc((f / band - _MIDDLE) / _WIDTH) / 2; see docs/certificate.md, "From samples".
+_SEAM = 12.0  # the kernel of the cut-off is below 1e-10 at distances above _SEAM / band, lambda*N
+# In units of the band: c differs from 1 at f = band, and from 0 at f = 2 band, by erfc(4) / 2 = 8e-9.
 _MIDDLE, _WIDTH = 1.5, 0.125
 SEAM_NORM = 3.94
-"""Integral of the modulus of the cut-off's kernel over the plane: largest growth of the errors of samples."""
+"""Integral of the modulus of the cut-off's kernel over the plane, which bounds the growth of errors of samples."""
 OWN_ERROR = 2e-8
 """Error of the light within a circle due to the cut-off, as a fraction of all light."""
-_NEGLIGIBLE = 1e-11  # value of the blur's transfer function below which frequencies are left out
+_NEGLIGIBLE = 1e-11  # frequencies at which the transfer function of the blur is smaller are omitted
 MOST_SIDE = 6144
 """Largest number of samples along a side."""
 _MAX_VALUES = 2**24  # largest number of samples or waves computed together, to limit the memory
-_TAPER = 64.0  # width, lambda*N, of the margin in which samples for the OTF are weighted down to 0
-# Smallest number of directions over half a turn, with an OTF that is radially symmetric and one that is not.
+_TAPER = 64.0  # width, lambda*N, of the margin in which the weights of samples for the OTF fall to 0
+# Smallest numbers of directions over half a turn: for a radially symmetric OTF, and for any other OTF.
 _MIN_ANGLES, _MIN_ANGLES_OTF = 48, 160
 _RAY_CELLS = 512  # number of cells of geometric images along a side
 
 
 class ImageModel(NamedTuple):
-    """Optics, blur and active pixel (height, width; zeros for points) whose image is evaluated."""
+    """Optics, blur and active pixel area (height, width; zeros for point-sampled values) of an image."""
 
     pupil: BasePupil
     method: Method
@@ -279,79 +280,77 @@ class ImageModel(NamedTuple):
 
     @property
     def radial_method(self) -> RadialMethod | None:
-        """The method if its radial profile describes the whole image, else None."""
+        """The method if its radial profile is the whole image (no blur, no pixel, radial pupil), else None."""
         return None if self.blur or self.active != (0.0, 0.0) else self.method.along_radius(self.pupil)
 
     @property
     def singles(self) -> list[ImageModel]:
-        """Models of the single pupils of the flattened stack."""
+        """One model for each pupil of the flattened stack."""
         shape = self.pupil.shape
         return [self._replace(pupil=self.pupil[index]) for index in np.ndindex(shape)] if shape else [self]
 
     def response(self, fx: Array, fy: Array, wavelength: float | None) -> Array:
-        """Return the factors of blur and pixels at frequencies in cycles per lambda*N."""
+        """Return the transfer function of blur and pixel at frequencies in cycles per lambda*N."""
         scale = self.pupil.scale
         height, width = self.active
-        found = np.sinc(fx * (width / scale)) * np.sinc(fy * (height / scale))
-        for one in self.blur:
-            found = found * one.transfer(fx / scale, fy / scale, wavelength=wavelength)
-        return np.asarray(found)
+        response = np.sinc(fx * (width / scale)) * np.sinc(fy * (height / scale))
+        for blur in self.blur:
+            response = response * blur.transfer(fx / scale, fy / scale, wavelength=wavelength)
+        return np.asarray(response)
 
     @property
     def parts(self) -> list[Component]:
-        """Components of one wavelength each if the blur depends on it, otherwise one component."""
-        # Without seeing, the method sums the spectrum, and the blur is applied to the sum.
-        if any(isinstance(one, Seeing) for one in self.blur):
+        """Components of one wavelength each if there is seeing, which depends on wavelength, else one component."""
+        if any(isinstance(blur, Seeing) for blur in self.blur):
             return self.method.components(self.pupil)
         return [Component(1.0, 1.0, self.pupil)]
 
     @property
     def finest(self) -> float:
-        """Frequency at which the optics cut off, cycles per lambda*N."""
-        # Cells of a mask extend beyond the rim of the aperture by up to half their diagonal.
+        """Cutoff frequency of the optics, cycles per lambda*N."""
+        # A cell of a mask extends beyond the rim of the aperture by up to half the diagonal of the cell.
         mask = getattr(self.pupil, "mask", None)
         return self.method.stretch(self.pupil) * (1.0 if mask is None else 1.0 + math.sqrt(2.0) / mask.side)
 
     @property
     def _short(self) -> Short:
-        """Blur of finite extent, in v."""
+        """Gaussian and motion blur; lengths in the optical unit v, pi at lambda*N."""
         return Short.of(self.blur, self.pupil.scale)
 
     @property
     def band(self) -> float:
-        """Highest frequency that passes, cycles per lambda*N: the cutoff of the optics, or less with blur."""
-        far = self.finest
-        scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
+        """Highest frequency with a transfer function above 1e-11, cycles per lambda*N; at most `finest`."""
+        scale, f = self.pupil.scale, np.linspace(0.0, self.finest, 1025)
         # Gaussian blur passes the highest frequencies along the direction in which it is narrowest.
-        least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
-        left = np.exp(-2.0 * math.pi**2 * least * f**2)
+        variance = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
+        transmitted = np.exp(-2.0 * math.pi**2 * variance * f**2)
         # Seeing is weakest at the longest wavelength.
         longest = max((part.pupil.wavelength for part in self.parts if part.pupil.wavelength), default=None)
-        for one in self.blur:
-            if isinstance(one, Seeing):
-                left = left * one.transfer(f / scale, wavelength=longest)
-        last = int(np.flatnonzero(left > _NEGLIGIBLE)[-1])
+        for blur in self.blur:
+            if isinstance(blur, Seeing):
+                transmitted = transmitted * blur.transfer(f / scale, wavelength=longest)
+        last = int(np.flatnonzero(transmitted > _NEGLIGIBLE)[-1])
         return float(f[min(last + 1, f.size - 1)])
 
     @property
     def spread(self) -> tuple[float, float]:
-        """Radius of blur and pixels, and the width of the seeing, which has no finite radius; lambda*N."""
+        """Radius of blur and pixel without seeing, and the width of the seeing, lambda*N."""
         scale = self.pupil.scale
         gaussian, streaks = self._short
-        # 6.5 standard deviations: exp(-6.5^2 / 2) = 7e-10 of a Gaussian lies beyond.
+        # The fraction exp(-6.5^2 / 2) = 7e-10 of a Gaussian lies beyond 6.5 standard deviations.
         short = 6.5 * math.sqrt(max(float(np.linalg.eigvalsh(gaussian)[-1]), 0.0))
         short += 0.5 * float(np.hypot(*streaks.T).sum())
-        seen = [
-            1.0 / (one.coherence(part.pupil.wavelength) * scale)
+        widths = [
+            1.0 / (blur.coherence(part.pupil.wavelength) * scale)
             for part in self.parts
-            for one in self.blur
-            if isinstance(one, Seeing)
+            for blur in self.blur
+            if isinstance(blur, Seeing)
         ]
-        return short / math.pi + 0.5 * math.hypot(*self.active) / scale, max(seen, default=0.0)
+        return short / math.pi + 0.5 * math.hypot(*self.active) / scale, max(widths, default=0.0)
 
     @property
     def extent(self) -> float:
-        """Approximate distance from the axis within which most light falls, in lambda*N."""
+        """Approximate distance from the axis within which most of the light falls, lambda*N."""
         rays = float(np.max(self.pupil.geometric_radius(), initial=0.0)) / self.pupil.scale
         short, seen = self.spread
         return rays + short + 1.5 * seen + 2.5
@@ -362,13 +361,13 @@ class CartesianImage:
     """An image as a sum of plane waves on a lattice of frequencies; lengths in lambda*N."""
 
     table: NDArray[np.complex128]  # amplitudes of the waves, shape (len(fy), len(fx))
-    fy: Array  # frequencies, cycles per lambda*N; fx >= 0 only, with conjugate pairs counted in the table
+    fy: Array  # frequencies, cycles per lambda*N; fx >= 0 only: the table includes both waves of conjugate pairs
     fx: Array
-    band: float  # highest frequency that passes, before the cut-off
-    error: float  # bound on the error of the samples; NaN if the method has none
+    band: float  # highest frequency with a nonzero OTF, cycles per lambda*N
+    error: float  # bound on the error of the samples, light per area; NaN if the method has no error bound
 
     def derivatives(self, x: float, y: float) -> Array:
-        """Return light per area at a point, and its derivatives: ``[i, j]`` is of order i along y and j along x."""
+        """Return light per area at a point and its derivatives, [i, j] of order i along y and j along x, (3, 3)."""
         # Each derivative multiplies a wave by 2 pi i f.
         orders = np.arange(3)
         waves = np.exp(2j * math.pi * x * self.fx)[:, None] * (2j * math.pi * self.fx)[:, None] ** orders
@@ -382,25 +381,25 @@ class CartesianImage:
         return np.asarray((rows @ (self.table @ columns)).real)
 
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
-        """Return the light within each radius of a point."""
+        """Return the light within circles of each radius about `center`."""
         x, y = center
         turned = (np.exp(2j * math.pi * y * self.fy)[:, None] * self.table) * np.exp(2j * math.pi * x * self.fx)
-        squares, ring = self._rings
-        light = np.bincount(ring, turned.real.ravel())
+        squares, index = self._distances
+        light = np.bincount(index, turned.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
-        # Hankel transform of a disc: pi r^2 at f = 0, else r J1(2 pi r f) / f, once for each distinct abs(f).
+        # Fourier transform of a disc, pi r^2 at f = 0, else r J1(2 pi r f) / f: once for each distinct abs(f).
         out = np.empty(radius.size)
         for i, r in enumerate(radius):
             out[i] = math.pi * r * r * light[0] + (r * j1(2.0 * math.pi * r * f) / f) @ light[1:]
         return out
 
     @cached_property
-    def _rings(self) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
-        """Distinct squared distances on the lattice of frequencies, and the index of each point's distance."""
+    def _distances(self) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
+        """Distinct squared distances from f = 0, in steps of the lattice, and the index of each lattice point."""
         rows, columns = self.table.shape
-        half = np.fft.fftfreq(rows, 1.0 / rows).round().astype(np.int64)
-        squares, ring = np.unique(np.add.outer(half**2, np.arange(columns) ** 2).ravel(), return_inverse=True)
-        return squares, ring.ravel()
+        row = np.fft.fftfreq(rows, 1.0 / rows).round().astype(np.int64)
+        squares, index = np.unique(np.add.outer(row**2, np.arange(columns) ** 2).ravel(), return_inverse=True)
+        return squares, index.ravel()
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
@@ -413,120 +412,120 @@ class CartesianImage:
 
 def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis along x and y."""
-    # The light within a circle has an error below 2e-8, in addition to the errors of the samples; with seeing, whose
-    # light extends without limit, up to about 1e-5.
+    # The cut-off adds less than 2e-8 to the error of the light within a circle. With seeing, whose halo has no finite
+    # extent, the error is up to about 1e-5.
     pupil, band = model.pupil, model.band
     finest = model.finest
-    # 1 / pitch >= finest + 2 band, so that no alias reaches the frequencies that the cut-off passes (certificate,
+    # With 1 / pitch >= finest + 2 band no alias reaches the frequencies that the cut-off passes (docs/certificate.md,
     # "From samples").
     pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
     short, seen = model.spread
-    # Samples farther out are negligible, because the kernel of the cut-off is below 1e-10 there.
+    # At larger distances the kernel of the cut-off is below 1e-10, so that samples do not matter.
     half = reach + _SEAM / band + short
     half += seeing_room(reach, seen)
     period = model.method.period(pupil)
     if reach <= 0.5 * period < half and period == pupil.period and not seen:
-        # One period of the samples of a mask is the whole image; with blur it is periodic too.
+        # The image of a sampled mask is periodic, with or without blur: one period is the whole image.
         side = fft.next_fast_len(math.ceil(period / pitch), real=True)
         pitch, half = period / side, 0.5 * period
     else:
         side = fft.next_fast_len(2 * math.ceil(half / pitch) + 1, real=True)
     if half > (most := 0.5 * pitch * MOST_SIDE):
-        raise _too_far(pupil, reach, reach - (half - most))
+        raise _radius_error(pupil, reach, reach - (half - most))
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
-    kept_y, kept_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
-    fy, fx = fy[kept_y], fx[kept_x]
-    # Frequencies above 0 along x count twice, because rfft keeps one of each conjugate pair.
+    in_band_y, in_band_x = np.abs(fy) <= 2.0 * band, fx <= 2.0 * band
+    fy, fx = fy[in_band_y], fx[in_band_x]
+    # Frequencies fx > 0 count twice, because rfft returns one wave of each conjugate pair.
     cut = 0.5 * erfc((np.hypot(fy[:, None], fx) / band - _MIDDLE) / _WIDTH) * np.where(fx > 0.0, 2.0, 1.0) / side**2
     parts = model.parts
     count = math.prod(pupil.shape)
     step = max(1, _MAX_VALUES // side**2)
     for first in range(0, count, step):
         block = np.arange(first, min(first + step, count))
-        found = np.zeros((block.size, fy.size, fx.size), dtype=np.complex128)
+        tables = np.zeros((block.size, fy.size, fx.size), dtype=np.complex128)
         error = np.zeros(block.size)
-        for share, stretch, part in parts:
-            some = part[np.unravel_index(block, part.shape)] if part.shape else part
+        for light, stretch, part in parts:
+            pupils = part[np.unravel_index(block, part.shape)] if part.shape else part
             try:
-                images = _sampled(some, model.method, grid, whole=len(parts) == 1)
+                images = _sample(pupils, model.method, grid, whole=len(parts) == 1)
             except (ValueError, ToleranceError) as fault:
-                raise ValueError(f"{_too_far(pupil, reach)}: {fault}") from fault
-            # Intensity to fraction of all light per area: its integral in v is 4 pi times the transmission, and
-            # lambda*N at this wavelength is v = pi.
-            factor = share * stretch**2 * math.pi / (4.0 * part.transmission)
+                raise ValueError(f"{_radius_error(pupil, reach)}: {fault}") from fault
+            # Convert intensity to a fraction of all light per area: the integral of the intensity over the plane in v
+            # is 4 pi times the transmission, and lambda*N of this wavelength is v = pi.
+            factor = light * stretch**2 * math.pi / (4.0 * part.transmission)
             response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * cut)
             for k, image in enumerate(images.values):
-                turned = fft.rfft2(fft.ifftshift(image))[kept_y][:, kept_x]
-                found[k] += turned * response
+                tables[k] += fft.rfft2(fft.ifftshift(image))[in_band_y][:, in_band_x] * response
             tops = images.values.reshape(block.size, -1).max(axis=1) if images.peak is None else images.peak
             error += factor * (math.nan if images.error is None else images.error) * tops
-        for k, table in enumerate(found):
+        for k, table in enumerate(tables):
             yield CartesianImage(table, fy, fx, band, float(error[k]))
 
 
 def seeing_room(reach: float, seen: float) -> float:
-    """Return the width of the margin of samples beyond `reach` for seeing of the width `seen`, all in lambda*N."""
-    # Light that is missing or wraps around is then at most 1e-5 of all light (certificate, "From samples").
+    """Return the margin of samples beyond the radius `reach` for seeing of the width `seen`, all in lambda*N."""
+    # With this margin at most 1e-5 of all light is missing or wraps around (docs/certificate.md, "From samples").
     return min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
 
 
-def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
-    """Return the ValueError for a circle or square that needs too many samples."""
-    least = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
+def _radius_error(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
+    """Return the ValueError for a circle, rectangle or point that needs too many samples."""
+    limit = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
     return ValueError(
-        f"what reaches {reach * pupil.scale:.4g} {pupil.unit} from the axis ({reach:.4g} lambda*N) is too far for a "
-        f"pupil that is not a radially symmetric lens; ask for less{least}"
+        f"a distance of {reach * pupil.scale:.4g} {pupil.unit} from the axis ({reach:.4g} lambda*N) is too far for a "
+        f"pupil that is not a radially symmetric lens; use a smaller distance{limit}"
     )
 
 
 def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.complex128]:
-    """Return the transfer function from samples of the image at cycles per lambda*N, shape ``(n, len(fx))``."""
-    # Samples extend 64 lambda*N beyond `ImageModel.extent`, with weights that fall to 0 there. The remaining light is
-    # modelled by the diffraction at a hard edge, whose density falls as the cube of the distance. The error is below
-    # 1e-3 up to a fifth of the cutoff (3e-4 without straight edges), and below 1e-4 at higher frequencies.
+    """Return the OTF with blur and pixel from samples of the image; fx, fy in cycles/(lambda*N); ``(n, len(fx))``."""
+    # Samples extend 64 lambda*N beyond `ImageModel.extent`; their weights fall to 0 in this margin. The remaining
+    # light is modelled as diffraction at a hard edge, whose light per area falls as the inverse cube of the distance.
+    # The error of the OTF is below 1e-3 up to a fifth of the cutoff (3e-4 without straight edges), and below 1e-4 at
+    # higher frequencies.
     far = model.extent + _TAPER
     finest = model.finest
     pitch, pupil = 0.25 / finest, model.pupil
     side = 2 * math.ceil(far / pitch)
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
-    at = pitch * (np.arange(side) - side // 2)
+    position = pitch * (np.arange(side) - side // 2)
 
     def weight(r: Array) -> Array:
         return np.asarray(0.5 * erfc((r - far + 0.5 * _TAPER) / (_TAPER / 8.0)))
 
-    weights = weight(np.hypot(at, at[:, None]))
-    columns = np.exp(-2j * math.pi * np.outer(at, fx))
-    rows = np.exp(-2j * math.pi * np.outer(fy, at))
-    # u = 1 / r maps the tail r^-3 2 pi r dr to a constant density on a finite interval.
+    weights = weight(np.hypot(position, position[:, None]))
+    columns = np.exp(-2j * math.pi * np.outer(position, fx))
+    rows = np.exp(-2j * math.pi * np.outer(fy, position))
+    # The tail r^-3 (2 pi r dr) has a constant density in u = 1 / r, on a finite interval.
     u, rule = gauss_legendre(4096, 0.0, 1.0 / (far - _TAPER))
-    beyond = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
-    beyond /= rule @ (1.0 - weight(1.0 / u))
-    found = np.zeros((math.prod(pupil.shape), fx.size), dtype=np.complex128)
+    tail = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
+    tail /= rule @ (1.0 - weight(1.0 / u))
+    otf = np.zeros((math.prod(pupil.shape), fx.size), dtype=np.complex128)
     parts = model.parts
-    for share, stretch, part in parts:
+    for light, stretch, part in parts:
         singles = [part[index] for index in np.ndindex(part.shape)] if part.shape else [part]
         response = model.response(fx, fy, part.wavelength) * (np.hypot(fx, fy) < finest)
         factor = stretch**2 * math.pi / (4.0 * part.transmission) * pitch**2
         for k, one in enumerate(singles):
-            image = factor * weights * _sampled(one, model.method, grid, whole=len(parts) == 1).values[0]
+            image = factor * weights * _sample(one, model.method, grid, whole=len(parts) == 1).values[0]
             inside = np.einsum("fy,yf->f", rows, image @ columns)
-            found[k] += share * response * (inside + (1.0 - image.sum()) * beyond)
-    return found
+            otf[k] += light * response * (inside + (1.0 - image.sum()) * tail)
+    return otf
 
 
-def _sampled(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
-    """Return samples of the intensity, of one component of the spectrum unless `whole`."""
+def _sample(pupil: BasePupil, method: Method, grid: Grid, *, whole: bool) -> Images:
+    """Return samples of the intensity, summed over the spectrum of a :class:`Polychromatic` method if `whole`."""
     one = method.method if isinstance(method, Polychromatic) and not whole else method
-    ways: tuple[Method, ...] = () if one is None else (one,)
-    # A method with a proven error bound is replaced by the fastest such method for this grid, at the same tolerance.
+    methods: tuple[Method, ...] = () if one is None else (one,)
+    # A method with a proven error bound is replaced by the fastest one for this grid, with at most its tolerance.
     if one is None or isinstance(one, NijboerZernike | ChordalGauss | ChordalDebye):
-        ways = candidates(pupil, grid, min(method.tol, Method.tol))
+        methods = candidates(pupil, grid, min(method.tol, Method.tol))
 
-    def compute(way: Method) -> Images:
-        return with_model_error(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
+    def compute(candidate: Method) -> Images:
+        return with_model_error(candidate.images(pupil, grid, Wanted()), pupil, candidate, normalized=False)
 
-    return first_within_tolerance(ways, compute)[1]
+    return first_within_tolerance(methods, compute)[1]
 
 
 @dataclass(frozen=True)
@@ -539,13 +538,13 @@ class PolarImage:
     reach: float  # largest distance of points and corners from the axis
 
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
-        """Return the light within each radius of a point."""
-        found = np.zeros(radius.size)
+        """Return the light within circles of each radius about `center`."""
+        total = np.zeros(radius.size)
         for f, fx, fy, light in self._waves(math.hypot(*center)):
             turned = light * np.exp(2j * math.pi * (center[0] * fx + center[1] * fy)) if any(center) else light
-            each = turned.real.sum(axis=1) / f
-            found += [r * (j1(2.0 * math.pi * r * f) @ each) for r in radius]
-        return found
+            amplitude = turned.real.sum(axis=1) / f
+            total += [r * (j1(2.0 * math.pi * r * f) @ amplitude) for r in radius]
+        return total
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
@@ -561,37 +560,38 @@ class PolarImage:
     def on(self, x: Array, y: Array) -> Array:
         """Return light per area on a lattice of points at equal steps, shape ``(len(y), len(x))``."""
         found = np.zeros((y.size, x.size))
-        for _, fx, fy, light in self._everywhere:
-            columns, rows = _turning(fx.ravel(), x), _turning(fy.ravel(), y) * light.ravel()
+        for _, fx, fy, light in self._all_waves:
+            columns, rows = _plane_waves(fx.ravel(), x), _plane_waves(fy.ravel(), y) * light.ravel()
             found += product(rows.real, columns.real.T, 0) - product(rows.imag, columns.imag.T, 0)
         return found
 
     def derivatives(self, x: float, y: float) -> Array:
-        """Return light per area at a point, and its derivatives: ``[i, j]`` is of order i along y and j along x."""
+        """Return light per area at a point and its derivatives, [i, j] of order i along y and j along x, (3, 3)."""
         orders, found = np.arange(3), np.zeros((3, 3))
-        for _, fx, fy, light in self._everywhere:
+        for _, fx, fy, light in self._all_waves:
             turned = (light * np.exp(2j * math.pi * (x * fx + y * fy))).ravel()
             rows, columns = ((2j * math.pi * f.ravel()[:, None]) ** orders for f in (fy, fx))
             found += ((rows * turned[:, None]).T @ columns).real
         return found
 
     @cached_property
-    def _everywhere(self) -> list[Waves]:
+    def _all_waves(self) -> list[Waves]:
         return list(self._waves(self.reach))
 
     def _waves(self, reach: float) -> Iterator[Waves]:
-        """Yield blocks of abs(f), their components fx and fy in the directions that `reach` needs, and amplitudes."""
+        """Yield blocks of abs(f), fx, fy and amplitudes of waves, for points up to `reach` from the axis."""
         # Seeing depends on abs(f) only and is evaluated once for all directions.
-        seen = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in self.model.blur if isinstance(b, Seeing)))
-        other = self.model._replace(blur=tuple(b for b in self.model.blur if not isinstance(b, Seeing)))
+        blurs = self.model.blur
+        seeing = self.model._replace(active=(0.0, 0.0), blur=tuple(b for b in blurs if isinstance(b, Seeing)))
+        other = self.model._replace(blur=tuple(b for b in blurs if not isinstance(b, Seeing)))
         reach = reach + self.model.spread[0]
         for f, weight, otf, wavelength in self.parts:
             least = _MIN_ANGLES if otf is None else _MIN_ANGLES_OTF
-            # exp(2 pi i f.r) has azimuthal orders up to about 2 pi f r.
+            # exp(2 pi i f.r) has azimuthal orders up to about 2 pi abs(f) abs(r).
             angles = least + math.ceil(2.0 * math.pi * float(f.max()) * reach)
-            # Half a turn is enough, because opposite directions are conjugate.
+            # Half a turn suffices, because the waves of opposite directions are conjugate.
             theta = math.pi / angles * np.arange(angles)
-            light = 2.0 * math.pi / angles * weight * seen.response(f, np.zeros(f.shape), wavelength)
+            light = 2.0 * math.pi / angles * weight * seeing.response(f, np.zeros(f.shape), wavelength)
             count = max(1, _MAX_VALUES // (16 * angles))
             for start in range(0, f.size, count):
                 block = slice(start, start + count)
@@ -603,36 +603,36 @@ class PolarImage:
 Waves = tuple[Array, Array, Array, NDArray[np.complex128]]
 
 
-def _turning(f: Array, x: Array) -> NDArray[np.complex128]:
-    """Return the waves exp(2 pi i f x) at equally spaced `x`, shape ``(len(x), len(f))``."""
-    found = np.empty((x.size, f.size), dtype=np.complex128)
-    found[0] = np.exp(2j * math.pi * x[0] * f)
+def _plane_waves(f: Array, x: Array) -> NDArray[np.complex128]:
+    """Return exp(2 pi i f x) at equally spaced `x`, shape ``(len(x), len(f))``."""
+    waves = np.empty((x.size, f.size), dtype=np.complex128)
+    waves[0] = np.exp(2j * math.pi * x[0] * f)
     done = 1
-    # Each pass doubles the computed part, since exp(i f (x + d)) = exp(i f x) exp(i f d): products, not exponentials.
+    # Each pass doubles the number of rows by exp(i f (x + d)) = exp(i f x) exp(i f d): products, not exponentials.
     while done < x.size:
         more = min(done, x.size - done)
-        np.multiply(found[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=found[done : done + more])
+        np.multiply(waves[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=waves[done : done + more])
         done += more
-    return found
+    return waves
 
 
 class PolarPart(NamedTuple):
-    """Light of one wavelength, at radial frequencies."""
+    """Quadrature over the OTF of one wavelength."""
 
-    f: Array  # cycles per lambda*N
-    weight: Array  # quadrature weight of ``f df``, times the OTF if it is radially symmetric
-    otf: Callable[[Array, Array], NDArray[np.complex128]] | None  # the OTF if it depends on the direction
+    f: Array  # radial frequencies, cycles per lambda*N
+    weight: Array  # quadrature weight of ``f df`` times the fraction of light, and times a radially symmetric OTF
+    otf: Callable[[Array, Array], NDArray[np.complex128]] | None  # the OTF unless it is radially symmetric
     wavelength: float | None
 
 
 class RayImage(NamedTuple):
-    """Light of geometric rays in square cells, as fractions of all light; lengths in lambda*N."""
+    """Fractions of all light that geometric rays bring to square cells; lengths in lambda*N."""
 
-    light: Array
-    side: float
+    light: Array  # shape (n, n), with the axis at the middle cell
+    side: float  # side of a cell
 
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
-        """Return the light within each radius of a point."""
+        """Return the light within circles of each radius about `center`."""
         (low, high), half = self._ends(center[0]), 0.5 * self.side
         rows = self._ends(center[1])[0][:, None] + half
         cells = low, high, rows - half, rows + half
@@ -647,6 +647,7 @@ class RayImage(NamedTuple):
         return float(down @ self.light @ across)
 
     def _ends(self, origin: float) -> tuple[Array, Array]:
+        """Return the lower and upper edges of the cells along an axis, relative to `origin`."""
         middle = self.side * (np.arange(float(len(self.light))) - len(self.light) // 2) - origin
         return middle - 0.5 * self.side, middle + 0.5 * self.side
 
@@ -659,7 +660,7 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
     pixel = model.active[0] / pupil.scale
     side = (2.0 * reach + pixel + 1e-3) / _RAY_CELLS
     if pixel:
-        side = pixel / (2 * math.ceil(0.5 * pixel / side) - 1)  # odd number of cells a pixel, centred on a cell
+        side = pixel / (2 * math.ceil(0.5 * pixel / side) - 1)  # an odd number of cells per pixel
     half = math.ceil((reach + pixel) / side) + 1
     grid = Grid(2 * half + 1, side * pupil.scale, integrate=True)
     for image in model.method.images(pupil, grid, Wanted()).values:
@@ -668,7 +669,7 @@ def ray_images(model: ImageModel, reach: float) -> Iterator[RayImage]:
 
 
 Image = CartesianImage | PolarImage | RayImage
-"""Images that compute the light within circles and rectangles."""
+"""Any class that computes the light within circles and rectangles."""
 
 
 def images(model: ImageModel, reach: float) -> Iterator[Image]:
@@ -679,7 +680,7 @@ def images(model: ImageModel, reach: float) -> Iterator[Image]:
 
 
 def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
-    """Return :func:`images` for sums of light over `what`; ValueError if `what` exceeds one period of the image."""
+    """Return :func:`images`; ValueError, with the name `what`, if `reach` exceeds half a period of the image."""
     if (period := model.method.period(model.pupil)) < math.inf:
         short, seen = model.spread
         far = reach + (short + seeing_room(reach, seen) if seen else 0.0)
@@ -689,7 +690,7 @@ def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]
 
 
 def polar(model: ImageModel) -> bool:
-    """Return whether the image is that of a radially symmetric lens, whose OTF is a quadrature over the pupil."""
+    """Return True for a radially symmetric lens and a method of scalar diffraction with a proven error bound."""
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss)):
         return False
@@ -699,8 +700,8 @@ def polar(model: ImageModel) -> bool:
 
 
 def in_seeing(model: ImageModel) -> bool:
-    """Return whether the image is that of a lens through seeing, which passes low frequencies only."""
-    # CartesianImage would need samples over the whole halo of the seeing.
+    """Return True for a lens with seeing, for which :class:`PolarImage` is used."""
+    # A CartesianImage would need samples over the whole halo of the seeing.
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
         return False
@@ -709,13 +710,13 @@ def in_seeing(model: ImageModel) -> bool:
 
 
 def point_images(model: ImageModel, reach: float) -> Iterator[CartesianImage | PolarImage]:
-    """Return the images of a flattened stack, valid at points up to `reach` lambda*N from the axis along x and y."""
+    """Return images of a flattened stack that have `derivatives`, valid up to `reach` lambda*N along x and y."""
     return (polar_images if in_seeing(model) else cartesian_images)(model, reach)
 
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
-    # The error is about 1e-9 of all light for radially symmetric lenses, and that of :func:`transfer` for others.
+    # The error is about 1e-9 of all light for radially symmetric lenses, and about 1e-6 for others, from transfer().
     reach = math.sqrt(2.0) * reach  # the corner of the square of half-side `reach`
     if not polar(model):
         for one in model.singles:
@@ -725,28 +726,28 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     pupil = cast("Pupil", model.pupil)
     blur = float(np.max(pupil.geometric_radius(), initial=0.0)) / pupil.scale
     parts = []
-    for share, stretch, part in model.method.components(pupil):
+    for light, stretch, part in model.method.components(pupil):
         eps = part.obscuration
-        # The autocorrelation of an annulus is singular at shifts at which two of its circles touch.
+        # The autocorrelation of an annulus is singular at the shifts at which circles of the two copies touch.
         kinks = (0.0, 0.5 * (1.0 - eps), eps, 0.5 * (1.0 + eps), 1.0)
         ends = sorted({min(kink * stretch, stretch, band) for kink in kinks})
         at, weight = _radial_rule(ends, reach + short + 2.0 * blur, 32)
         overlap = autocorrelation(part, np.stack([at / stretch, np.zeros(at.size)], axis=-1), 1e-11).real
-        parts.append((at, share * overlap * weight * at, part.wavelength))
+        parts.append((at, light * overlap * weight * at, part.wavelength))
     for k in range(math.prod(pupil.shape)):
-        each = [PolarPart(f, weights[k], None, wavelength) for f, weights, wavelength in parts]
-        yield PolarImage(model, each, band, reach)
+        polar_parts = [PolarPart(f, weights[k], None, wavelength) for f, weights, wavelength in parts]
+        yield PolarImage(model, polar_parts, band, reach)
 
 
 def _directed_parts(model: ImageModel, reach: float) -> Iterator[PolarPart]:
-    """Yield the components of a single image whose transfer function depends on the direction."""
+    """Yield the wavelengths of a single image whose OTF is not radially symmetric."""
     band, (short, _) = model.band, model.spread
     blur = float(np.max(model.pupil.geometric_radius(), initial=0.0)) / model.pupil.scale
-    for share, stretch, part in model.method.components(model.pupil):
+    for light, stretch, part in model.method.components(model.pupil):
         end = min(stretch, band)
         at, weight = _radial_rule([0.0, end], reach + short + 2.0 * blur, 64)
         otf = partial(_scaled_transfer, part, stretch, end / stretch)
-        yield PolarPart(at, share * weight * at, otf, part.wavelength)
+        yield PolarPart(at, light * weight * at, otf, part.wavelength)
 
 
 def _scaled_transfer(pupil: Pupil, stretch: float, end: float, fx: Array, fy: Array) -> NDArray[np.complex128]:
@@ -754,10 +755,10 @@ def _scaled_transfer(pupil: Pupil, stretch: float, end: float, fx: Array, fy: Ar
 
 
 def _radial_rule(ends: list[float], reach: float, least: int) -> tuple[Array, Array]:
-    """Return quadrature nodes and weights on pieces between `ends`, resolving waves up to `reach` lambda*N."""
+    """Return Gauss nodes and weights between neighbouring `ends`, which resolve waves up to `reach` lambda*N."""
     f, w = [], []
     for low, high in pairwise(ends):
-        # f = low + (high - low) sin^2(u) turns the powers 3/2 at both ends of overlaps into smooth functions of u.
+        # At both ends the autocorrelation has singular powers of 3/2: f = low + (high - low) sin^2(u) is smooth in u.
         waves = (high - low) * (reach + 2.0)
         u, rule = gauss_legendre(least + math.ceil(2.6 * waves), 0.0, 0.5 * math.pi)
         f.append(low + (high - low) * np.sin(u) ** 2)

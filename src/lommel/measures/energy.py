@@ -27,15 +27,15 @@ from lommel.special.legendre import gauss_panels
 
 
 def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
-    """Return the encircled energy: the fraction of all light within `radius` of the axis or of the centroid.
+    """Return the encircled energy, the fraction of all light within `radius` of the axis or of the centroid.
 
     Parameters
     ----------
     psf : PSF
     radius : array_like
-        Radius, metres if the pupil has a wavelength, else units of lambda*N; >= 0. It may exceed the window.
+        Radius, >= 0, metres if the pupil has a wavelength, else units of lambda*N. The circle may exceed the window.
     about : {"axis", "centroid"}, default "axis"
-        The centroid is :func:`image_centroid`; of a radially symmetric PSF it is the axis.
+        Centre of the circle. The centroid is :func:`image_centroid`, or the axis for a radially symmetric PSF.
     of : {"image", "optics"}, default "image"
         "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": optics and blur only.
 
@@ -43,19 +43,18 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
         Fraction of all light, independent of pixel pitch and window. For radially symmetric lenses the error is at
-        most 1e-9, or the tolerance of the method for images without pixels and blur. For other lenses it is at most
-        2e-8 plus ``4 A e``, where A is the area of the circle and e the error bound of the light per area
+        most 1e-9 with blur or pixels, else the tolerance of the method. For other lenses the error is at most
+        ``2e-8 + 4 A e``, where A is the area of the circle and e the error bound of the light per area
         (`error_bound` times the peak). The actual error is far smaller, since this bound assumes errors of equal sign
-        everywhere. With :class:`lommel.Seeing` the error is at most about 1e-5 for every aperture and radius, from
-        the autocorrelation of the pupil on 1024 to 4096 cells across.
+        everywhere. With :class:`lommel.Seeing` the error is at most about 1e-5 for every aperture and radius.
 
     Raises
     ------
     TypeError, ValueError
-        If a radius is not a finite number of at least 0, or too large for a pupil that is not radially symmetric
-        (about 700 lambda*N, less the extent of the blur; no limit with seeing); if the circle extends beyond half of
-        the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`); or if `about` or `of` is
-        unknown.
+        If a radius is negative or not finite; if it is too large for a pupil that is not radially symmetric (the
+        limit is about 700 lambda*N minus the extent of the blur, and none with seeing); if the circle extends beyond
+        half of the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`); or if `about` or
+        `of` is unknown.
     """
     model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
     centers = energy_centers(psf, about) / psf.pupil.scale
@@ -75,7 +74,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     ----------
     psf : PSF
     half_width : array_like
-        Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+        Half of the side, >= 0, metres if the pupil has a wavelength, else units of lambda*N.
     about : {"axis", "centroid"}, default "axis"
     of : {"image", "optics"}, default "image"
         As in :func:`lommel.measures.energy.encircled_energy`.
@@ -88,7 +87,7 @@ def ensquared_energy(psf: PSFLike, half_width: ArrayLike, *, about: str = "axis"
     Raises
     ------
     TypeError, ValueError
-        As :func:`lommel.measures.energy.encircled_energy`.
+        On the conditions of :func:`lommel.measures.energy.encircled_energy`, with `half_width` in place of `radius`.
     """
     model, half_widths = ImageModel.of(psf, of), validation.real_array("half_width", half_width, least=0.0)
     centers = energy_centers(psf, about) / psf.pupil.scale
@@ -121,8 +120,7 @@ def image_centroid(psf: PSFLike) -> Array:
     """Return the centroid of all light, (x, y) from the axis.
 
     For lenses the centroid is computed from the wavefront (:func:`lommel.centroid`), over all wavelengths of the PSF;
-    neither blur nor pixels move it. For an Objective it is the centroid of the values in the window,
-    :func:`window_centroid`.
+    blur and pixels do not change it. For an Objective it is the centroid of the values, :func:`window_centroid`.
 
     Parameters
     ----------
@@ -131,7 +129,7 @@ def image_centroid(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Position in metres or units of lambda*N; for lenses exact except for rounding.
+        Position in metres or units of lambda*N; for lenses exact up to rounding.
 
     Raises
     ------
@@ -171,13 +169,13 @@ def window_centroid(psf: PSFLike) -> Array:
     light = energy_per_pixel(psf)
     total = light.sum(axis=(-2, -1))
     if not np.all(total > 0):
-        raise ValueError("the centroid of no light is unknown: none falls into the window")
+        raise ValueError("psf must have light in the window to have a centroid, got a sum of values of 0")
     x, y = (light.sum(axis=-2) * psf.grid.x).sum(axis=-1), (light.sum(axis=-1) * psf.grid.y).sum(axis=-1)
     return np.stack([x / total, y / total], axis=-1)
 
 
 def energy_centers(psf: PSFLike, about: str) -> Array:
-    """Return the centres (x, y) about which energies are measured ("axis" or "centroid"), shape (n, 2)."""
+    """Return the axis or the centroids (x, y) of the flattened stack, as `about` requests, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
     # The centroid of a radially symmetric image is the axis.
     if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
@@ -186,7 +184,7 @@ def energy_centers(psf: PSFLike, about: str) -> Array:
 
 
 def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
-    """Raise ValueError if a pupil is not radially symmetric, or not supported by a method."""
+    """Raise ValueError if a pupil is not radially symmetric or if the method does not support it."""
     method.require(pupil)
     if not pupil.radial:
         raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
@@ -195,7 +193,8 @@ def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
 def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> Numbers:
     """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 tau)``, by quadrature.
 
-    v is the radius in optical units, and tau the transmission (``1 - eps^2`` for an annulus of obscuration eps).
+    v is the radius in optical units (pi at lambda*N), and tau the transmission of the pupil, ``1 - eps^2`` for an
+    annulus with the obscuration eps.
 
     Parameters
     ----------
@@ -208,33 +207,33 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        Fraction of all light, within the tolerance of the method.
+        Fraction of all light; its error is at most the tolerance of the method.
 
     Raises
     ------
     TypeError, ValueError
-        If the method is not radial or does not support the pupil, or a radius is negative or not finite.
+        If the method is not radial or does not support the pupil, or if a radius is negative or not finite.
     """
     validation.instance("method", method, RadialMethod)
     at = validation.real_array("radius", radius, least=0.0)
     method.require(pupil)
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
-    # v refers to the reference wavelength; light of the shortest wavelength oscillates faster by `stretch`.
+    # v refers to the reference wavelength; at the shortest wavelength I oscillates faster by the factor `stretch`.
     stretch = method.stretch(pupil)
     edges, index = np.unique(_v_within_reach(pupil, "radius", at, stretch), return_inverse=True)
-    # A node on the axis with weight 0, so that the profile, whose error is relative to its peak, includes the axis.
+    # A node on the axis with weight 0: the error of the profile is relative to the largest value at the nodes.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
-        # I v is of exponential type 2 `stretch`: 0.6 nodes per unit of v and 24 more give spectral accuracy.
+        # I v is of exponential type 2 * stretch, so that these numbers of nodes have spectral accuracy.
         x, w = gauss_panels(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
         nodes.append(x)
         weights.append(w * x)
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
-    # Panels end at the radii, so that one cumulative sum contains the integrals to all of them.
+    # Panels end at the radii, so that one cumulative sum includes the integrals to all radii.
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
-    # E = int I v dv / (2 tau): the integral of I over the plane, with 2 pi v dv, is 4 pi times the transmission tau.
+    # E = int I v dv / (2 tau), because the integral of I over the plane, int I 2 pi v dv, is 4 pi tau.
     return numbers(light[:, np.cumsum(counts)[index]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
 
@@ -246,14 +245,14 @@ def radial_square_energy(method: RadialMethod, pupil: BasePupil, half_width: Arr
 
 
 def _v_within_reach(pupil: BasePupil, name: str, distance: Array, stretch: float) -> Array:
-    """Return distances as values of v, flattened; ValueError if one is too far from the axis."""
+    """Return distances from the axis as values of v, flattened; ValueError if a distance is too large."""
     far = float(distance.max(initial=0.0))
     validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
     return pupil.v(distance).ravel()
 
 
 def window_energy(psf: PSFLike) -> Numbers:
-    """Return the fraction of all light inside the window, to the edges of its outer pixels, before pixel integration.
+    """Return the fraction of all light that falls on the window, for any fill factor of its pixels.
 
     Parameters
     ----------
@@ -284,13 +283,13 @@ def window_energy(psf: PSFLike) -> Numbers:
     )
     if radial is None:
         low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
-        # A window with an even number of pixels is off-centre: one side may exceed half of the period of a sampled
-        # image by half a pixel.
+        # A window with an even number of pixels is off-centre: one of its sides may exceed half the period of a
+        # sampled image by half a pixel.
         reach = min(float(np.abs([low, far]).max()), 0.5 * psf.method.period(pupil))
         images = energy_images(ImageModel.of(psf, "optics"), reach, "the window")
         return numbers([image.rectangle((low[0], low[1]), (far[0], far[1])) for image in images], pupil.shape)
     step = math.pi / pupil.scale
-    # Inclusion and exclusion: signed rectangles with one corner on the axis.
+    # The window as a signed sum of rectangles with one corner on the axis.
     corners = [
         (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step) for a in (right, -left) for b in (bottom, -top)
     ]
@@ -300,13 +299,13 @@ def window_energy(psf: PSFLike) -> Numbers:
 def _light_in_rectangles(
     method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[float, float, float]]
 ) -> Array:
-    """Return the weighted sum of the fractions of light in rectangles, for each pupil of the stack (n,).
+    """Return the weighted sum of the fractions of light in rectangles, for each pupil of the stack, shape (n,).
 
-    A rectangle (weight, a, b) extends from the axis to (a, b) in units of v.
+    A rectangle (weight, a, b) extends from the axis to the corner (a, b) in units of v.
     """
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
     for weight, a, b in rectangles:
-        if a > 1e-150 and b > 1e-150:  # so that b / v and a / v are finite
+        if a > 1e-150 and b > 1e-150:  # smaller sides hold no light, and a / v or b / v could overflow
             v, w = _quadrant_rule(a, b, method.stretch(pupil))
             nodes.append(v)
             weights.append(weight * w)
@@ -317,14 +316,13 @@ def _light_in_rectangles(
 
 
 def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
-    """Return nodes v and weights that integrate a radial function of type ``2 stretch`` over [0, a] x [0, b]."""
+    """Return nodes v and weights to integrate a radial function of type ``2 stretch`` over [0, a] x [0, b]."""
     near, far = min(a, b), max(a, b)
-    # Radii of full quarter circles, of arcs cut by the nearer side, and of arcs cut by both sides.
+    # Three ranges of radii: full quarter circles, arcs cut by the nearer side, and arcs cut by both sides.
     pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
     nodes, weights = [], []
     for low, high in pieces:
-        # v = low + (high - low) s^2, as the arc has a square-root singularity where the circle starts to leave the
-        # rectangle.
+        # The length of the arc has a square-root singularity at v = low, which v = low + (high - low) s^2 removes.
         s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
         # Angle of the arc of radius v within the rectangle, radians.
@@ -335,14 +333,14 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
 
 
 def energy_per_pixel(psf: PSFLike) -> Array:
-    """Return the values as fractions of all light per pixel, for any normalisation."""
+    """Return the values as fractions of all light per pixel, whatever the normalisation of the PSF."""
     # Values are `scale` times I, and the integral of I over the plane in v is 4 pi times the transmission.
     factor = psf.grid.cell(psf.pupil) / (4.0 * math.pi * psf.pupil.transmission)
     return np.asarray(psf.values * (factor / psf.scale)[..., None, None], dtype=np.float64)
 
 
 MAX_RADIUS = 250.0
-"""Largest radius of circles around images that are not radially symmetric, in lambda*N."""
+"""Largest radius in :func:`encircled` for pupils that are not radially symmetric, lambda*N."""
 
 
 class Encircled(NamedTuple):
@@ -351,9 +349,9 @@ class Encircled(NamedTuple):
     Attributes
     ----------
     fraction : ndarray
-        Fraction of the light within each radius.
+        Fraction of all light within each radius.
     error : float or None
-        Error bound of the fractions; None if the method has no error bound, or the pupil is radially symmetric.
+        Error bound of the fractions; None if the method has no error bound or if the pupil is radially symmetric.
     """
 
     fraction: NDArray[np.float64]
@@ -371,18 +369,19 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
         Radius, metres if the pupil has a wavelength, else units of lambda*N; at most 250 lambda*N unless the pupil is
         radially symmetric.
     method : Method, optional
-        Method that computes the image; by default that of :func:`lommel.psf`. Ignored for a radially symmetric pupil.
+        Method that computes the image; by default the one that :func:`lommel.psf` uses. Ignored for a radially
+        symmetric pupil.
 
     Returns
     -------
     Encircled
         The error bound is 2e-8 plus the error bound of the image integrated over the circle: at most a few times 1e-4
-        for 10 lambda*N and a tolerance of 1e-6. The actual error is mostly far smaller.
+        for a radius of 10 lambda*N and a tolerance of 1e-6. The actual error is mostly far smaller.
 
     Raises
     ------
     TypeError, ValueError
-        If a radius is not finite or out of range, or the pupil is a stack.
+        If a radius is not finite or out of range, or if the pupil is a stack.
     """
     at = np.atleast_1d(validation.real_array("radius", radius, least=0.0))
     if method is not None:
@@ -400,7 +399,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if method is not None:
         method.require(pupil)
     (image,) = energy_images(optics(pupil, method), float(reach.max(initial=0.0)), "radius")
-    # Worst case: the errors of all samples have the same sign (certificate, "From samples").
+    # In the worst case the errors of all samples have the same sign (docs/certificate.md, "From samples").
     area = math.pi * float(reach.max(initial=0.0)) ** 2
     has_bound = isinstance(image, CartesianImage) and not math.isnan(image.error)
     error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if has_bound else None
@@ -408,7 +407,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
 
 
 def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
-    """Return the model of the image without pixel and blur, by `method` or the default method."""
+    """Return the model of an image without pixel and blur, with `method` or the default method."""
     return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[-1])
 
 
@@ -434,13 +433,13 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or the pupil is a stack, not radially symmetric, or not supported by the
-        method.
+        If an argument is out of range, or if the pupil is a stack, is not radially symmetric or is not supported by
+        the method.
 
     Notes
     -----
-    Defocus is scanned in steps of half a radian over the range in which some zone of the pupil is in focus, and
-    beyond it by 6 rad, then refined by Brent's method to 1e-6 rad.
+    The function scans defocus in steps of half a radian over the range in which some zone of the pupil is in focus,
+    extended by 6 rad at both ends. Brent's method refines the best step to 1e-6 rad.
     """
     from scipy.optimize import minimize_scalar
 
@@ -450,11 +449,11 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if not pupil.radial:
         raise ValueError(
-            "pupil must be radially symmetric for its best focus in a circle, got other terms or another aperture; "
-            "compare psf.encircled_energy at several values of defocus"
+            "pupil must be radially symmetric, got a wavefront or an aperture that depends on the direction; "
+            "instead compare psf.encircled_energy at several values of defocus"
         )
     require_radial(radial_method, pupil)
-    # A zone of the pupil is in focus where the slope dPhi/d(rho^2) of its phase and that of the added defocus, 2 C_d,
+    # A zone of the pupil is in focus if the slope dPhi/d(rho^2) of its phase and the slope 2 C_d of the added defocus
     # cancel.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)

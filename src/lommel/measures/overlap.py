@@ -1,15 +1,16 @@
-"""Autocorrelation of the pupil function P, over the overlap of two shifted apertures.
+"""OTF as the autocorrelation of the pupil function P, an integral over the overlap of two shifted apertures.
 
-With f in units of the cutoff ``1 / (lambda N)`` and pupil coordinates over the radius of the aperture,
+With f in units of the cutoff frequency ``1 / (lambda N)`` and pupil coordinates in units of the aperture radius,
 
     OTF(f) = int P(rho - f) conj(P(rho + f)) d^2 rho / int abs(P)^2 d^2 rho .
 
-In coordinates (u, y) along and across f, ``y = sin(theta)`` makes the ends of
-the lens-shaped overlap of two discs, ``u = +-(cos(theta) - f)``, entire functions of theta, so Gauss-Legendre nodes
-in theta and u converge spectrally. An obscured aperture is cut where its arcs meet, with ``y = eps sin(theta)``
-beside the obscuration.
+Let u and y be the coordinates along and across f. The overlap of two discs extends over
+``abs(u) <= cos(theta) - f`` at ``y = sin(theta)``. These limits are entire functions of theta, so that Gauss-Legendre
+quadrature in theta and u converges spectrally. For annuli the range of y is split at the heights at which circles of
+the two apertures meet, and ``y = eps sin(theta)`` beside the obscuration of radius eps.
 
-All other apertures take rules with a proven error, those with a mask sums over cells: certificate, section 18.
+Other apertures use quadrature rules with a proven error, and masks use sums over cells: docs/certificate.md,
+section 18.
 
 References
 ----------
@@ -40,43 +41,42 @@ from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
-# The pupil function is constant on the square cells of a mask, the wavefront taken at their centres. The overlap of
-# two cells is linear in either coordinate of their shift; so the autocorrelation between shifts d by whole cells is
-# the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))``, exactly, for every mask.
+# On each square cell of a mask the pupil function P_k is constant, with the wavefront at the centre of the cell. The
+# overlap area of two cells is linear in each coordinate of their shift. The autocorrelation at any shift is therefore
+# exactly the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))`` between shifts d by whole cells.
 #
-# The image of point samples differs from that of square cells: it is one period of
-# ``sum_d A(d) exp(2 pi i d.r / side)``. At whole cells its transform is the same.
+# If the mask represents point samples instead of square cells, the image is one period of
+# ``sum_d A(d) exp(2 pi i d.r / side)``. Its transform at shifts by whole cells is also A(d).
 
-_MAX_TABLE = 2048  # cells a side up to which all shifts are tabulated, in 270 MB
+_MAX_TABLE = 2048  # largest number of cells along a side for which all shifts are tabulated, in 270 MB
 
 
 class Cells:
-    """Pupil function on the cells of a mask, normalised to unit light."""
+    """Pupil function on the cells of a mask, normalised so that its autocorrelation is 1 at zero shift."""
 
     def __init__(self, field: NDArray[np.complex128]) -> None:
-        # The autocorrelation is then 1 at zero shift.
         self.field = field / np.linalg.norm(field)
 
     @cached_property
     def _table(self) -> NDArray[np.complex128]:
         from scipy import fft
 
-        # Twice the side: a linear correlation, not a circular one.
+        # Zero padding to twice the side makes the correlation linear instead of circular.
         spectrum = fft.fft2(self.field, (2 * len(self.field), 2 * len(self.field)))
         return np.asarray(fft.ifft2(spectrum.real**2 + spectrum.imag**2).conj())
 
     def at(self, across: NDArray[np.int64], down: NDArray[np.int64]) -> NDArray[np.complex128]:
         """Return the autocorrelation at shifts by whole cells along columns and rows."""
         side = len(self.field)
-        # Shifted by a side or more no cells overlap.
+        # At shifts by a whole side or more no cells overlap.
         x, y = (np.clip(shift, -side, side) for shift in (across, down))
         if side <= _MAX_TABLE:
             return np.asarray(self._table[y, x])
-        # Large masks: each distinct shift once, by a direct sum.
-        shifts, where = np.unique(np.stack([x, y]), axis=1, return_inverse=True)
-        return np.array([self._shifted(*shift) for shift in shifts.T.tolist()])[where.reshape(-1)]
+        # For a large mask each distinct shift is computed once, by a direct sum.
+        shifts, index = np.unique(np.stack([x, y]), axis=1, return_inverse=True)
+        return np.array([self._at_shift(*shift) for shift in shifts.T.tolist()])[index.reshape(-1)]
 
-    def _shifted(self, x: int, y: int) -> complex:
+    def _at_shift(self, x: int, y: int) -> complex:
         """Return the autocorrelation at one shift, by a direct sum."""
         side = len(self.field)
         first, second = (
@@ -85,8 +85,8 @@ class Cells:
         return complex(np.einsum("yx,yx->", first.conj(), second))
 
     def between(self, shift: Array) -> NDArray[np.complex128]:
-        """Return the autocorrelation at shifts in cells, shape (points, 2)."""
-        # Overlaps of cells are linear in their shift along each axis: certificate, "Masks".
+        """Return the autocorrelation at any shifts in units of cells, shape (points, 2)."""
+        # Bilinear interpolation is exact (docs/certificate.md, "Masks").
         first = np.floor(np.clip(shift, -len(self.field), len(self.field)))
         (x, y), (column, row) = (shift - first).T, first.T.astype(np.int64)
         x, y = (np.clip(part, 0.0, 1.0) for part in (x, y))
@@ -94,19 +94,20 @@ class Cells:
         return np.asarray((1.0 - y) * near + y * next_to)
 
     def centroid(self, *, squares: bool) -> Array:
-        """Return the centroid (x, y) of the image in lambda*N: the whole image for `squares`, else one period."""
+        """Return the centroid (x, y) of the image of square cells, or of one period for point samples, lambda*N."""
         side = len(self.field)
-        # Squares: derivative of the autocorrelation at 0. Samples: integral of x over one period of each wave.
+        # Square cells: derivative of the autocorrelation at 0. Point samples: integral of x times each wave, over one
+        # period.
         d = np.arange(1, 2 if squares else side)
         weight = (np.ones(1) if squares else -((-1.0) ** d) * 2.0 / d) * (-0.5 * side / math.pi)
-        # Along x the centroid is that of the light summed along y, which only shifts along x enter.
+        # The light summed along y, which has the same centroid along x, depends on shifts along x only.
         zero = np.zeros_like(d)
         return np.array([weight @ self.at(d, zero).imag, weight @ self.at(zero, d).imag])
 
 
 @lru_cache(maxsize=2)
 def cells(pupil: Pupil) -> Cells:
-    """Return the cells of a single pupil."""
+    """Return the pupil function of a single pupil on the cells of its mask."""
     assert pupil.mask is not None
     side = pupil.mask.side
     (field,) = pupil_functions(pupil, cell_centers(side), 1.0 / side, "grey")
@@ -114,22 +115,22 @@ def cells(pupil: Pupil) -> Cells:
 
 
 def cells_of_stack(pupil: Pupil) -> list[Cells]:
-    """Return the cells of each pupil of the flattened stack."""
+    """Return :func:`cells` for each pupil of the flattened stack."""
     return [cells(pupil[index]) for index in np.ndindex(pupil.shape)] if pupil.shape else [cells(pupil)]
 
 
 def of_mask(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
-    """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
+    """Return the OTF of masks, stack flattened, at f (points, 2) in units of the cutoff frequency."""
     assert pupil.mask is not None
     return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])
 
 
-_CHUNK = 2**20  # pupil values held at once
-_MAX_NODES = 4096
+_CHUNK = 2**20  # largest number of pupil values computed together, to limit the memory
+_MAX_NODES = 4096  # largest number of nodes along a line
 
 
 def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
+    """Return the OTF, stack flattened, at f (points, 2) in units of the cutoff frequency, to the tolerance `tol`."""
     if pupil.mask is not None:
         return of_mask(pupil, f)
     if pupil.circular and pupil.radial:
@@ -137,20 +138,21 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         canonical = np.stack([np.hypot(f[:, 0], f[:, 1]), np.zeros(len(f))], axis=-1)
         mirrored = np.zeros(len(f), dtype=bool)
     else:
-        # OTF(-f) = conj(OTF(f)), as images are real: one half of the plane is computed.
+        # Compute half of the plane only: images are real, so that OTF(-f) = conj(OTF(f)).
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
-    # Grids of frequencies have many equal lengths and directions.
+    # Lattices of frequencies contain many points whose OTF is the same: compute each once.
     points, where = np.unique(canonical, axis=0, return_inverse=True)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
-    # Nearer to 0 the OTF is 1 to rounding, quotients overflow, and edges of shapes are known to rounding only.
+    # At smaller shifts the OTF is 1 up to rounding. They are excluded, because quotients would overflow and edges of
+    # shapes have rounding errors.
     least = 1e-100 if pupil.circular else 1e-14
     values[:, shift <= least] = 1.0
     within = np.flatnonzero((shift > least) & (shift < 1))
     if pupil.circular:
         blur = float(pupil.v(pupil.geometric_radius()).max())
-        # Frequencies of similar length need similar numbers of nodes.
+        # Group frequencies of similar length, which need similar numbers of nodes.
         within = within[np.argsort(shift[within])]
         for group in np.array_split(within, math.ceil(len(within) / 32)) if len(within) else ():
             values[:, group] = _of_discs(pupil, points[group], shift[group], blur, tol)
@@ -163,36 +165,39 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
 
 
 def _of_discs(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF of circular or annular apertures at few frequencies."""
-    # Estimate: half of the phase change along a line of the overlap. Too few nodes are noticed by the next step.
+    """Return the OTF of circular or annular apertures at a few frequencies."""
+    # The number of nodes follows from an estimate of the phase change along a line of the overlap. If the estimate is
+    # too low, _converged_integral() adds nodes.
     swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
     nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.illumination.slope)
-    return _settled(lambda nodes: _overlap_integral(pupil, f, shift, nodes), nodes, tol, tol + 1e-15 * blur)
+    return _converged_integral(
+        lambda nodes: _overlap_integral(pupil, f, shift, nodes), nodes, tol, tol + 1e-15 * blur
+    )
 
 
-def _settled(
+def _converged_integral(
     integral: Callable[[int], NDArray[np.complex128]], nodes: int, tol: float, least: float
 ) -> NDArray[np.complex128]:
-    """Return an integral with the number of nodes for which two successive ones differ by at most `least`."""
+    """Return ``integral(nodes)``, with `nodes` increased until two successive values differ by at most `least`."""
     before: NDArray[np.complex128] | None = None
     while nodes <= _MAX_NODES:
         value = integral(nodes)
         if before is not None and np.abs(value - before).max() <= least:
             return value
         before, nodes = value, math.ceil(1.4 * nodes)
-    raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MAX_NODES} nodes along a line")
+    raise ToleranceError(f"the OTF to tol={tol:g} needs more than {_MAX_NODES} nodes along a line")
 
 
 def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArray[np.complex128]:
     """Return the autocorrelation at f by `nodes` Gauss nodes along and across each part of the overlap."""
     x, w = gauss_legendre(nodes)
     which, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
-    # Defocus alone: the phase is linear along u, and lines have a closed form.
+    # For defocus alone the phase difference is linear in u, and integrals along u have a closed form.
     if pupil.radial and pupil.illumination.uniform and not pupil.radial_terms()[:, 1:].any():
         lines = _defocused_lines(pupil.radial_terms()[:, :1] * shift[which], low, width) * weight
-        return _summed(lines, which, len(f)) / (math.pi * pupil.transmission)
+        return _sum_lines(lines, which, len(f)) / (math.pi * pupil.transmission)
     if not pupil.radial:
-        # Without radial symmetry both halves y > 0 and y < 0 count, with half of the weight each.
+        # Without radial symmetry the lines at -y are added, and all weights are halved.
         which, low, width, weight = (np.tile(part, 2) for part in (which, low, width, 0.5 * weight))
         y = np.concatenate([y, -y])
     out = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
@@ -214,8 +219,7 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
 
 
 def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
-    """Return the integrals along lines for defocus alone, shape (n, lines): the phase difference is ``8 slope u``."""
-    # The integral of cos(8 slope u) over a line is a sinc.
+    """Return the integrals of ``cos(8 slope u)`` along lines from `low` to `low + width`, shape (n, lines)."""
     half = 4.0 * slope * width + 1e-300  # avoids 0 / 0
     lines = np.cos(8.0 * slope * low + half)
     lines *= np.sin(half)
@@ -224,13 +228,13 @@ def _defocused_lines(slope: Array, low: Array, width: Array) -> Array:
     return lines
 
 
-def _summed(lines: Array, which: NDArray[np.intp], count: int) -> NDArray[np.complex128]:
-    """Return the sums of the integrals of lines over the lines of each of `count` frequencies."""
+def _sum_lines(lines: Array, which: NDArray[np.intp], count: int) -> NDArray[np.complex128]:
+    """Sum the integrals of lines for each frequency; `which` is the index of a line's frequency, below `count`."""
     return np.array([np.bincount(which, each, count) for each in lines], dtype=np.complex128)
 
 
 def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
-    """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary part is odd in u."""
+    """Return the real part of ``P(s) conj(P(t))``, s and t = rho^2; the imaginary part, odd in u, integrates to 0."""
     terms = pupil.radial_terms()
     product = np.cos(zernike.legendre_sum(terms, 2.0 * s - 1.0) - zernike.legendre_sum(terms, 2.0 * t - 1.0))
     if not pupil.illumination.uniform:
@@ -240,40 +244,42 @@ def _radial_product(pupil: Pupil, s: Array, t: Array) -> Values:
 
 def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
     """Return lines of constant y > 0 that cover the overlaps: frequency index, y, start in u, length, weight in y."""
-    # Overlaps are symmetric in y: the upper half counts twice. Within a panel the ends are analytic in the angle.
-    end = 2.0 * np.arcsin(np.sqrt(0.5 * (1.0 - shift)))  # arccos(shift), exact near 1
+    # Overlaps are symmetric in y, so that lines with y > 0 have twice the weight. Within each panel of y the ends of
+    # the lines are analytic in theta.
+    end = 2.0 * np.arcsin(np.sqrt(0.5 * (1.0 - shift)))  # arccos(shift), accurate near 1
     top = np.sqrt((1.0 - shift) * (1.0 + shift))
-    found = [_panel(np.arcsin(np.minimum(eps, top)), end, 1.0, shift, eps, x, w)]
+    panels = [_panel(np.arcsin(np.minimum(eps, top)), end, 1.0, shift, eps, x, w)]
     if eps > 0:
-        # Heights at which the rim of one aperture meets the obscuration of the other, and the obscurations meet.
+        # theta of the heights at which a rim meets the obscuration of the other aperture, and at which the two
+        # obscurations meet.
         meets = shift - (1.0 - eps**2) / (4.0 * shift)
         last = np.arcsin(np.minimum(1.0, top / eps))
         rim = np.arccos(np.minimum(1.0, np.abs(meets) / eps))
         both = np.arccos(np.minimum(1.0, shift / eps))
         edges = np.sort(np.minimum([np.zeros_like(last), rim, both, last], last), axis=0)
-        found += [_panel(a, b, eps, shift, eps, x, w) for a, b in pairwise(edges)]
-    which, y, low, width, weight = (np.concatenate(part) for part in zip(*found, strict=True))
-    kept = width * weight > 0
-    which, y, low, width, weight = (part[kept] for part in (which, y, low, width, weight))
+        panels += [_panel(a, b, eps, shift, eps, x, w) for a, b in pairwise(edges)]
+    which, y, low, width, weight = (np.concatenate(part) for part in zip(*panels, strict=True))
+    nonempty = width * weight > 0
+    which, y, low, width, weight = (part[nonempty] for part in (which, y, low, width, weight))
     return which, y, low, width, 2.0 * weight
 
 
 def _panel(
     first: Array, last: Array, radius: float, shift: Array, eps: float, x: Array, w: Array
 ) -> tuple[Values, ...]:
-    """Return the lines with ``y = radius sin(theta)``, theta from `first` to `last`; one panel for each frequency."""
+    """Return lines, as :func:`_lines`, at ``y = radius sin(theta)`` with Gauss nodes theta from `first` to `last`."""
     theta = first[:, None] + (last - first)[:, None] * x
     y = radius * np.sin(theta)
     weight = (last - first)[:, None] * w * radius * np.cos(theta)
     f = shift[:, None]
     rim = np.sqrt((1.0 - y) * (1.0 + y))
-    if radius == 1.0:  # above the obscurations a line is one piece
+    if radius == 1.0:  # above the obscurations each line is a single interval
         pieces = [(f - rim, rim - f)]
     else:
         hole = eps * np.cos(theta)
         right = [(f - rim, f - hole), (f + hole, f + rim)]
         left = [(-f - rim, -f - hole), (-f + hole, -f + rim)]
-        # Clear pieces are intersections of those of both apertures.
+        # The overlap consists of intersections of the clear intervals of both apertures.
         pieces = [(np.maximum(a, c), np.minimum(b, d)) for a, b in right for c, d in left]
     which = np.broadcast_to(np.arange(shift.size)[:, None], y.shape).ravel()
     lines = (which, y.ravel(), weight.ravel())
@@ -281,18 +287,18 @@ def _panel(
     return tuple(np.concatenate(part) for part in zip(*parts, strict=True))
 
 
-# All other apertures use the rules of lommel.core.engine.row_rule, with a proven error. The overlap lies in the
-# ellipse with semi-axes ``1 - f`` along and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc. The
-# difference of the two phases is a polynomial there; the amplitudes of its Zernike terms give the degree of a
-# polynomial proven to be close to the integrand (lommel.optics.aperture.opening.degree_needed). The ellipse moved by
-# f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, which bounds the amplitude there. Each pair of
-# overlapping segments has its own rule and phase.
+# All other apertures use the quadrature rules of lommel.core.engine.row_rule, with a proven error. The overlap lies
+# in the ellipse with semi-axes ``1 - f`` along f and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc.
+# The difference of the two phases is a polynomial on this disc. From the amplitudes of its Zernike terms,
+# lommel.optics.aperture.opening.degree_needed computes the degree of a polynomial that is close to the integrand. The
+# ellipse shifted by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, on which the apodization is
+# bounded. Each pair of overlapping segments has its own rule and phase.
 
-_LEAST = 2e-15  # least error of a rule, some units of rounding
+_MIN_ERROR = 2e-15  # smallest error requested of a rule, several units of rounding
 
 
 class _ClearParts(NamedTuple):
-    """Regions of an aperture, the phases of segments, and discs that contain them."""
+    """Clear regions of an aperture (segments), their phases (constant, tilts), and a disc around each region."""
 
     regions: tuple[Listed, ...]
     phases: Array
@@ -307,82 +313,81 @@ def _clear_parts(opening: Opening) -> _ClearParts:
         return _ClearParts(regions, opening.phases, np.zeros((1, 2)), np.ones(1))
     edges = [np.concatenate(part.outline(256)) for part in opening.stop.shapes]  # type: ignore[union-attr]
     centers = np.array([0.5 * (edge.min(axis=0) + edge.max(axis=0)) for edge in edges])
-    # One per cent for the sagitta of curved edges between the 256 points of an outline.
+    # Curved edges bulge between the 256 points of an outline by less than 1 % of the radius.
     radii = [1.01 * np.hypot(*(edge - at).T).max() for edge, at in zip(edges, centers, strict=True)]
     return _ClearParts(regions, opening.phases, centers, np.array(radii))
 
 
 def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF of other apertures at a frequency, off by less than `tol` and the rounding of phases."""
+    """Return the OTF of other apertures at one frequency, with an error below `tol` plus rounding of the phase."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
-    # Coordinates along and across f.
+    # `back` maps the unit disc to the ellipse around the overlap, and `frame` is its inverse.
     cos, sin = f / shift
     back = np.array([[cos, -sin], [sin, cos]]) * axes
     frame = np.array([[cos, sin], [-sin, cos]]) / axes[:, None]
-    share = float(axes[0] * axes[1]) / pupil.transmission
-    # Only segments whose enclosing discs meet can overlap.
-    moved = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
-    pairs = np.argwhere(moved < clear.radii[:, None] + clear.radii)
+    factor = float(axes[0] * axes[1]) / pupil.transmission
+    # Segments can overlap only if their enclosing discs do.
+    distances = np.hypot(*(clear.centers[:, None] - clear.centers + 2.0 * f).transpose(2, 0, 1))
+    pairs = np.argwhere(distances < clear.radii[:, None] + clear.radii)
     first, second = clear.phases[pairs[:, 0]], clear.phases[pairs[:, 1]]
     tilts = first[:, 1:] - second[:, 1:]
-    still = first[:, 0] - second[:, 0] - (first[:, 1:] + second[:, 1:]) @ f
-    # Half of the tolerance for the polynomial close to the integrand, half for the rules.
-    aim = min(max(0.45 * tol / share, _LEAST), 0.05)
-    # Tilts of segments act as a shift of the window does: their difference adds to the kernel's frequency.
+    constants = first[:, 0] - second[:, 0] - (first[:, 1:] + second[:, 1:]) @ f
+    # About half of the tolerance is for the polynomial approximation of the integrand, half for the rules.
+    rule_tol = min(max(0.45 * tol / factor, _MIN_ERROR), 0.05)
+    # Segments that differ in tilt need the same degree as a shift of the window by this difference.
     steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
-    # Section 18, "Transfer functions".
+    # docs/certificate.md, section 18, "Transfer functions".
     rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
     sizes = _amplitudes(pupil, back, f)
     try:
-        degree = degree_needed(sizes, steepest, pupil.illumination, aim, power=2.0, radius=rim)
+        degree = degree_needed(sizes, steepest, pupil.illumination, rule_tol, power=2.0, radius=rim)
     except ValueError as fault:
         raise ToleranceError(f"the OTF to tol={tol:g} cannot be computed: {fault}") from None
-    apart, total = frame @ f, np.zeros(math.prod(pupil.shape), dtype=np.complex128)
-    mapped = {(i, sign): clear.regions[i].mapped(frame, sign * apart) for i, sign in _ends(pairs)}
-    for (i, j), tilt, constant in zip(pairs, tilts, still, strict=True):
-        rule = (mapped[i, 1] & mapped[j, -1]).rule(degree, aim / len(pairs))
+    offset, total = frame @ f, np.zeros(math.prod(pupil.shape), dtype=np.complex128)
+    mapped = {(i, sign): clear.regions[i].mapped(frame, sign * offset) for i, sign in _shifted_regions(pairs)}
+    for (i, j), tilt, constant in zip(pairs, tilts, constants, strict=True):
+        rule = (mapped[i, 1] & mapped[j, -1]).rule(degree, rule_tol / len(pairs))
         u, y, weight = rule.nodes
         many = max(1, _CHUNK // len(total))
         for start in range(0, u.size, many):
             part = slice(start, start + many)
             at = back @ np.stack([u[part], y[part]])
-            phase = _difference(pupil, at, f) + (constant + tilt @ at)
+            phase = _phase_difference(pupil, at, f) + (constant + tilt @ at)
             light = weight[part]
             if not pupil.illumination.uniform:
                 light = light * np.prod([pupil.illumination.at(r * r) for r in _radii(at, f)], axis=0)
             total += np.exp(1j * phase) @ light
-    return share * total
+    return factor * total
 
 
-def _ends(pairs: NDArray[np.intp]) -> set[tuple[int, int]]:
-    """Return the regions shifted by f (sign 1) and by -f (sign -1)."""
+def _shifted_regions(pairs: NDArray[np.intp]) -> set[tuple[int, int]]:
+    """Return (region, sign) for each region that occurs in a pair, shifted by f (sign 1) or by -f (sign -1)."""
     return {(int(i), 1) for i in pairs[:, 0]} | {(int(j), -1) for j in pairs[:, 1]}
 
 
 def _radii(at: Array, f: Array) -> list[Array]:
-    """Return the distances of points from the axis of the apertures shifted by f and by -f."""
+    """Return the distances of points from the axes of the two apertures, which are shifted by f and by -f."""
     return [np.hypot(at[0] - sign * f[0], at[1] - sign * f[1]) for sign in (1.0, -1.0)]
 
 
-def _difference(pupil: Pupil, at: Array, f: Array) -> Array:
+def _phase_difference(pupil: Pupil, at: Array, f: Array) -> Array:
     """Return ``Phi(rho - f) - Phi(rho + f)`` at points, shape (n, points)."""
     if not pupil.wavefront.terms:
         return np.zeros((math.prod(pupil.shape), at.shape[1]))
-    behind, before = _radii(at, f)
-    turned = [np.arctan2(at[1] - sign * f[1], at[0] - sign * f[0]) for sign in (1.0, -1.0)]
-    wavefront = pupil.wavefront
-    found = wavefront.phase(behind, turned[0]) - wavefront.phase(before, turned[1])
-    return np.asarray(found.reshape(-1, at.shape[1]))
+    radii = _radii(at, f)
+    angles = [np.arctan2(at[1] - sign * f[1], at[0] - sign * f[0]) for sign in (1.0, -1.0)]
+    phases = [pupil.wavefront.phase(rho, theta) for rho, theta in zip(radii, angles, strict=True)]
+    return np.asarray((phases[0] - phases[1]).reshape(-1, at.shape[1]))
 
 
 def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
-    """Return by degree the sum of the amplitudes of the Zernike terms of the phase difference, over the ellipse."""
-    degree = max((n for n, _ in pupil.wavefront.amplitudes()), default=0) - 1  # the highest powers cancel in it
+    """Return (n, sum of the amplitudes of degree n) of the Zernike terms of the phase difference over the ellipse."""
+    degree = max((n for n, _ in pupil.wavefront.amplitudes()), default=0) - 1  # the highest powers cancel
     if degree < 1:
         return []
     rho, theta, table = _projection(degree)
     points = np.stack([np.outer(rho, np.cos(theta)).ravel(), np.outer(rho, np.sin(theta)).ravel()])
-    values = _difference(pupil, back @ points, f).reshape(-1, rho.size, theta.size)
+    values = _phase_difference(pupil, back @ points, f).reshape(-1, rho.size, theta.size)
     waves = np.fft.rfft(values, axis=2)[:, :, : degree + 1] / theta.size
     sizes = np.abs(np.einsum("mni,sim->snm", table, waves)).max(axis=0).sum(axis=1)
     # Smaller amplitudes are rounding errors.
@@ -391,7 +396,7 @@ def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
 
 @lru_cache(maxsize=8)
 def _projection(degree: int) -> tuple[Values, Values, Values]:
-    """Return points (rho, theta) for Zernike amplitudes of polynomials, and weights [m, n, radius] of azimuths."""
+    """Return points (rho, theta) at which a polynomial determines its Zernike terms, and weights [m, n, radius]."""
     t, weight = gauss_legendre(degree // 2 + 1, 0.0, 1.0)
     rho = np.sqrt(t)
     table = np.zeros((degree + 1, degree + 1, t.size))

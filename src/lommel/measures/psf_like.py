@@ -1,4 +1,4 @@
-"""Base classes of a PSF, of PSFs in colour channels and of a PSF grid, as measures, files and plots need them."""
+"""Base classes of a PSF, a colour PSF and a PSF grid, for modules that do not compute PSFs (measures, files)."""
 
 from __future__ import annotations
 
@@ -36,17 +36,17 @@ class Recorded:
 
     @property
     def pixel(self) -> float | tuple[float, float]:
-        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
+        """Pixel pitch, in :attr:`unit`: one number for square pixels, else (height, width)."""
         return self.grid.pixel
 
     @property
     def unit(self) -> str:
-        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
+        """Unit of all lengths in the image: ``"m"`` or ``"lambda*N"``."""
         return self.pupil.unit
 
     @property
     def sampling(self) -> str:
-        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
+        """``"center"`` for point samples at the pixel centres, ``"pixel"`` for averages over pixels."""
         return "pixel" if self.grid.integrate else "center"
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> Values:
@@ -55,7 +55,7 @@ class Recorded:
 
 
 class PSFLike(Recorded):
-    """A point spread function, or a stack of them, with its method."""
+    """A point spread function, or a stack of point spread functions, and the method that computed it."""
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
     method: Method
@@ -67,39 +67,41 @@ class PSFLike(Recorded):
 
     @property
     def undersampled(self) -> bool:
-        """True for point samples more than lambda*N/2 apart, the Nyquist interval of an intensity."""
+        """True for point samples more than lambda*N / 2 apart, the Nyquist spacing of an intensity."""
         return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
 
     @property
     def sum_is_light(self) -> bool:
-        """True if all values sum to the light: pixel averages, and point samples at most lambda*N apart."""
-        # By Poisson's formula a sum of samples is the sum of the Fourier transform at multiples of 1 / pixel. That of
-        # an intensity vanishes from the frequency 1 / (lambda*N) on, so that only the value at 0, the light, remains.
+        """True if the sum of all values is the light: for pixel averages and for samples at most lambda*N apart."""
+        # By Poisson's formula the sum of samples equals the sum of the Fourier transform at multiples of 1 / pixel.
+        # The transform of an intensity is 0 from the frequency 1 / (lambda*N) on, so that only its value at frequency
+        # 0, the light, contributes.
         return self.grid.integrate or max(self.grid.pitch) <= (1.0 + 1e-9) * self.pupil.scale
 
     def positions(self) -> tuple[Array, Array]:
-        """Return the positions of columns and rows, x and y from the axis, for each PSF of the flattened stack."""
+        """Return x of the columns and y of the rows, relative to the axis, for each PSF of the flattened stack."""
         return self.grid.positions(self.pupil.shape)
 
     @property
     def radial_method(self) -> RadialMethod | None:
-        """The method if a radial profile describes the whole PSF (radial pupil and method, no blur), else None."""
+        """The method if its radial profile is the whole PSF (radial pupil and method, no blur), else None."""
         return None if self.blur else self.method.along_radius(self.pupil)
 
     def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
-        """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
+        """Return radii (in :attr:`unit`) and the values at these radii, normalised like `values`.
 
         Parameters
         ----------
         radius : array_like, optional
-            Radii at which the method is evaluated, as point samples. By default the pixels from the central one,
-            ``(height // 2, width // 2)``, to the right; if each pupil has its own axis, radii have the shape of the
-            values.
+            Radii at which the method computes point samples. By default the result is part of the row of the central
+            pixel ``(height // 2, width // 2)``, from this pixel to the right edge; the radii of a stack whose pupils
+            have different axes have the shape of the values.
 
         Raises
         ------
         ValueError
-            If radii are given for a method that computes values on the grid only.
+            If radii are given for a PSF that is not radially symmetric or whose method computes values on a grid
+            only.
         """
         if radius is None:
             middle = (self.shape[-2] // 2, self.shape[-1] // 2)
@@ -108,7 +110,7 @@ class PSFLike(Recorded):
         method = self.radial_method
         if method is None:
             reason = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
-            reason = "light that is spread by blur" if self.blur else reason
+            reason = "a PSF with blur" if self.blur else reason
             raise ValueError(f"radius must be None for {reason}, whose values are on the grid only")
         at = validation.real_array("radius", radius, least=0.0)
         far = float(at.max(initial=0.0))
@@ -119,11 +121,11 @@ class PSFLike(Recorded):
         return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
 
     def __getitem__(self, index: Index) -> Self:
-        """Return part of a stack; indices are those of NumPy into an array of the shape of the pupils."""
+        """Return part of a stack, indexed like a NumPy array of shape ``pupil.shape``."""
         if self.pupil.shape == ():
             raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
-        # Indices into the flattened stack, which apply to all arrays.
+        # Convert to indices into the flattened stack, which apply to all arrays.
         which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(
             self,
@@ -136,16 +138,16 @@ class PSFLike(Recorded):
 
 
 class ColourPSFLike(Recorded):
-    """PSFs for the channels of a sensor, with values in one array, channels before rows."""
+    """PSFs for the channels of a sensor, with values in one array, whose channel axis precedes rows and columns."""
 
     channels: Channels
     psfs: tuple[PSFLike, ...]
 
     @property
     def error_bound(self) -> float | None:
-        """Bound on the largest error, relative to the peak of its channel; None if a channel has none."""
-        known = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
-        return max(known) if len(known) == len(self.psfs) else None
+        """Bound on the error of all channels, each relative to its peak; None if a channel has no error bound."""
+        bounds = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
+        return max(bounds) if len(bounds) == len(self.psfs) else None
 
 
 class PSFGridLike:
@@ -159,7 +161,7 @@ class PSFGridLike:
 
     @property
     def values(self) -> Values:
-        """Values, shape (rows, columns, height, width), with axes of depths and channels before the last two."""
+        """Values, shape (rows, columns, height, width); axes of depths and channels, if any, precede the last two."""
         return self.psf.values
 
     @property
@@ -187,22 +189,22 @@ class Measurable(Protocol):
 
 
 def is_psf(thing: object) -> TypeGuard[PSFLike]:
-    """Return whether an object is a PSF or a stack of PSFs, with pixels and a method."""
+    """Return True if an object is a PSF or a stack of PSFs, with pixels and a method."""
     return isinstance(getattr(thing, "grid", None), Grid) and isinstance(getattr(thing, "method", None), Method)
 
 
 def checked(psf: object, name: str = "psf") -> PSFLike:
-    """Return `psf` if it is one; TypeError otherwise."""
+    """Return `psf` if it is a PSF or a stack of PSFs; TypeError otherwise."""
     if not is_psf(psf):
         raise TypeError(f"{name} must be a PSF, got {validation.shown(psf)}")
     return psf
 
 
 def colours(psf: ColourPSFLike) -> Array:
-    """Return the channels as red, green and blue over the largest value of each image, shape ``(..., h, w, 3)``."""
+    """Return red, green and blue divided by the largest value of each image, shape ``(..., height, width, 3)``."""
     names = psf.channels.names
     if len(names) not in (1, 3):
-        raise ValueError(f"a picture takes three channels, or one, got {len(names)}: {', '.join(names)}")
+        raise ValueError(f"a picture needs one or three channels, got {len(names)}: {', '.join(names)}")
     # Colours must not be negative; values may be, within the error bound.
     light = np.maximum(np.moveaxis(psf.values, -3, -1).astype(np.float64), 0.0)
     peak = light.max(axis=(-3, -2, -1), keepdims=True)

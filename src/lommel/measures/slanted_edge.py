@@ -1,4 +1,8 @@
-"""Spatial frequency response of a camera from a picture of a slanted edge (ISO 12233), and an edge to render."""
+"""Spatial frequency response of a camera from a picture of a slanted edge (ISO 12233), and a synthetic edge.
+
+The light as a function of the signed distance from the edge is called the profile (edge spread function); its
+derivative is the line spread function, whose Fourier transform is the response.
+"""
 
 from __future__ import annotations
 
@@ -12,12 +16,12 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers, plain
 from lommel.base.units import per_mm
 
-_FINE = 32  # groups per pixel in which samples of the profile are averaged, values and places
-_GAP = 0.25  # pixels, largest distance between samples of the profile: the bins of ISO 12233
-_MARGIN = 5.0  # pixels that an edge must be away from the sides of the picture
-_LEAST, _MOST = 2.0, 40.0  # degrees between the edge and the rows or columns
-_CONTRAST = 5.0  # least step over the noise of a pixel
-_FLAT = 0.5  # share of the window over the profile that is 1; its ends fall as a cosine
+_BINS_PER_PIXEL = 32  # bins in which samples of the profile are averaged, both their values and their positions
+_MAX_GAP = 0.25  # largest distance between samples of the profile, pixels: the bins of ISO 12233
+_MARGIN = 5.0  # smallest distance of the edge from the sides of the picture, pixels
+_MIN_ANGLE, _MAX_ANGLE = 2.0, 40.0  # angle between the edge and the rows or columns, degrees
+_MIN_CONTRAST = 5.0  # smallest step at the edge divided by the standard deviation of the noise of a pixel
+_FLAT = 0.5  # fraction of the window over the profile that is 1; the window falls to 0 like cos^2 at both ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,16 +31,17 @@ class EdgeResponse:
     Attributes
     ----------
     frequencies : ndarray
-        Cycles per metre across the edge, from 0 to the Nyquist frequency of the pixels.
+        Spatial frequencies perpendicular to the edge, cycles per metre, from 0 to the Nyquist frequency of the
+        pixels.
     values : ndarray
         Modulation at each frequency, 1 at frequency 0.
     errors : ndarray
-        Standard error of each value by the noise of the picture.
+        Standard error of each value due to the noise of the picture.
     angle : float
-        Direction of the frequencies, radians from the axis along columns (x) to that along rows (y): of the normal of
-        the edge. ``lm.mtf(pupil, f * cos(angle), f * sin(angle), pixel=pixel)`` is the same of a lens.
+        Direction of the normal of the edge, radians from x (increasing columns) to y (increasing rows). The MTF of a
+        lens in this direction is ``lm.mtf(pupil, f * cos(angle), f * sin(angle), pixel=pixel)``.
     contrast : float
-        Step of the edge over the sum of both sides, as of Michelson.
+        Michelson contrast of the edge, (bright - dark) / (bright + dark).
     """
 
     frequencies: Array
@@ -46,60 +51,61 @@ class EdgeResponse:
     contrast: float
 
     def __call__(self, frequency: ArrayLike) -> Numbers:
-        """Return the response at a `frequency`, cycles per metre, interpolated; ValueError beyond Nyquist's."""
-        asked = validation.real_array("frequency", frequency, least=0.0)
-        if asked.size and asked.max() > self.frequencies[-1] * (1.0 + 1e-12):
+        """Interpolate the response at `frequency`, cycles per metre; ValueError above the Nyquist frequency."""
+        f = validation.real_array("frequency", frequency, least=0.0)
+        if f.size and f.max() > self.frequencies[-1] * (1.0 + 1e-12):
             raise ValueError(
-                f"frequency must be at most that of Nyquist, {per_mm(float(self.frequencies[-1]))}, "
-                f"got {per_mm(float(asked.max()))}"
+                f"frequency must be at most the Nyquist frequency, {per_mm(float(self.frequencies[-1]))}, "
+                f"got {per_mm(float(f.max()))}"
             )
-        return numbers(np.interp(asked, self.frequencies, self.values), asked.shape)
+        return numbers(np.interp(f, self.frequencies, self.values), f.shape)
 
     def __repr__(self) -> str:
         half = np.flatnonzero(self.values < 0.5)
-        said = f"0.5 at {per_mm(float(self.frequencies[half[0]]))}" if half.size else "above 0.5"
-        return f"<EdgeResponse {said}, {self.values[-1]:.3f} at Nyquist, {per_mm(float(self.frequencies[-1]))}>"
+        mtf50 = f"0.5 at {per_mm(float(self.frequencies[half[0]]))}" if half.size else "above 0.5"
+        return f"<EdgeResponse {mtf50}, {self.values[-1]:.3f} at Nyquist, {per_mm(float(self.frequencies[-1]))}>"
 
     def to_dict(self) -> dict[str, object]:
-        """Return all as plain data."""
+        """Return all attributes as plain numbers and lists."""
         return {name: plain(value) for name, value in vars(self).items()}
 
 
 def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     """Return the spatial frequency response of a camera from its picture of a slanted edge.
 
-    The picture shows one straight edge between two even areas, nearly upright or nearly level. The place of the edge
-    in each row (or column) is the centroid of the differences; a line through these places projects all pixels onto
-    the normal of the edge. In the order of their distance from it, differences of neighbours are the light of the
-    line spread function between them, whose Fourier transform is the response.
+    The picture shows one straight, nearly vertical or nearly horizontal edge between two uniform areas. In each row
+    (or column), the centroid of the differences between neighbouring pixels estimates the position of the edge. A
+    straight line fitted to these positions defines the signed distance of each pixel from the edge. Differences
+    between pixels in the order of this distance sample the line spread function, whose Fourier transform is the
+    response.
 
     Parameters
     ----------
     image : array_like, shape (height, width)
-        In linear light, of one channel: decoded, not sharpened; at least 20 pixels on either side.
+        One channel in linear light, not sharpened, of at least 20 x 20 pixels.
     pixel : float
         Pixel pitch, metres.
 
     Returns
     -------
     EdgeResponse
-        Of optics, pixels and all processing. Its values are off by noise (`errors`), by less than 0.001 as the line
-        is fitted, and by the share of the light that the picture cuts off: diffraction alone sends some 0.3 % of it
-        farther than 45 pixels of 2 lambda*N, and all values are too large by that.
+        Response of optics, pixels and processing. Its values have three errors: noise (`errors`), less than 0.001 due
+        to the fit of the line, and the light that falls outside the picture, whose fraction makes all values too
+        large. Diffraction alone spreads about 0.3 % of the light beyond 45 pixels of 2 lambda*N.
 
     Raises
     ------
     TypeError, ValueError
-        If the picture is no such image; the edge has less contrast than noise, is nearer than 5 pixels to a side, or
-        its angle to rows and columns is not between 2 and 40 degrees; or its slope is a fraction such as 1/3, whose
-        samples of the profile are farther apart than a quarter pixel.
+        If the image has another shape or is not finite; if the edge does not exceed the noise, is nearer than 5
+        pixels to a side or is not at 2 to 40 degrees to the rows or columns; or if its slope is a simple fraction
+        such as 1/3, for which gaps in the profile exceed a quarter pixel.
 
     Notes
     -----
-    ISO 12233:2017, e-SFR; P. D. Burns, Proc. IS&T PICS, 135 (2000). These average the profile in bins of a quarter
-    pixel and correct for the differences of bins; bins that a slope fills unevenly change the response by up to 0.05.
-    Samples at their own places, as here, need no correction. The window is 1 over the middle half of the profile in
-    place of Hamming's, which leaves the halo of blur in.
+    ISO 12233:2017, e-SFR; P. D. Burns, Proc. IS&T PICS, 135 (2000). Their algorithms average the profile in bins of a
+    quarter pixel, which can change the response by up to 0.05 if the bins are filled unevenly. This function keeps
+    the position of each sample (to 1/32 pixel), which avoids this error. In place of a Hamming window, which would
+    suppress the halo of the blur, the window is 1 over the middle half of the profile.
 
     Examples
     --------
@@ -113,65 +119,69 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     values = validation.real_array("image", image)
     side = validation.pixel(pixel, metric=True)
     if values.ndim != 2 or min(values.shape) < 20:
-        raise ValueError(f"image must have the shape (height, width), 20 pixels or more each, got {values.shape}")
-    # As if the edge were nearly upright.
-    level = np.ptp(values.mean(axis=1)) > np.ptp(values.mean(axis=0))
-    upright = values.T if level else values
-    start, slope = _edge(upright)
+        raise ValueError(f"image must have the shape (height, width) of 20 x 20 pixels or more, got {values.shape}")
+    # A nearly horizontal edge is transposed to a nearly vertical one.
+    horizontal = np.ptp(values.mean(axis=1)) > np.ptp(values.mean(axis=0))
+    upright = values.T if horizontal else values
+    start, slope = _fit_edge(upright)
     degrees = math.degrees(math.atan(abs(slope)))
-    if not _LEAST <= degrees <= _MOST:
+    if not _MIN_ANGLE <= degrees <= _MAX_ANGLE:
         raise ValueError(
-            f"image must have an edge at {_LEAST:g} to {_MOST:g} degrees to its rows or columns, got {degrees:.2g}"
+            f"image must have an edge at {_MIN_ANGLE:g} to {_MAX_ANGLE:g} degrees to its rows or columns, got {degrees:.2g}"
         )
     height, width = upright.shape
     ends = start, start + slope * (height - 1)
     if min(ends) < _MARGIN or max(ends) > width - 1 - _MARGIN:
-        raise ValueError(f"image must hold the whole edge, {_MARGIN:g} pixels from its sides; it leaves them")
+        raise ValueError(
+            f"image must show the edge from end to end, at least {_MARGIN:g} pixels from the sides beside it, got an "
+            f"edge from column {ends[0]:.1f} to {ends[1]:.1f} of {width} (rows for a horizontal edge)"
+        )
     rows, columns = np.indices((height, width))
     cosine = math.cos(math.atan(slope))
     distance = ((columns - start - slope * rows) * cosine).ravel()  # pixels
     reach = min(*ends, width - 1 - max(ends)) * cosine
     inside = np.abs(distance) <= reach
     distance, light = distance[inside], upright.ravel()[inside]
-    place, profile, weights = _averaged(distance, light)
-    if np.diff(place).max() > _GAP:
+    position, profile, counts = _bin_profile(distance, light)
+    if np.diff(position).max() > _MAX_GAP:
         raise ValueError(
-            f"image must have an edge whose slope is no fraction such as 1/3: that of {slope:.4g} leaves gaps of "
-            f"{np.diff(place).max():.2g} pixels in the profile; turn it by a degree"
+            f"image must have an edge whose slope is not a simple fraction such as 1/3, got a slope of {slope:.4g} "
+            f"with gaps of {np.diff(position).max():.2g} pixels in the profile; turn the edge by a degree"
         )
-    values_at, errors = _response(place, profile, _noise(distance, light, reach) ** 2 / weights)
-    frequencies = np.linspace(0.0, 0.5, values_at.size) / side
+    response, errors = _response(position, profile, _noise(distance, light, reach) ** 2 / counts)
+    frequencies = np.linspace(0.0, 0.5, response.size) / side
     # The normal of the line x = start + slope y is along (1, -slope).
-    angle = math.atan2(1.0, -slope) if level else math.atan2(-slope, 1.0)
-    far = [light[where].mean() for where in (distance < -0.8 * reach, distance > 0.8 * reach)]
-    contrast = abs(far[1] - far[0]) / max(far[0] + far[1], 1e-300)
-    return EdgeResponse(frequencies, values_at, errors, angle, float(contrast))
+    angle = math.atan2(1.0, -slope) if horizontal else math.atan2(-slope, 1.0)
+    sides = [light[where].mean() for where in (distance < -0.8 * reach, distance > 0.8 * reach)]
+    contrast = abs(sides[1] - sides[0]) / max(sides[0] + sides[1], 1e-300)
+    return EdgeResponse(frequencies, response, errors, angle, float(contrast))
 
 
-def _averaged(distance: Array, light: Array) -> tuple[Array, Array, Array]:
-    """Return places, values and numbers of samples, averaged in groups that are narrow against a pixel."""
-    groups = np.floor(_FINE * (distance - distance.min())).astype(int)
-    counts = np.bincount(groups).astype(float)
+def _bin_profile(distance: Array, light: Array) -> tuple[Array, Array, Array]:
+    """Return mean positions, mean values and numbers of the samples in each nonempty bin of the profile."""
+    bins = np.floor(_BINS_PER_PIXEL * (distance - distance.min())).astype(int)
+    counts = np.bincount(bins).astype(float)
     filled = counts > 0
-    place, values = (np.bincount(groups, part)[filled] / counts[filled] for part in (distance, light))
-    return place, values, counts[filled]
+    position, values = (np.bincount(bins, part)[filled] / counts[filled] for part in (distance, light))
+    return position, values, counts[filled]
 
 
-def _edge(values: Array) -> tuple[float, float]:
-    """Return the place of an upright edge in the first row, and its slope, pixels per row."""
+def _fit_edge(values: Array) -> tuple[float, float]:
+    """Return the column of a nearly vertical edge in the first row, and its slope, columns per row."""
     height, width = values.shape
     differences = np.diff(values, axis=1)
     noise = 1.4826 * np.median(np.abs(differences)) / math.sqrt(2.0)
     differences = differences * np.sign(differences.sum())
     rows, places = np.arange(height), np.arange(width - 1) + 0.5
     line, reach = np.array([0.0, 0.5 * (width - 1)]), float(width)
-    # The noise of all columns pulls centroids to the middle: the second and third time near the edge alone.
+    # Noise in all columns pulls the centroids towards the middle column: the second and third fit use columns near
+    # the edge only.
     for _ in range(3):
         near = np.abs(places - np.polyval(line, rows)[:, None]) <= reach
         steps = np.where(near, differences, 0.0)
         step = steps.sum(axis=1)
-        if not np.median(step) > _CONTRAST * noise:
-            raise ValueError("image must show an edge that exceeds the noise of its pixels")
+        if not np.median(step) > _MIN_CONTRAST * noise:
+            raise ValueError("image must show an edge whose step exceeds the noise of its pixels")
         good = step > 0.5 * np.median(step)
         line = np.polyfit(rows[good], ((steps * places).sum(axis=1)[good]) / step[good], 1)
         reach = max(8.0, 0.25 * width)
@@ -179,23 +189,24 @@ def _edge(values: Array) -> tuple[float, float]:
 
 
 def _noise(distance: Array, light: Array, reach: float) -> float:
-    """Return the standard deviation of pixels about straight lines through the outer thirds of the profile."""
+    """Return the standard deviation of pixels about straight lines fitted to both outer thirds of the profile."""
     squares, count = 0.0, 0
-    for far in (distance < -0.67 * reach, distance > 0.67 * reach):
-        line = np.polyfit(distance[far], light[far], 1)
-        squares += float(np.square(light[far] - np.polyval(line, distance[far])).sum())
-        count += int(far.sum()) - 2
+    for outer in (distance < -0.67 * reach, distance > 0.67 * reach):
+        line = np.polyfit(distance[outer], light[outer], 1)
+        squares += float(np.square(light[outer] - np.polyval(line, distance[outer])).sum())
+        count += int(outer.sum()) - 2
     return math.sqrt(squares / max(count, 1))
 
 
-def _response(place: Array, profile: Array, variances: Array) -> tuple[Array, Array]:
-    """Return the response of a profile at places in pixels, up to half a cycle per pixel, and standard errors."""
-    reach, gaps, middle = float(np.abs(place).max()), np.diff(place), 0.5 * (place[1:] + place[:-1])
+def _response(position: Array, profile: Array, variances: Array) -> tuple[Array, Array]:
+    """Return the response at frequencies from 0 to 0.5 cycles per pixel, and its standard errors."""
+    reach, gaps, middle = float(np.abs(position).max()), np.diff(position), 0.5 * (position[1:] + position[:-1])
     window = np.sin(0.5 * math.pi * np.clip((1.0 - np.abs(middle) / reach) / (1.0 - _FLAT), 0.0, 1.0)) ** 2
     frequencies = np.linspace(0.0, 0.5, max(int(reach), 2))
     waves = window * np.exp(-2j * math.pi * np.outer(frequencies, middle)) * np.sinc(np.outer(frequencies, gaps))
     response = waves @ np.diff(profile)
-    # Derivative of the modulus over that at frequency 0, by each sample, for their noise.
+    # Propagate the noise: `along` is the derivative of abs(response) / abs(response[0]) by each sample of the
+    # profile, times abs(response[0]).
     edges = np.zeros((frequencies.size, 1))
     slopes = -np.diff(np.hstack([edges, waves, edges]), axis=1)
     along = np.real(slopes * np.exp(-1j * np.angle(response))[:, None])
@@ -212,24 +223,24 @@ def slanted_edge(
     dark: float = 0.1,
     bright: float = 0.9,
 ) -> NDArray[np.float32]:
-    """Return a slanted edge in linear light, dark to the left, to render by :func:`lommel.imaging.depth_of_field`.
+    """Return a synthetic slanted edge in linear light, dark on the left, for :func:`lommel.imaging.depth_of_field`.
 
     Parameters
     ----------
     shape : (int, int)
-        Height and width of the photograph that is to be rendered, pixels.
+        Height and width, in pixels, of the photograph that is to be rendered from the edge.
     angle : float, default 5.0
-        Degrees of the edge from upright, 2 to 40.
+        Angle between the edge and the columns, degrees, 2 to 40.
     supersample : int, default 8
-        Pixels of the edge along a side of a pixel of the photograph, 1 to 16.
+        Number of pixels of the result along the side of a pixel of the photograph, 1 to 16.
     dark, bright : float, default 0.1, 0.9
-        Light of both sides, white being 1.
+        Light on the left and right side; 1 is white.
 
     Returns
     -------
     ndarray, shape (height supersample, width supersample)
-        The edge is as wide as one of these pixels, by the share that it covers: it has the response
-        ``sinc(f pixel / supersample)``, 0.9936 at the Nyquist frequency of the photograph with 8.
+        Light of each pixel. The edge is blurred to the width of one pixel of the result, so that it has the response
+        ``sinc(f pixel / supersample)``: 0.9936 at the Nyquist frequency of the photograph for a `supersample` of 8.
 
     Raises
     ------
@@ -237,11 +248,11 @@ def slanted_edge(
         If an argument is of another type or out of range.
     """
     height, width = validation.image_shape(shape)
-    more = validation.integer("supersample", supersample, least=1, most=16)
-    turn = math.radians(validation.real("angle", angle, least=_LEAST, most=_MOST))
+    factor = validation.integer("supersample", supersample, least=1, most=16)
+    radians = math.radians(validation.real("angle", angle, least=_MIN_ANGLE, most=_MAX_ANGLE))
     low, high = (validation.real(name, value, least=0.0) for name, value in (("dark", dark), ("bright", bright)))
     if not low < high:
         raise ValueError(f"bright must exceed dark, got {high:g} and {low:g}")
-    y, x = (np.arange(side * more) - 0.5 * (side * more - 1) for side in (height, width))
-    covered = np.clip((x + np.tan(turn) * y[:, None]) * math.cos(turn) + 0.5, 0.0, 1.0)
+    y, x = (np.arange(side * factor) - 0.5 * (side * factor - 1) for side in (height, width))
+    covered = np.clip((x + np.tan(radians) * y[:, None]) * math.cos(radians) + 0.5, 0.0, 1.0)
     return np.asarray(low + (high - low) * covered, dtype=np.float32)

@@ -1,4 +1,4 @@
-"""Peaks, Strehl ratio, diameters of encircled energy, and widths, in the image and along z."""
+"""Peak position, Strehl ratio, diameter of encircled energy, and full widths at half maximum in x, y and z."""
 
 from __future__ import annotations
 
@@ -33,16 +33,17 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 PointImage = CartesianImage | PolarImage
 
-_STEP = 0.15  # spacing of tables in v, over the stretch of the method
-_MAX_RADII = 2**16
-# Half of the largest full width at half maximum of an image that is not radially symmetric, in lambda*N.
-_MAX_WIDTH = 250.0
-_MAX_DIAMETER = 6000.0
-_MAX_SAMPLED = 1400.0
+# Spacing of radial tables in v (pi at lambda*N), times the ratio of the reference wavelength to the shortest one.
+_STEP = 0.15
+_MAX_RADII = 2**16  # largest number of radii in a table of encircled energy
+# The search for the full width at half maximum ends after the first half-width above this one, lambda*N.
+_MAX_HALF_WIDTH = 250.0
+# Largest diameter of encircled energy, lambda*N: by quadrature over the pupil, and from samples of the image.
+_MAX_DIAMETER, _MAX_SAMPLED_DIAMETER = 6000.0, 1400.0
 
 
 def peak_position(psf: PSFLike) -> Array:
-    """Return the position (x, y) of the largest value, from the axis.
+    """Return the position (x, y) of the largest value, relative to the axis.
 
     Parameters
     ----------
@@ -51,10 +52,10 @@ def peak_position(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Metres or units of lambda*N. Each coordinate is that of a parabola through the brightest pixel and its
-        neighbours, unless the pixel is at the edge of the window; the error is well below a tenth of a pixel for
-        pixels of at most half a lambda*N. Of several equally bright pixels, as on a ring, the first in reading order
-        counts.
+        Position in metres or units of lambda*N, the vertex of a parabola through the brightest pixel and its
+        neighbours along x and along y. At an edge of the window it is the centre of the pixel. The error is well
+        below a tenth of a pixel if pixels are at most 0.5 lambda*N wide. If several pixels are equally bright, as on
+        a ring of light, the first one in row order is used.
     """
     checked(psf)
     height, width = psf.grid.pitch
@@ -66,28 +67,29 @@ def peak_position(psf: PSFLike) -> Array:
 
 
 def _brightest(psf: PSFLike) -> Iterator[tuple[int, int, Array, Array]]:
-    """Yield row and column of the brightest pixel of each image, and the values along both lines through it."""
+    """Yield the row and column of the brightest pixel of each image, and the values in this row and this column."""
     for image in np.asarray(psf.values, dtype=np.float64).reshape(-1, *psf.grid.shape):
         row, column = divmod(int(image.argmax()), psf.grid.width)
         yield row, column, image[row], image[:, column]
 
 
 def _vertex(line: Array, at: int) -> float:
-    """Return the offset from `at` of the vertex of the parabola through three values, at most half a step."""
+    """Return the vertex of the parabola through the values at and beside `at`, relative to `at`, at most +-0.5."""
     if not 0 < at < line.size - 1:
         return 0.0
     before, here, after = line[at - 1 : at + 2]
-    # Equal values, as on a saturated peak, have no curvature: the pixel itself counts.
+    # Three equal values, as on a saturated peak, have no curvature and define no vertex.
     curvature = 2.0 * here - before - after
     return 0.0 if curvature <= 0.0 else float(np.clip(0.5 * (after - before) / curvature, -0.5, 0.5))
 
 
 def axis_strehl(psf: PSFLike) -> Numbers:
-    """Return the Strehl ratio: intensity on the axis relative to the same aperture without aberration.
+    """Return the Strehl ratio, the intensity on the axis relative to the same aperture without aberrations.
 
-    For defocus alone this is ``(sin(C_d) / C_d)^2``. It is computed by the method if that and the pupil are radial,
-    else from the wavefront (:func:`lommel.strehl`), and includes blur; for `Geometric`, without diffraction, it is
-    that of the pixel on the axis. :func:`lommel.measures.spot.peak_strehl` takes the brightest point instead.
+    For defocus alone it is ``(sin(C_d) / C_d)^2``. Blur is included. A radially symmetric PSF is computed by its
+    method, any other PSF from the wavefront (:func:`lommel.strehl`). For `Geometric`, a method without diffraction,
+    the function uses the value of the pixel on the axis. :func:`lommel.measures.spot.peak_strehl` uses the brightest
+    pixel instead.
 
     Parameters
     ----------
@@ -96,11 +98,12 @@ def axis_strehl(psf: PSFLike) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
+        Strehl ratio.
 
     Raises
     ------
     ValueError
-        If the axis is outside of the window of a method that has values on the grid only.
+        If the axis is outside the window of a PSF by `Geometric`.
     """
     checked(psf)
     method, pupil = psf.method, psf.pupil
@@ -108,13 +111,13 @@ def axis_strehl(psf: PSFLike) -> Numbers:
     if psf.blur:
         from lommel.blur.recorded import recorded_images
 
-        # The method of the PSF may have been tightened far beyond its tolerance; the named one suffices.
-        named, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)
-        made = recorded_images(named, tol, pupil, Grid(1, pupil.scale), psf.blur, Wanted(1.0))[1]
-        center = made.values[:, 0, 0].reshape(pupil.shape)
+        # The tolerance of psf.method may be far below the one requested; the default tolerance suffices here.
+        requested, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)
+        images = recorded_images(requested, tol, pupil, Grid(1, pupil.scale), psf.blur, Wanted(1.0))[1]
+        center = images.values[:, 0, 0].reshape(pupil.shape)
     elif radial is not None:
-        # Errors of a profile are relative to its peak, which lies beside the axis for aberrated pupils.
-        # From the axis to the last geometric ray and 4 more in v, as the peak is searched elsewhere.
+        # The error of a profile is relative to its largest value, so that the radii must include the peak, which
+        # lies between the axis and the outermost geometric ray (plus 4 in v).
         v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
         center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
     elif method.sampling == "center":
@@ -124,17 +127,19 @@ def axis_strehl(psf: PSFLike) -> Numbers:
     else:
         row, column = (round(c) for c in psf.grid.axis)
         if not (0 <= row < psf.grid.height and 0 <= column < psf.grid.width):
-            raise ValueError(f"the axis at {psf.grid.center} is outside the window of {type(method).__name__}")
+            raise ValueError(
+                f"the axis must lie in the window for a Strehl ratio by {type(method).__name__}, got the axis at "
+                f"{psf.grid.center}"
+            )
         center = psf.values[..., row, column] / psf.scale
     return numbers(center / method.unaberrated_peak(pupil), pupil.shape)
 
 
 def peak_strehl(psf: PSFLike) -> Numbers:
-    """Return the largest value in the window relative to the peak of the same aperture without aberration.
+    """Return the largest value in the window relative to the peak of the same aperture without aberrations.
 
-    The Strehl ratio of the brightest pixel, wherever it is, rather than of the axis
-    (:func:`lommel.measures.spot.axis_strehl`). Sampling beside the peak lowers it by less than
-    ``(pi pixel / (4 lambda N))^2`` in focus.
+    In contrast to :func:`lommel.measures.spot.axis_strehl` the brightest pixel may lie anywhere in the window. Pixels
+    centred beside the peak lower the ratio by less than ``(pi pixel / (4 lambda N))^2`` in focus.
 
     Parameters
     ----------
@@ -143,6 +148,7 @@ def peak_strehl(psf: PSFLike) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
+        Strehl ratio.
     """
     checked(psf)
     top = psf.values.max(axis=(-2, -1)) / psf.scale
@@ -156,23 +162,23 @@ def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
     ----------
     psf : PSF
     along : {"mean", "x", "y"}, default "mean"
-        Along columns, rows, or the mean of both.
+        Direction of the width, or "mean" for the mean of the widths along x and y.
     of : {"image", "optics"}, default "image"
-        "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": the same without the pixel.
+        "image": optics, blur and, if values are pixel-integrated, the pixel; "optics": optics and blur only.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres or units of lambda*N: the extent along x or y of the region brighter than half of the maximum,
-        including dark rings inside it. For a defocused lens it is about the width of the blur, or of the central
-        spike if that is more than twice as bright. Independent of pixel pitch and window. Its error is that of the
-        image divided by the slope at half maximum, at both ends: for a tolerance of 1e-6 mostly less than 1e-5 of the
-        width.
+        Width in metres or units of lambda*N: the extent along x or y of the region brighter than half of the maximum,
+        including dark rings inside this region. For a defocused lens the width is about that of the blur, or of the
+        central spike if the spike is more than twice as bright as the blur. The width is independent of pixel pitch
+        and window. Its error is mostly less than 1e-5 of the width for a tolerance of 1e-6 (at each end, the error of
+        the image divided by the slope at half maximum).
 
     Raises
     ------
     ValueError
-        If `along` or `of` is unknown, or the image does not fall to half of its maximum within 500 lambda*N.
+        If `along` or `of` is unknown, or if the full width exceeds about 500 lambda*N.
     """
     validation.choice("along", along, ("mean", "x", "y"))
     model = ImageModel.of(psf, of)
@@ -182,47 +188,48 @@ def fwhm(psf: PSFLike, along: str = "mean", *, of: str = "image") -> Numbers:
 
 
 def width(model: ImageModel, along: str = "mean") -> float:
-    """Return the full width at half of the maximum of a single image; see :func:`lommel.measures.spot.fwhm`."""
+    """Return the full width at half maximum of a single image; see :func:`lommel.measures.spot.fwhm`."""
     reach = model.extent
     while True:
-        image, values, places, step = _scanned(model, reach)
+        image, values, places, step = _sampled_image(model, reach)
         half = 0.5 * _maximum(image, values, places, step)[0]
         bright = values >= half
         if not (bright[[0, -1]].any() or bright[:, [0, -1]].any()):
             break
-        # Widened by 1.6 until all of the bright region lies inside.
-        if reach > _MAX_WIDTH:
-            raise ValueError(f"the image does not fall to half of the largest within {2.0 * reach:.4g} lambda*N")
+        # Enlarge the square until the region above half maximum lies inside.
+        if reach > _MAX_HALF_WIDTH:
+            raise ValueError(
+                f"the image must fall to half of its maximum within {reach:.4g} lambda*N of the axis to have a FWHM"
+            )
         reach *= 1.6
-    found = []
-    for turned in {"x": (False,), "y": (True,), "mean": (False, True)}[along]:
-        high, low = (_end(image, values, places, half, sign, turned=turned) for sign in (1.0, -1.0))
-        found.append(high - low)
-    return model.pupil.scale * sum(found) / len(found)
+    widths = []
+    for transposed in {"x": (False,), "y": (True,), "mean": (False, True)}[along]:
+        high, low = (_end(image, values, places, half, sign, transposed=transposed) for sign in (1.0, -1.0))
+        widths.append(high - low)
+    return model.pupil.scale * sum(widths) / len(widths)
 
 
 def brightest_place(model: ImageModel) -> tuple[float, float]:
-    """Return the brightest place (x, y) of a single image in lambda*N, one of several equal ones."""
-    return _maximum(*_scanned(model, model.extent))[1]
+    """Return the position (x, y) of the maximum of a single image, lambda*N; one of several equal maxima."""
+    return _maximum(*_sampled_image(model, model.extent))[1]
 
 
-def _scanned(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array, float]:
-    """Return a single image, its samples up to `reach`, their places along either axis, and the step."""
+def _sampled_image(model: ImageModel, reach: float) -> tuple[PointImage, Array, Array, float]:
+    """Return a single image, samples on a square lattice of half-side `reach`, their x (or y), and the step."""
     (image,) = point_images(model, reach)
-    # Eight samples to a period of the highest frequency, so that a maximum between them is at most a sixth larger.
+    # With eight samples per period of the highest frequency the maximum is at most a sixth larger than a sample.
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
     return image, image.on(places, places), places, step
 
 
 def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
-    """Return the largest light per area and its place, by Newton's method from the brightest samples."""
-    # Local maxima; the highest few may be the largest between samples.
+    """Return the maximum of the light per area and its position, by Newton's method from the brightest samples."""
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
     for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
         tops &= inner >= values[i : i + inner.shape[0], j : j + inner.shape[1]]
-    # Between samples an image is larger by a sixth at most.
+    # A local maximum is at most a sixth larger than its sample: samples below 0.85 of the largest cannot exceed it.
     rows, columns = np.nonzero(tops & (inner > 0.85 * values.max()))
     order = np.argsort(inner[rows, columns])[::-1][:6]
     row, column = np.unravel_index(int(values.argmax()), values.shape)
@@ -231,191 +238,197 @@ def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tu
         for _ in range(8):
             (_, right, twice_right), (down, cross, _), (twice_down, _, _) = image.derivatives(x, y)
             curvature = np.array([[twice_right, cross], [cross, twice_down]])
-            # On a ridge the curvature along it vanishes: the pseudo-inverse does not move that way.
-            away = np.clip(-np.linalg.pinv(curvature, rcond=1e-6) @ [right, down], -step, step)
-            x, y = x + away[0], y + away[1]
-            if np.abs(away).max() < 1e-7 * step:
+            # Along a ridge the curvature is 0: the pseudo-inverse makes no step in this direction.
+            shift = np.clip(-np.linalg.pinv(curvature, rcond=1e-6) @ [right, down], -step, step)
+            x, y = x + shift[0], y + shift[1]
+            if np.abs(shift).max() < 1e-7 * step:
                 break
         if (top := float(image.derivatives(x, y)[0, 0])) > best:
             best, place = top, (float(x), float(y))
     return best, place
 
 
-def _end(image: PointImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:
-    """Return how far light of at least `half` extends along x (y if `turned`) in the direction of `sign`."""
-    lines = (values.T if turned else values)[:, :: int(sign)]
+def _end(image: PointImage, values: Array, places: Array, half: float, sign: float, *, transposed: bool) -> float:
+    """Return the largest (`sign` 1) or smallest (-1) x, or y if `transposed`, at which the light is `half`."""
+    lines = (values.T if transposed else values)[:, :: int(sign)]
     at = places[:: int(sign)]
     last = lines.shape[1] - 1 - np.argmax((lines >= half)[:, ::-1], axis=1)
     rows = np.flatnonzero((lines >= half).any(axis=1))
     here, beyond = lines[rows, last[rows]], lines[rows, last[rows] + 1]
-    # Linear interpolation of the last crossing in each line; the farthest line starts Newton's method.
+    # Interpolate the last crossing of `half` in each line linearly; Newton's method starts from the farthest
+    # crossing.
     crossings = at[last[rows]] + (at[1] - at[0]) * (here - half) / (here - beyond)
     first = int(np.argmax(sign * crossings))
     x, y = float(crossings[first]), float(places[rows[first]])
     step, middle = abs(float(at[1] - at[0])), y
 
-    # Newton in both coordinates: to half of the maximum along, to the brightest place across.
+    # Alternate Newton steps: along y to the maximum of the light, along x to the value `half`.
     for _ in range(20):
-        found = image.derivatives(y, x).T if turned else image.derivatives(x, y)
-        (light, slope, _), (sideways, _, _), (bend, _, _) = found
-        aside = float(np.clip(y - sideways / bend, middle - step, middle + step)) - y if bend < 0.0 else 0.0
-        y += aside
-        along = float(np.clip((half - light) / slope, -step, step)) if slope else 0.0
-        x += along
-        if max(abs(along), abs(aside)) < 1e-10 * step:
+        derivatives = image.derivatives(y, x).T if transposed else image.derivatives(x, y)
+        (light, slope_x, _), (slope_y, _, _), (curvature_y, _, _) = derivatives
+        dy = 0.0
+        if curvature_y < 0.0:
+            dy = float(np.clip(y - slope_y / curvature_y, middle - step, middle + step)) - y
+        y += dy
+        dx = float(np.clip((half - light) / slope_x, -step, step)) if slope_x else 0.0
+        x += dx
+        if max(abs(dx), abs(dy)) < 1e-10 * step:
             break
     return x
 
 
 def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     """Return the full width at half maximum of a radial pupil from its interpolated profile."""
-    # Polynomials of degree 11 through steps of 0.15 in v: I is of exponential type 2 at one wavelength, so this adds
-    # less than 2e-11 of the peak of the aperture without aberration.
+    # The profile I(v) of one wavelength is of exponential type 2. Polynomials of degree 11 through samples at steps
+    # of 0.15 in v differ from I(v) by less than 2e-11 of the peak of the aperture without aberrations.
     require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
-    # Interpolation takes twelve places, six of them beyond the last crossing.
+    # Interpolation uses twelve samples, six of them beyond the last crossing.
     places = step * np.arange(math.ceil(far / step) + HALF, dtype=np.float64)
     table = method.profile(pupil, places).values
     out = np.empty(len(table))
     fine = np.linspace(0.0, 1.0, 65)
     for i, values in enumerate(table):
-        line = _Even(values)
+        line = _EvenInterpolation(values)
         top = int(values.argmax())
+        # Two scans suffice, of the steps beside the largest sample and then of 1/32 of a step: an error of the
+        # position of a maximum hardly changes its value.
         near = np.concatenate([max(top - 1, 0) + fine, top + fine])
-        # Two refinements: the position of a flat maximum is uncertain, its value is not.
-        # The search interval is the two steps around the largest sample.
         best = float(near[np.argmax(line(near))])
         peak = float(line(np.clip(best + (fine - 0.5) / 32.0, 0.0, None)).max())
         last = int(np.flatnonzero(values > 0.5 * peak)[-1])
         if last > values.size - HALF - 1:
-            raise ValueError(f"the intensity does not fall to half of the largest within v = {far:.3g}")
+            raise ValueError(f"the image must fall to half of its maximum within v = {far:.3g} of the axis")
         out[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
     return numbers(out * (pupil.scale / math.pi), pupil.shape)
 
 
 def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
-    """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
+    """Return the diameter of the circle that contains a fraction of all light: 0.5 for D50, 0.8 for D80.
 
     Parameters
     ----------
     psf : PSF
     fraction : float
-        Above 0 and below 1.
+        Fraction of all light, above 0 and below 1.
     about : {"axis", "centroid"}, default "axis"
     of : {"image", "optics"}, default "image"
-        As of :func:`lommel.measures.energy.encircled_energy`.
+        As in :func:`lommel.measures.energy.encircled_energy`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres or units of lambda*N. Its error is that of the encircled energy divided by its slope.
+        Diameter D in metres or units of lambda*N. Its error is that of the encircled energy E divided by dE / dD.
 
     Raises
     ------
     ValueError
-        If `fraction`, `about` or `of` is out of range, or the circle would be wider than about 6000 lambda*N, for a
-        pupil that is not radially symmetric than some 1400 lambda*N.
+        If an argument is out of range, or if the diameter exceeds about 6000 lambda*N (1400 lambda*N for a pupil that
+        is not radially symmetric).
     """
     from scipy.optimize import brentq
 
-    wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
+    target = validation.real("fraction", fraction, above=0.0, below=1.0)
     model, pupil = ImageModel.of(psf, of), psf.pupil
     centers = energy_centers(psf, about) / pupil.scale
     if model.radial_method is not None:
-        return radial_diameter(model.radial_method, pupil, wanted)
+        return radial_diameter(model.radial_method, pupil, target)
     out = []
     for one, (x, y) in zip(model.singles, centers, strict=True):
-        # Circles must stay within one period of an image of samples.
+        # A circle must lie within one period of a periodic image.
         within = 0.5 * one.method.period(one.pupil) - math.hypot(x, y)
         reach = min(one.extent, max(within, 0.0))
         while True:
             (image,) = energy_images(one, reach + math.hypot(x, y), "fraction")
 
-            def lacks(radius: float, image: Image = image, center: tuple[float, float] = (x, y)) -> float:
-                return float(image.circles(np.array([radius]), center)[0]) - wanted
+            def excess(radius: float, image: Image = image, center: tuple[float, float] = (x, y)) -> float:
+                return float(image.circles(np.array([radius]), center)[0]) - target
 
-            if lacks(reach) >= 0.0:
+            if excess(reach) >= 0.0:
                 break
-            # Four times the current reach bounds the next diameter.
-            if reach >= within or 4.0 * reach > (_MAX_DIAMETER if polar(one) or in_seeing(one) else _MAX_SAMPLED):
+            # The next diameter is at most 4 * reach.
+            limit = _MAX_DIAMETER if polar(one) or in_seeing(one) else _MAX_SAMPLED_DIAMETER
+            if reach >= within or 4.0 * reach > limit:
                 raise ValueError(
-                    f"fraction must be held by a circle of at most {2.0 * reach:.4g} lambda*N, got {wanted:g}"
+                    f"fraction must lie within a circle of diameter {2.0 * reach:.4g} lambda*N, got {target:g}"
                 )
             reach = min(2.0 * reach, within)
-        out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-10))
+        out.append(2.0 * brentq(excess, 0.0, reach, xtol=1e-10))
     return numbers(out, pupil.shape) * pupil.scale
 
 
 def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> Numbers:
-    """Return the diameter that holds `fraction` of the light; see :func:`lommel.measures.spot.energy_diameter`."""
-    wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
+    """Return the diameter for a radially symmetric pupil; see :func:`lommel.measures.spot.energy_diameter`."""
+    target = validation.real("fraction", fraction, above=0.0, below=1.0)
     require_radial(method, pupil)
     unit = pupil.scale / math.pi
     step = _STEP / method.stretch(pupil)
     count = 64 + math.ceil(float(pupil.v(pupil.geometric_radius()).max()) / step)
     while True:
         table = np.asarray(radial_energy(method, pupil, step * unit * np.arange(count))).reshape(-1, count)
-        if np.all(table[:, -HALF - 1] >= wanted):
+        if np.all(table[:, -HALF - 1] >= target):
             break
         if count >= _MAX_RADII:
             raise ValueError(
-                f"fraction must be held by a circle of at most {2 * step * count / math.pi:.4g} lambda*N, "
-                f"got {wanted:g}"
+                f"fraction must lie within a circle of diameter {2 * step * count / math.pi:.4g} lambda*N, "
+                f"got {target:g}"
             )
         count = min(4 * count, _MAX_RADII)
     out = np.empty(len(table))
     for i, values in enumerate(table):
-        cross = int(np.argmax(values >= wanted))
-        out[i] = 2.0 * step * _Even(-values).falls_to(-wanted, cross - 1, cross)
+        cross = int(np.argmax(values >= target))
+        out[i] = 2.0 * step * _EvenInterpolation(-values).falls_to(-target, cross - 1, cross)
     return numbers(out * unit, pupil.shape)
 
 
-class _Even:
-    """Even function known at 0, 1, 2, ...; between them the polynomial through the twelve nearest values."""
+class _EvenInterpolation:
+    """Interpolation of an even function from its values at 0, 1, 2, ..., by polynomials through twelve values."""
 
     def __init__(self, values: Array) -> None:
         self.values = np.concatenate([values[HALF:0:-1], values])
 
     def __call__(self, at: Array) -> Array:
-        """Return the values at places >= 0, up to the sixth last known one."""
+        """Interpolate at points from 0 up to the sixth value from the end."""
         first, weights = between(at)
-        known = self.values[first[:, None] + np.arange(HALF, 3 * HALF)]
-        return np.asarray((known * weights).sum(axis=1))
+        samples = self.values[first[:, None] + np.arange(HALF, 3 * HALF)]
+        return np.asarray((samples * weights).sum(axis=1))
 
     def falls_to(self, level: float, low: float, high: float) -> float:
-        """Return the place between `low` and `high` at which the values fall to `level`."""
+        """Return the point between `low` and `high` at which the function falls to `level`."""
         from scipy.optimize import brentq
 
         return float(brentq(lambda at: float(self(np.array([at]))[0]) - level, low, high, xtol=1e-15))
 
 
 def stage(psf: PSFLike) -> Array:
-    """Return the stage positions z of a stack of planes, increasing along its last axis, metres.
+    """Return the stage positions z of a focal stack, which increase along its last axis, metres.
 
     Parameters
     ----------
     psf : PSF
-        Of an :class:`lommel.Objective`, a stack over z.
+        PSF of an :class:`lommel.Objective`, a stack over z along its last axis.
 
     Returns
     -------
     ndarray, shape ``pupil.shape``
+        Stage positions, metres.
 
     Raises
     ------
     ValueError
-        If `psf` is of a lens, a single plane, of several depths along that axis, or not in order of z.
+        If `psf` is the PSF of a lens or of a single plane, or if z does not increase or the depth of the emitter
+        changes along the last axis.
     """
     pupil = checked(psf).pupil
     if not isinstance(pupil, ObjectivePupil):
-        raise ValueError("z is what an Objective's stage does; this is the PSF of a lens")
+        raise ValueError("psf must be the PSF of an Objective, whose stage has positions z, got the PSF of a lens")
     if not pupil.shape or pupil.shape[-1] < 2:
-        raise ValueError(f"z must be that of a stack of planes, got one of shape {pupil.shape}")
+        raise ValueError(f"psf must be a stack of at least two planes z, got one of shape {pupil.shape}")
     if np.ptp(pupil.depth, axis=-1).any():
-        raise ValueError("z must be all that planes along the last axis of the stack differ in, got several depths")
+        raise ValueError("depth must be constant along the last axis of the stack, got several depths")
     if not (np.diff(pupil.focus, axis=-1) > 0.0).all() or not (np.diff(pupil.z, axis=-1) > 0.0).all():
-        raise ValueError("z must rise along the last axis of the stack")
+        raise ValueError("z must increase along the last axis of the stack: sort the planes by z")
     return pupil.z
 
 
@@ -425,28 +438,29 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
     Parameters
     ----------
     psf : PSF
-        A stack over z along its last axis, of at least 4 planes.
+        PSF of an :class:`lommel.Objective`, a stack of at least 4 planes z along its last axis.
     of : {"image", "optics"}, default "image"
-        "image": with the pixel, if values are pixel-integrated; "optics": without it.
+        "image": with the pixel, if values are pixel-integrated; "optics": without the pixel.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape[:-1]``
-        Metres of the stage: on the axis for radially symmetric PSFs, else at the brightest pixel of the stack. By
-        cubic splines through the planes, to about 1 % for steps of at most half of ``axial`` of
-        :meth:`lommel.Objective.nyquist`.
+        Width in metres of stage travel, along the axis for a radially symmetric PSF, else through the brightest point
+        of the stack. Cubic splines interpolate between the planes. The error is about 1 % if the step of z is at most
+        half of ``axial`` in :meth:`lommel.Objective.nyquist`.
 
     Raises
     ------
     ValueError
-        If `psf` is not such a stack, `of` is unknown, or the values do not fall to half of the maximum on both sides.
+        If `psf` is not a stack as described, if `of` is unknown, or if the light does not fall to half of its maximum
+        on both sides within the stack.
     """
     from scipy.interpolate import CubicSpline
 
     model, z = ImageModel.of(psf, of), stage(psf)
     if z.shape[-1] < 4:
-        raise ValueError(f"the width along z takes at least 4 planes, got {z.shape[-1]}")
-    lines = _lines(psf, model).reshape(-1, z.shape[-1])
+        raise ValueError(f"the width along z needs at least 4 planes, got {z.shape[-1]}")
+    lines = _axial_lines(psf, model).reshape(-1, z.shape[-1])
     out = []
     for places, line in zip(z.reshape(lines.shape), lines, strict=True):
         spline = CubicSpline(places, line)
@@ -456,27 +470,27 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
         crossings = spline.solve(0.5 * float(spline(top)), extrapolate=False)
         below, above = crossings[crossings < top], crossings[crossings > top]
         if not (below.size and above.size):
-            raise ValueError("the values do not fall to half of the largest on both sides within the stack")
+            raise ValueError("the stack must extend in z until the light falls to half of its maximum on both sides")
         out.append(float(above.min() - below.max()))
     return numbers(out, z.shape[:-1])
 
 
-def _lines(psf: PSFLike, model: ImageModel) -> Array:
-    """Return the light along z for each plane, in the shape of the stack."""
+def _axial_lines(psf: PSFLike, model: ImageModel) -> Array:
+    """Return the light along the axis, or through the brightest point, in each plane; the shape of the stack."""
     pupil = psf.pupil
     if model.radial_method is not None:
-        found = model.radial_method.profile(pupil, np.zeros(1)).values
-        return np.asarray(psf.scale * found.reshape(pupil.shape))
+        on_axis = model.radial_method.profile(pupil, np.zeros(1)).values
+        return np.asarray(psf.scale * on_axis.reshape(pupil.shape))
     planes = pupil.shape[-1]
-    # A line through the brightest pixel of the whole stack: off axis where aberrations move the light.
+    # The line runs through the maximum of the brightest plane, which aberrations may move off the axis.
     brightest = psf.values.reshape(-1, planes, math.prod(psf.grid.shape)).max(axis=2).argmax(axis=1)
     lines = []
     for k, stack in enumerate(np.ndindex(pupil.shape[:-1])):
-        here = model._replace(pupil=pupil[stack]) if stack else model
+        planes_model = model._replace(pupil=pupil[stack]) if stack else model
         place = (0.0, 0.0)
         if psf.radial_method is None:
-            place = brightest_place(here._replace(pupil=here.pupil[brightest[k]]))
-        images = cartesian_images(here, float(np.abs(place).max()))
+            place = brightest_place(planes_model._replace(pupil=planes_model.pupil[brightest[k]]))
+        images = cartesian_images(planes_model, float(np.abs(place).max()))
         lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
     # `scale` includes the excitation of each plane, such as that of a light sheet.
     return np.asarray(psf.scale * np.array(lines).reshape(pupil.shape))

@@ -1,4 +1,4 @@
-"""Optical and modulation transfer functions of pupils, from the wavefront.
+"""Optical transfer function (OTF) of pupils and PSFs, and its modulus (MTF), phase (PTF) and focus tolerance.
 
 The OTF is the normalized Fourier transform of the PSF, ``OTF(f) = int I(r) exp(-2 pi i f.r) dr / int I dr``. It is
 computed as the autocorrelation of the pupil function (overlap.py).
@@ -61,34 +61,34 @@ def otf(
     pupil : Pupil, PSF, ColourPSF or PSFGrid
         A PSF includes its pixels (if pixel-integrated), blur and spectrum.
     fx, fy : array_like
-        Spatial frequencies in x and y: cycles per metre if the pupil has a wavelength, else cycles per
-        lambda*N. They broadcast: ``fx[None, :], fy[:, None]`` is a grid.
+        Spatial frequencies in x and y, cycles per metre if the pupil has a wavelength, else cycles per lambda*N. The
+        arrays broadcast: ``fx[None, :], fy[:, None]`` is a lattice of frequencies.
     pixel : float or (float, float), optional
         Pixel pitch, or (height, width). The OTF is multiplied by the transfer function of pixel integration,
         ``sinc(fx width) sinc(fy height)`` for pixels without gaps.
     fill : float or (float, float), default 1
-        Fill factor of the pixel: of its area, or of (height, width); see :func:`lommel.psf`.
+        Fill factor of the pixel, as a fraction of its area or of (height, width); see :func:`lommel.psf`.
     blur : Blur or sequence of Blur, default ()
-        Blur other than that of the pupil, each a factor of the transfer function; see :func:`lommel.psf`.
+        Additional blur, such as motion or seeing, whose transfer functions multiply the OTF; see :func:`lommel.psf`.
     spectrum : Polychromatic, optional
-        Spectrum over which the OTF is summed, with constant optical path differences, as in images by this method.
+        Spectrum over which the OTF is summed, with equal optical path differences at all wavelengths.
     tol : float, default 1e-10
         Absolute tolerance, 1e-13 to 0.1. For circular and annular apertures quadrature nodes are added until two
-        quadratures agree within `tol`; for other apertures `tol` is a proven bound, except for rounding, and each
-        frequency takes a few milliseconds. Ignored for apertures with a mask.
+        successive results agree within `tol`. For other apertures the error is proven to be at most `tol` plus
+        rounding, and each frequency takes a few milliseconds. Ignored for apertures with a mask.
 
     Returns
     -------
     complex or complex ndarray, shape ``pupil.shape + s``
-        OTF at each frequency; s is the shape to which `fx` and `fy` broadcast. It is 1 at frequency 0, and 0 from
-        ``pupil.cutoff`` on. A shift of the image by (a, b) multiplies it by ``exp(-2 pi i (fx a + fy b))``.
+        OTF at each frequency; s is the shape to which `fx` and `fy` broadcast. The OTF is 1 at frequency 0, and 0
+        from ``pupil.cutoff`` on. A shift of the image by (a, b) multiplies it by ``exp(-2 pi i (fx a + fy b))``.
 
-        For a mask, the aperture consists of square cells of constant amplitude and phase; the OTF is exact except for
-        rounding, and extends beyond the cutoff where cells extend beyond the rim. At multiples of ``1 / side`` of the
-        cutoff it is also the OTF of one period of the sampled image (:class:`lommel.Mask`).
+        With a mask the aperture consists of square cells of constant amplitude and phase. The OTF is then exact up to
+        rounding, and extends beyond the cutoff if cells extend beyond the rim. At multiples of ``cutoff / side`` it
+        is also the OTF of one period of the sampled image (:class:`lommel.Mask`).
 
-        For a PSF of an Objective or by the method `Geometric`, the OTF is computed from samples within 64 lambda*N of
-        the image, with an error of up to 1e-3 below a fifth of the cutoff, and up to 1e-4 above.
+        For a PSF of an Objective or by the method `Geometric`, the OTF is computed from samples of the image, up to
+        64 lambda*N beyond the blur. Its error is up to 1e-3 below a fifth of the cutoff, and up to 1e-4 above.
 
     Raises
     ------
@@ -116,13 +116,13 @@ def otf(
     parts = [Component(1.0, 1.0, pupil)]
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
-    for share, _, part in parts:
+    for light, _, part in parts:
         # Frequencies in units of 1 / (lambda N) at the wavelength of the component.
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
-        # Blur multiplies the transfer function; the factor of seeing depends on the wavelength.
+        # The transfer function of seeing depends on the wavelength of the component.
         factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
         total += (
-            share * autocorrelation(part, f, tolerance) * np.prod([np.ravel(factor) for factor in factors], axis=0)
+            light * autocorrelation(part, f, tolerance) * np.prod([np.ravel(factor) for factor in factors], axis=0)
         )
     result: Complexes = (total.reshape(pupil.shape + across.shape) * pixel_transfer)[()]
     return result
@@ -137,11 +137,11 @@ def image_otf(
     ----------
     psf : PSF
     fx, fy : array_like
-        As of :func:`lommel.otf`; they may exceed the Nyquist frequency of the pixels.
+        As in :func:`lommel.otf`. Frequencies may exceed the Nyquist frequency of the pixels.
     of : {"image", "optics"}, default "image"
-        "image": with the factor of pixel integration if values are pixel-integrated; "optics": without it.
+        "image": with the transfer function of the pixel if values are pixel-integrated; "optics": without it.
     tol : float, default 1e-10
-        As of :func:`lommel.otf`.
+        As in :func:`lommel.otf`.
 
     Returns
     -------
@@ -151,9 +151,9 @@ def image_otf(
     Raises
     ------
     TypeError, ValueError
-        If the frequencies are not finite or do not broadcast, or `of` is neither.
+        If the frequencies are not finite or do not broadcast, or if `of` is unknown.
     ToleranceError
-        As :func:`lommel.otf`.
+        As in :func:`lommel.otf`.
     """
     pupil, grid, method = psf.pupil, psf.grid, psf.method
     averaged = validation.choice("of", of, ("image", "optics")) == "image" and grid.integrate
@@ -171,9 +171,7 @@ def _pixel_transfer(pupil: Pupil, across: Array, down: Array, pixel: Pitch | Non
     """Return the transfer function of pixel integration; 1 without pixels."""
     if pixel is None:
         if validation.fill("fill", fill) != (1.0, 1.0):
-            raise ValueError(
-                f"fill must be left out where there is no pixel; give pixel=, got {validation.shown(fill)}"
-            )
+            raise ValueError(f"fill must be omitted without pixel=, which it modifies, got {validation.shown(fill)}")
         return np.ones(across.shape)
     metric, sensor = pupil.wavelength is not None, Grid(1, pixel, integrate=True, fill=fill)
     for side in sensor.pitch:
@@ -199,9 +197,9 @@ def mtf(
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
     fx, fy : array_like
-        Spatial frequencies in cycles per metre if the pupil has a wavelength, else per lambda*N.
+        Spatial frequencies, cycles per metre if the pupil has a wavelength, else cycles per lambda*N.
     pixel, fill, blur, spectrum, tol
-        As of :func:`lommel.otf`.
+        As in :func:`lommel.otf`.
 
     Returns
     -------
@@ -228,16 +226,16 @@ def ptf(
 ) -> Numbers:
     """Return the phase transfer function, the argument of the OTF in radians, above -pi and up to pi.
 
-    The error of the phase is about `tol` divided by the MTF; where the MTF is at most `tol`, the phase is undefined
-    and 0 is returned. See :func:`lommel.otf`.
+    The error of the phase is about ``tol / MTF``. If the MTF is at most `tol`, the phase is undefined and the result
+    is 0. See :func:`lommel.otf`.
 
     Parameters
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
     fx, fy : array_like
-        Spatial frequencies in cycles per metre if the pupil has a wavelength, else per lambda*N.
+        Spatial frequencies, cycles per metre if the pupil has a wavelength, else cycles per lambda*N.
     spectrum, tol
-        As of :func:`lommel.otf`.
+        As in :func:`lommel.otf`.
 
     Returns
     -------
@@ -257,25 +255,25 @@ def mtf_frequency(
     fill: float | tuple[float, float] = 1.0,
     blur: Blur | Sequence[Blur] = (),
 ) -> Numbers:
-    """Return the lowest frequency at which the MTF falls to `level`, such as MTF50.
+    """Return the lowest frequency at which the MTF falls to a level, for example MTF50.
 
     Parameters
     ----------
     pupil : Pupil, PSF, ColourPSF or PSFGrid
         A PSF of a lens includes its pixels (if pixel-integrated), blur and spectrum.
     level : float, default 0.5
-        MTF to find, above 0 and below 1.
+        Level of the MTF, above 0 and below 1.
     angle : float, default 0
-        Direction of the frequency in radians, from the columns (x) to the rows (y).
+        Direction of the frequency, radians from x (increasing columns) to y (increasing rows).
     pixel, fill, blur
-        As of :func:`lommel.otf`.
+        As in :func:`lommel.otf`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Frequency in cycles per metre or per lambda*N. The first crossing is bracketed by a scan in steps of at most
-        1/128 of the cutoff (a quarter of an oscillation of the MTF for large defocus or motion; 1 / side for masks,
-        down to 1/1024), and refined to 1e-10 of the cutoff.
+        Frequency in cycles per metre or cycles per lambda*N. A scan in steps of at most ``cutoff / 128`` brackets the
+        first crossing, and a root search refines it to ``1e-10 cutoff``. The steps are smaller for masks and for
+        large defocus or motion blur, whose MTF oscillates.
 
     Raises
     ------
@@ -309,31 +307,30 @@ def focus_tolerance(
     blur: Blur | Sequence[Blur] = (),
     spectrum: Polychromatic | None = None,
 ) -> tuple[float, float]:
-    """Return the focus tolerance: sensor displacements towards the lens and away from it that keep a least MTF.
+    """Return the focus tolerance, the largest sensor displacements in both directions that keep an MTF acceptable.
 
     Parameters
     ----------
     pupil : Pupil
         A single pupil, with a wavelength.
     frequency : float
-        Spatial frequency in cycles per metre on the sensor; the lower MTF of those along x and along y counts.
+        Spatial frequency on the sensor, cycles per metre, along x and along y; the lower MTF is used.
     least : float, default 0.3
         Smallest acceptable MTF, above 0 and below 1.
     pixel, fill, blur, spectrum
-        As of :func:`lommel.otf`.
+        As in :func:`lommel.otf`.
 
     Returns
     -------
     (float, float)
-        Displacements in metres, the first negative (towards the lens), the second positive: the smallest ones at
-        which the MTF along x or y falls to `least`, to 1e-4 of ``lambda N^2``. The defocus coefficient of a
-        displacement is ``C_d = -pi displacement / (8 lambda N^2)`` (paraxial, to first order), N the working
-        f-number.
+        Displacements in metres at which the MTF along x or y first falls to `least`: a negative one (towards the
+        lens) and a positive one. Their errors are at most ``1e-4 lambda N^2``, where N is the working f-number. A
+        displacement has the defocus coefficient ``C_d = -pi displacement / (8 lambda N^2)`` (paraxial, first order).
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or the MTF without displacement is below `least`.
+        If an argument is out of range, or if the MTF without displacement is below `least`.
 
     Examples
     --------
@@ -349,7 +346,7 @@ def focus_tolerance(
     threshold = validation.real("least", least, above=0.0, below=1.0)
     wavelength, number = checked(pupil).wavelength, pupil.f_number
     if wavelength is None or number is None or pupil.shape:
-        raise ValueError(f"pupil must be a single one with a wavelength, whose sensor is in metres, got {pupil!r}")
+        raise ValueError(f"pupil must be a single one with a wavelength and an f-number, got {pupil!r}")
     sensor: Sensor = {"pixel": pixel, "fill": fill, "blur": blurs(blur), "spectrum": spectrum}
     metres_per_radian = -8.0 * wavelength * number**2 / math.pi  # displacement per defocus coefficient C_d
 
@@ -359,8 +356,10 @@ def focus_tolerance(
         return np.asarray(values.min(axis=-1) - threshold)
 
     if (margin := float(above(0.0))) < 0.0:
-        at = f"the MTF is {margin + threshold:.3g} where the sensor is"
-        raise ValueError(f"no tolerance of focus: {at}, below least={threshold:g}; take a smaller least or frequency")
+        raise ValueError(
+            f"least must be at most the MTF without displacement, {margin + threshold:.3g}, got {threshold:g}; use a "
+            "smaller least or frequency"
+        )
     # C_d is scanned in steps that are a fraction of the defocus at which the MTF at this frequency first vanishes.
     fraction = min(f / pupil.cutoff, 0.5)
     step = 0.1 / (fraction * (1.0 - fraction))
@@ -375,31 +374,31 @@ def focus_tolerance(
                 ends.append(metres_per_radian * float(brentq(lambda at: float(above(at)), c[k], c[k + 1], xtol=1e-5)))
                 break
         else:
-            raise ValueError(f"least must be an MTF that defocus reaches, got {threshold:g}; take a larger one")
+            raise ValueError(f"least must be an MTF that defocus reaches, got {threshold:g}; use a larger value")
     return ends[0], ends[1]
 
 
-def _require_default(**given: bool) -> None:
-    """Raise ValueError if an option is given (True) for a PSF, which includes its own."""
-    if stray := [name for name, is_given in given.items() if is_given]:
-        raise ValueError(f"{stray[0]} must be left out for a PSF, which has its own; give it with psf.pupil")
+def _require_default(**options: bool) -> None:
+    """Raise ValueError if the caller passed an option (True) with a PSF, which already includes it."""
+    if redundant := [name for name, is_passed in options.items() if is_passed]:
+        raise ValueError(f"{redundant[0]} must be left out for a PSF, which includes it; or pass psf.pupil instead")
 
 
 def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor) -> Numbers:
-    """Return the lowest frequency at which the MTF falls to a threshold; see :func:`mtf_frequency`."""
+    """Return the lowest frequency at which the MTF falls to `threshold`; see :func:`mtf_frequency`."""
     from scipy.optimize import brentq
 
     cos, sin = math.cos(angle), math.sin(angle)
     cutoff = pupil.cutoff
     if spectrum := sensor.get("spectrum"):
         cutoff *= spectrum.stretch(pupil)
-    # The OTF of an image of radius r oscillates like J1(2 pi r f): steps must resolve the zeros.
-    oscillating = float(pupil.v(pupil.geometric_radius()).max())
-    # The OTF of a streak of length d has zeros at multiples of 1 / d.
-    oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
-    steps = math.ceil(max(128.0, 2.0 * oscillating, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
+    # Steps must resolve the zeros of the OTF: of J1(2 pi r f) for a blur circle of radius r, and multiples of 1 / d
+    # for motion blur of length d.
+    oscillation = float(pupil.v(pupil.geometric_radius()).max())
+    oscillation += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
+    steps = math.ceil(max(128.0, 2.0 * oscillation, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
-    # Large blocks save time for circular apertures, whose frequencies are computed together.
+    # Circular apertures compute several frequencies together, which large blocks make faster.
     block = 32 if pupil.circular else 4
     for start in range(1, steps + 1, block):
         k = np.arange(start, min(start + block, steps + 1))
@@ -416,7 +415,7 @@ def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor
             return float(mtf(one, f * cos, f * sin, **sensor)) - threshold
 
         low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
-        # The scan has a coarser tolerance than the search: at the more exact MTF the bracket may have no crossing.
+        # The scan has a larger tolerance than the root search, so that the bracket may contain no crossing.
         ends = above(low), above(high)
         if ends[0] <= 0.0 or ends[1] >= 0.0:
             out[i] = low if ends[0] <= 0.0 else high
@@ -430,21 +429,20 @@ def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
 
     :func:`lommel.otf` is the transfer function of the continuous image. The transfer function of its samples is
     aliased, with the period 1 / pixel (the sampling frequency): at the Nyquist frequency it is about twice the real
-    part of that of the image.
+    part of the OTF.
 
     Parameters
     ----------
     psf : PSF
     fx, fy : array_like
-        As of :func:`lommel.otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
+        As in :func:`lommel.otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
 
     Returns
     -------
     complex or complex ndarray, shape ``psf.pupil.shape + s``
-        ``sum values exp(-2 pi i (fx x + fy y))`` with values as fractions of all light, x and y from the axis; at
-        frequency 0, the fraction of light in the window. Except for the light outside of the window and the error of
-        the values, this is the sum of the transfer function of the image at f and at its aliases, f plus multiples of
-        1 / pixel.
+        ``sum values exp(-2 pi i (fx x + fy y))`` with values as fractions of all light and x, y relative to the axis.
+        At frequency 0 it is the fraction of light in the window. If the window contained all light, the sum would be
+        the sum of the OTF of the image over the frequency and its aliases (frequency plus multiples of 1 / pixel).
 
     Raises
     ------
@@ -470,7 +468,7 @@ def sampled_otf(psf: PSFLike, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
 
 
 def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]]:
-    """Return the frequencies of the FFT of the window, and the transfer function of the samples at these.
+    """Return the frequencies of the FFT of the window, and the transfer function of the samples at them.
 
     See :func:`lommel.measures.transfer.sampled_otf`.
 
@@ -481,10 +479,10 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
     Returns
     -------
     fx, fy : ndarray, shapes (width,) and (height,)
-        Rising frequencies in steps of 1 / (width pixel) and 1 / (height pixel), 0 at index ``width // 2`` and
-        ``height // 2``.
+        Increasing frequencies in steps of ``1 / (width pixel)`` and ``1 / (height pixel)``; frequency 0 has the index
+        ``width // 2`` or ``height // 2``.
     values : complex ndarray, shape ``psf.values.shape``
-        Transfer function, as of :func:`lommel.measures.transfer.sampled_otf`.
+        Transfer function as in :func:`lommel.measures.transfer.sampled_otf`.
     """
     checked_answer(psf)
     from scipy import fft
@@ -493,6 +491,6 @@ def sampled_spectrum(psf: PSFLike) -> tuple[Array, Array, NDArray[np.complex128]
     fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
     fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
     from_first_pixel = fft.fftshift(fft.fft2(energy_per_pixel(psf)), axes=(-2, -1))
-    # The FFT refers positions to the first pixel; the phase factor refers them to the axis.
+    # The FFT uses positions relative to the first pixel; the phase factor makes them relative to the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
     return fx, fy, np.asarray(from_first_pixel * shift)

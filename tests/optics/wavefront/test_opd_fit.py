@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
-from lommel.optics.wavefront.opd_fit import _enclosing
+from lommel.optics.wavefront.opd_fit import _enclosing_circle
 from lommel.special import zernike
 
 TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
@@ -162,7 +162,7 @@ def test_a_radial_function_gives_back_the_polynomial_it_is(powers, sampled):
 def test_a_smooth_function_is_fitted_to_rounding_and_a_kink_is_told():
     axicon = lm.fit_radial(lambda r: 10 * r)
     assert axicon.rms > 1e-3
-    with pytest.raises(ValueError, match=r"rms of 0.\d+ radians, beyond tol=0.001"):
+    with pytest.raises(ValueError, match=r"rms of 0.\d+ radians, above tol=0.001"):
         lm.fit_radial(lambda r: 10 * r, tol=1e-3)
     smooth = lm.fit_radial(lambda r: 5 * np.cos(4 * r), tol=1e-10)
     r = np.linspace(0, 1, 300)
@@ -247,7 +247,7 @@ def test_nan_outside_of_the_mask_or_of_the_circle_is_normal():
     ("arguments", "options", "message"),
     [
         (([0.0, 1.0],), {}, "rho, the pupil radii of the values, must be given"),
-        ((lambda r: r, [0.0, 1.0]), {}, "rho must be left out where phase is a function"),
+        ((lambda r: r, [0.0, 1.0]), {}, "rho must be omitted if phase is a function"),
         (([0.0, 1.0], [0.0, 1.5]), {}, "rho must be finite and >= 0 and <= 1, got 1.5"),
         (([0.0, 1.0], [0.0, -0.5]), {}, "rho must be finite and >= 0 and <= 1, got -0.5"),
         (([0.0, math.nan], [0.0, 1.0]), {}, "phase must be finite, got nan"),
@@ -258,7 +258,7 @@ def test_nan_outside_of_the_mask_or_of_the_circle_is_normal():
         ((np.zeros(5), np.linspace(0, 1, 5)), {}, "11 terms need at least as many samples, got 5; lower degree"),
         ((np.zeros(50), np.full(50, 0.5)), {"degree": 2}, r"the 50 samples do not determine 2 terms \(condition"),
         ((np.zeros(50), np.linspace(0.98, 1, 50)), {"degree": 8}, "do not determine 5 terms"),
-        ((np.cos,), {"degree": 3}, "degree must be even, since rho comes in even powers, got 3"),
+        ((np.cos,), {"degree": 3}, "degree must be even, since the fit has even powers of rho only, got 3"),
         ((np.cos,), {"degree": 22}, "degree must be from 2 to 20, got 22"),
         ((np.cos,), {"unit": "nm"}, "unit must be one of"),
         ((np.cos,), {"unit": "metres"}, "needs the wavelength"),
@@ -358,7 +358,7 @@ def margined(shape: tuple[int, int], center: tuple[float, float], radius: float)
 )
 def test_a_map_with_a_margin_is_refused_with_the_circle_that_its_samples_fill(shape, center, radius):
     opd = margined(shape, center, radius)
-    with pytest.raises(ValueError, match="radius is by default") as caught:
+    with pytest.raises(ValueError, match="by default half the smaller side") as caught:
         lm.fit_opd(opd, unit="waves")
     found = re.search(r"radius=([\d.]+) about center=\(([\d.]+), ([\d.]+)\)", str(caught.value))
     assert len(str(caught.value)) < 300
@@ -369,9 +369,9 @@ def test_a_map_with_a_margin_is_refused_with_the_circle_that_its_samples_fill(sh
         math.sqrt(0.06**2 + 0.04**2 + 0.035**2), rel=0.02
     )
     # A mask, and a stack of maps, are seen likewise; a stated radius is taken as it is.
-    with pytest.raises(ValueError, match="radius is by default"):
+    with pytest.raises(ValueError, match="by default half the smaller side"):
         lm.fit_opd(np.zeros(shape), unit="waves", mask=np.isfinite(opd))
-    with pytest.raises(ValueError, match="radius is by default"):
+    with pytest.raises(ValueError, match="by default half the smaller side"):
         lm.fit_opd(np.stack([opd, opd]), unit="waves")
     assert lm.fit_opd(opd, unit="waves", radius=0.5 * min(shape), degree=4, within="samples").samples > 0
 
@@ -398,7 +398,7 @@ def enclosing_radius(points: np.ndarray) -> float:
 @given(st.lists(st.tuples(st.integers(0, 9), st.integers(0, 9)), min_size=1, max_size=9))
 def test_the_smallest_circle_around_points(listed):
     points = np.array(listed, dtype=np.float64)
-    center, radius = _enclosing(points)
+    center, radius = _enclosing_circle(points)
     assert np.hypot(*(points - center).T).max() <= radius * (1.0 + 1e-9)
     assert radius == pytest.approx(enclosing_radius(points), rel=1e-9)
 
@@ -434,7 +434,7 @@ def test_areas_of_one_value_are_refused_since_files_have_them_where_nothing_was_
     values, there = annulus(hole=hole, outside=outside)
     filled = np.where(there, values, value)
     with pytest.raises(
-        ValueError, match=rf"opd is {value:g} at \d+ neighbouring pixels .*give mask=.*or obscuration="
+        ValueError, match=rf"opd is {value:g} at \d+ neighbouring pixels .*pass mask=.*or obscuration="
     ):
         lm.fit_opd(filled, unit="waves", degree=3)
     with pytest.raises(ValueError, match="neighbouring"):  # in any map of a stack, and of an OPDMap
@@ -469,5 +469,7 @@ def test_what_rounding_leaves_of_zeros_around_a_pupil_is_no_measurement():
     rest = 1e-16 * np.random.default_rng(2).standard_normal(x.shape)
     opd = np.where(inside, 0.3 * (x * x - y * y), rest)
     for values, way in ((opd, r"such as abs\(opd\) > \de-10"), (np.where(inside, opd, 0.0), "such as opd != 0")):
-        with pytest.raises(ValueError, match=rf"opd is 0 at .* where nothing was measured: give mask=.*{way}"):
+        with pytest.raises(
+            ValueError, match=rf"opd is 0 at .* as in files that mark missing pixels: pass mask=.*{way}"
+        ):
             lm.fit_opd(values, unit="waves", radius=57.0, center=(48, 48))

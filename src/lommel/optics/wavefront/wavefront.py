@@ -1,16 +1,15 @@
-"""The phase across the pupil.
+"""Wavefront, the phase across the pupil, and the phase of defocus of a lens that obeys the sine condition.
 
-The phase of defocus of a lens that obeys the sine condition, and its expansion in radial Zernike terms.
-A wave converges to (or comes from) a point of the axis; the reference sphere has its centre in another. Both pass
-through the vertex of the pupil, the wave with the curvature a + delta where the sphere has a. A point of the sphere
-at the height h from the axis is ``a p`` closer to the centre along the axis than the vertex, and its distance from
-the centre of the wave, less that of the vertex, is by elementary geometry
+The second part expands the phase of defocus in radial Zernike terms. A spherical wave and a reference sphere pass
+through the vertex of the pupil; their centres are two points of the axis. The reference sphere has the curvature a,
+the wave has the curvature a + delta. The reference sphere at the height h from the axis is displaced from the plane
+of the vertex by ``a p``, and the path difference W between the wave and the reference sphere is, by geometry,
 
 ``W(h) = 2 p delta / (1 + sqrt(1 + 2 p (a + delta) delta)), p = h^2 / (1 + sqrt(1 - a^2 h^2)) .``
 
-The sine condition makes h proportional to rho. W is then a function of t = rho^2 with branch points only, and the
-farther these are from [0, 1], the faster a series of Chebyshev polynomials falls; Legendre polynomials of 2t - 1, the
-radially symmetric Zernike terms, hold the same polynomial.
+The sine condition makes h proportional to the pupil radius rho. As a function of t = rho^2, W is analytic except at
+branch points. The farther these points lie from [0, 1], the faster its Chebyshev series converges. The truncated
+series is converted to Legendre polynomials of 2t - 1, which are the radially symmetric Zernike terms.
 
 References
 ----------
@@ -42,7 +41,7 @@ if TYPE_CHECKING:
 
 _FAR = 1e3  # largest rho for which the phase is evaluated; powers of rho overflow beyond
 MAX_HIGHER = 8
-"""Most coefficients beyond rho^4."""
+"""Largest number of coefficients of powers above rho^4."""
 UNITS = ("radians", "waves", "metres")
 NORMALIZATIONS = ("rms", "edge")
 Term = tuple[int, int]
@@ -51,18 +50,18 @@ _FRAMEWORKS = {"jax": "JAX", "jaxlib": "JAX", "torch": "PyTorch", "cupy": "CuPy"
 
 
 def _coefficients(name: str, value: ArrayLike) -> Array:
-    """Return coefficients as an array; TypeError for a tensor, which would lose its gradients unnoticed."""
+    """Return coefficients as an array; TypeError for a tensor, whose gradients would be lost silently."""
     framework = _FRAMEWORKS.get(type(value).__module__.partition(".")[0])
     if framework is not None:
         raise TypeError(
-            f"{name} must be numbers or an array of NumPy, got one of {framework}, whose gradients would end here: "
-            "lommel.Plan(...).traced(pupils, xp) makes PSFs of it within that framework; np.asarray(...) leaves it"
+            f"{name} must be numbers or a NumPy array, got a {framework} array, whose gradients would be lost: use "
+            f"lommel.Plan(...).traced(pupils, xp) for PSFs in {framework}, or convert it by np.asarray(...)"
         )
     return validation.real_array(name, value)
 
 
 def radians_per(unit: str, wavelength: float | None) -> float:
-    """Return the radians of phase of one `unit`: of phase, of waves, or of metres of optical path."""
+    """Return how many radians of phase one radian, one wave or one metre of optical path is, as `unit` states."""
     validation.choice("unit", unit, UNITS)
     if wavelength is not None:
         wavelength = validation.wavelength(wavelength)
@@ -77,7 +76,7 @@ _Key = TypeVar("_Key")
 
 
 def common_shape(what: str, parts: Mapping[_Key, Array | Wavefront]) -> tuple[int, ...]:
-    """Return the shape that arrays and stacks broadcast to; ValueError with their shapes by name otherwise."""
+    """Return the shape to which arrays and stacks broadcast; else raise ValueError with each name and shape."""
     try:
         return np.broadcast_shapes(*[part.shape for part in parts.values()])
     except ValueError:
@@ -102,7 +101,7 @@ def _indices(terms: tuple[Term, ...]) -> NDArray[np.int32]:
 
 @lru_cache(maxsize=64)
 def symmetric_terms(count: int) -> tuple[Term, ...]:
-    """Return (2, 0), (4, 0), ..., `count` terms."""
+    """Return the first `count` of the terms (2, 0), (4, 0), ..."""
     return tuple((2 * k, 0) for k in range(1, count + 1))
 
 
@@ -115,30 +114,31 @@ class Wavefront(EqualByContent, display.Shown):
 
     rho is the normalised pupil radius, 0 to 1; theta the angle from x (increasing columns) to y (increasing rows).
     For a positive `defocus` the sensor lies between the lens and its focus. For a positive `spherical` marginal rays
-    focus beyond paraxial rays. The pupil function is ``exp(+i phase)``, and a ray meets the sensor at the gradient of
-    the phase: a positive tilt in x moves the image to higher columns, and the tail of positive coma in x points
-    there. Piston is omitted, since no intensity depends on it. Wavefronts can be added, and multiplied by a number.
+    focus beyond paraxial rays. The pupil function is ``exp(+i phase)``. The ray displacement on the sensor is
+    proportional to the gradient of the phase: a positive tilt in x moves the image to higher columns, and the tail of
+    positive coma in x points to higher columns. Piston is omitted, since no intensity depends on it. Wavefronts can
+    be added, and multiplied by a number.
 
     Parameters
     ----------
     defocus : array_like, default 0
-        C_d of the paper's Eq. (2), radians. An array describes a stack of wavefronts.
+        C_d of Eq. (2) in Wei et al. (:mod:`lommel.paper`), radians. An array describes a stack of wavefronts.
     spherical : array_like, default 0
-        C_s of the paper's Eq. (15), radians.
+        C_s of Eq. (15), radians.
     higher : sequence of array_like, default ()
         Coefficients of rho^6, rho^8, ..., radians; at most eight.
     nonradial : mapping of (n, m) to array_like, default {}
         Coefficients, radians at the edge, of ``R_n^m(rho) cos(m theta)`` for m > 0 and of
-        ``R_n^|m|(rho) sin(|m| theta)`` for m < 0, with ``R(1) = 1``. m is not 0. See :meth:`zernike` for other
+        ``R_n^|m|(rho) sin(|m| theta)`` for m < 0, with ``R(1) = 1``. m must not be 0. :meth:`zernike` accepts other
         orders, units and normalizations.
     error : float, default 0
-        Bound on the phase that the terms do not represent, radians; the largest of a stack. It adds to the
+        Bound on the phase that the terms do not represent, radians; one bound for a whole stack. It increases the
         `error_bound` of a PSF.
 
     Attributes
     ----------
     shape : tuple of int
-        Of the stack; ``()`` for a single wavefront.
+        Shape of the stack; ``()`` for a single wavefront.
     terms : tuple of (n, m)
         Zernike terms: first (2, 0), (4, 0), ... without gaps, then those that depend on theta, sorted.
     edge : ndarray, shape ``shape + (len(terms),)``
@@ -147,7 +147,7 @@ class Wavefront(EqualByContent, display.Shown):
     Raises
     ------
     TypeError, ValueError
-        If a coefficient is not real and finite, if there is no such term, or if the arrays do not broadcast.
+        If a coefficient is not real and finite, if (n, m) is no Zernike term, or if the arrays do not broadcast.
 
     Examples
     --------
@@ -168,7 +168,8 @@ class Wavefront(EqualByContent, display.Shown):
     edge: Array
     error: float
     shape: tuple[int, ...]
-    # Coefficients of rho^2, rho^4, ... if given as such: returned to the caller without rounding.
+    # Coefficients of rho^2, rho^4, ... if the caller passed these powers: the attributes return them without
+    # rounding.
     _powers: Array | None = field(repr=False)
 
     def __init__(
@@ -182,7 +183,7 @@ class Wavefront(EqualByContent, display.Shown):
     ) -> None:
         if _unknown:
             raise TypeError(
-                f"Wavefront has no argument {next(iter(_unknown))!r}; other aberrations are made by "
+                f"Wavefront has no argument {next(iter(_unknown))!r}; for other aberrations use "
                 "Wavefront.zernike({(3, 1): ...}) or Wavefront.from_seidel(W131=...)"
             )
         if not isinstance(higher, Sequence) or isinstance(higher, str | bytes):
@@ -191,8 +192,8 @@ class Wavefront(EqualByContent, display.Shown):
             raise ValueError(f"higher must hold at most {MAX_HIGHER} coefficients, got {len(higher)}")
         if nonradial is not None and not isinstance(nonradial, Mapping):
             raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(nonradial)}")
-        with np.errstate(over="ignore"):  # refused where twice the defocus is not finite
-            # The public coefficient is C_d, that of rho^2 is 2 C_d (paper, Eq. 3).
+        with np.errstate(over="ignore"):  # _set() rejects an infinite result
+            # The public coefficient is C_d, and the coefficient of rho^2 is 2 C_d (paper, Eq. 3).
             columns: dict[str, Array] = {"defocus": np.asarray(2.0 * _coefficients("defocus", defocus))}
         columns["spherical"] = _coefficients("spherical", spherical)
         for i, c in enumerate(higher):
@@ -201,7 +202,7 @@ class Wavefront(EqualByContent, display.Shown):
         for key, c in (nonradial or {}).items():
             n, m = zernike.term(key, "nm")
             if m == 0:
-                raise ValueError(f"nonradial must hold terms with m != 0, got {(n, m)}; Wavefront.zernike takes all")
+                raise ValueError(f"nonradial must hold terms with m != 0, got {(n, m)}; use Wavefront.zernike")
             others[n, m] = _coefficients(f"nonradial[{n}, {m}]", c)
         parts = columns | dict(sorted(others.items()))
         edge = _columns(parts.values(), common_shape("defocus, spherical, higher and nonradial", parts))
@@ -209,36 +210,36 @@ class Wavefront(EqualByContent, display.Shown):
         self._set((*symmetric_terms(len(columns)), *sorted(others)), edge, error, powers)
 
     def _set(self, terms: tuple[Term, ...], edge: Array, error: float, powers: Array | None) -> None:
-        """Set checked arrays; with `powers` of rho, convert these to radial terms in `edge`."""
+        """Set checked arrays; write radial terms converted from `powers`, coefficients of rho^2, ..., into `edge`."""
         if powers is not None:
-            with np.errstate(over="ignore", invalid="ignore"):  # refused below where not finite
-                # Methods use Zernike terms, which do not cancel; powers are kept for exact output.
+            with np.errstate(over="ignore", invalid="ignore"):  # a result that is not finite is rejected below
+                # Methods use Zernike terms, which do not cancel; the powers are kept for exact output.
                 edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
         if edge.size == 0:
             what = "the coefficients of a wavefront (defocus, spherical and others)"
             raise ValueError(f"{what} must not be empty, got shape {edge.shape[:-1]}")
         if not np.isfinite(edge).all():
-            raise ValueError("the coefficients of a wavefront must be finite, and so must their multiples and sums")
+            raise ValueError("the coefficients of a wavefront must be finite, also after scaling and addition")
         edge.flags.writeable = False
         if powers is not None:
             powers.flags.writeable = False
-        # Frozen dataclass: all fields at once, past object.__setattr__.
+        # A frozen dataclass rejects assignments; its __dict__ accepts them.
         vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=edge.shape[:-1])
 
     @classmethod
     def trusted(cls, terms: tuple[Term, ...], edge: Array, error: float = 0.0, powers: Array | None = None) -> Self:
-        """Build a wavefront from checked `terms`, `edge`, `error` and `powers` of rho^2, and own these arrays."""
-        made = cls.__new__(cls)
-        made._set(terms, edge, error, powers)
-        return made
+        """Build a wavefront from checked attributes and coefficients `powers` of rho^2, rho^4, ...; copy nothing."""
+        instance = cls.__new__(cls)
+        instance._set(terms, edge, error, powers)
+        return instance
 
     @classmethod
     def from_edge(cls, given: Mapping[Term, Array], error: float = 0.0) -> Self:
-        """Build a wavefront of this `error` from coefficients at the edge, `given` by (n, m) in radians.
+        """Build a wavefront with this `error` from a mapping of (n, m) to coefficients, radians at the edge.
 
-        ValueError if the coefficients do not broadcast.
+        Raises ValueError if the coefficients do not broadcast.
         """
-        # The constant counts for the shape: a stack with constant terms only would otherwise lose its axes.
+        # Piston also contributes to the shape: a stack of pistons only would otherwise lose its axes.
         shape = common_shape("the coefficients of the terms (n, m)", given)
         radial = [n // 2 for (n, m), c in given.items() if m == 0 and n > 0 and np.any(c)]
         count = max([2, *radial])
@@ -248,9 +249,9 @@ class Wavefront(EqualByContent, display.Shown):
 
     @classmethod
     def of_defocus(cls, defocus: float | Array) -> Self:
-        """Build a wavefront from a checked C_d, `defocus`, radians."""
+        """Build a wavefront from defocus coefficients C_d that the caller has checked, radians."""
         if isinstance(defocus, float) and math.isfinite(2.0 * defocus):
-            # The same bits as below in half the time; most pupils have defocus only.
+            # Same result as the general case below in half the time: most pupils have one defocus and no other term.
             powers, edge = np.zeros(2), np.zeros(2)
             powers[0], edge[0] = 2.0 * defocus, defocus + 0.0
             powers.setflags(write=False)
@@ -259,7 +260,7 @@ class Wavefront(EqualByContent, display.Shown):
             return made(cls, parts)
         defocus = np.asarray(defocus)
         powers = np.zeros((*defocus.shape, 2))
-        with np.errstate(over="ignore"):  # refused, as all that is not finite
+        with np.errstate(over="ignore"):  # _set() rejects an infinite result
             powers[..., 0] = 2.0 * defocus
         return cls.trusted(symmetric_terms(2), np.empty_like(powers), 0.0, powers)
 
@@ -280,31 +281,31 @@ class Wavefront(EqualByContent, display.Shown):
         Parameters
         ----------
         terms : mapping, or iterable of pairs
-            Coefficients by index: pairs (n, m) for the order "nm", else integers. Arrays describe a stack. Piston is
-            accepted and ignored. n is at most 60.
+            Coefficients by index. The index is a pair (n, m) for the order "nm", else an integer; n is at most 60.
+            Arrays of coefficients describe a stack. Piston is accepted and ignored.
         order : {"nm", "noll", "ansi", "fringe"}, default "nm"
             Noll counts from 1, ANSI (OSA) from 0, Fringe (University of Arizona) from 1 to 37. m > 0 is the cosine
             of m theta, m < 0 the sine.
         unit : {"radians", "waves", "metres"}, default "radians"
             Unit of the coefficients; metres of optical path need `wavelength`.
         normalization : {"rms", "edge"}, default "rms"
-            "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": it is the
-            largest value, that at the edge (usual with Fringe).
+            "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": a
+            coefficient is the largest value of its term at the edge of the pupil (usual with Fringe).
         wavelength : float, optional
-            Metres.
+            Wavelength, metres.
         error : float, default 0
             Bound on the phase that the terms do not represent, radians; see :class:`lommel.Wavefront`.
         obscuration : float, default 0
-            eps, 0 to below 1. Above 0 the terms are annular Zernike terms: orthogonal over ``eps <= rho <= 1``, made
-            of those of the disc with the same m by the Gram-Schmidt process in the order of n. "rms" is then the root
-            mean square over that annulus. The wavefront holds the same function in terms over the disc; the
-            obscuration of a :class:`lommel.Pupil` is stated there.
+            Radius eps of the central obscuration, 0 to below 1. Above 0 the terms are annular Zernike terms, which
+            are orthogonal over ``eps <= rho <= 1``, and "rms" is the root mean square over this annulus. The
+            wavefront is converted to terms over the disc and does not block light: set the obscuration of the
+            :class:`lommel.Pupil` as well.
 
         Raises
         ------
         TypeError, ValueError
-            If a term does not exist or is given twice; the message names the term. If annular terms are of so high a
-            degree that terms over the disc would not represent them to nine digits.
+            If a term does not exist or occurs twice, or if n is too high to convert annular terms to terms over the
+            disc with nine correct digits.
 
         References
         ----------
@@ -320,24 +321,24 @@ class Wavefront(EqualByContent, display.Shown):
         validation.choice("normalization", normalization, NORMALIZATIONS)
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         try:
-            # A list of pairs may name a term twice, which a dictionary would hide.
+            # Keep pairs: a dictionary would hide that a term occurs twice.
             pairs = [(index, value) for index, value in (terms.items() if isinstance(terms, Mapping) else terms)]
         except (TypeError, ValueError):
             raise TypeError(
-                "terms must map indices to coefficients, or be pairs of them, "
-                f"got {validation.shown(terms)}: zip(range(4, 16), coefficients) are such pairs"
+                "terms must be a mapping of indices to coefficients or pairs (index, coefficient), such as "
+                f"zip(range(4, 16), coefficients), got {validation.shown(terms)}"
             ) from None
         found: dict[Term, Array] = {}
         for index, value in pairs:
             n, m = zernike.term(index, order)
             if (n, m) in found:
-                raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), comes twice")
-            given = _coefficients(f"the Zernike coefficient {index!r}", value)
-            with np.errstate(over="ignore"):  # refused below where not finite
-                found[n, m] = scale * _edge_factor((n, m), normalization) * given
+                raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), occurs twice")
+            coefficient = _coefficients(f"the Zernike coefficient {index!r}", value)
+            with np.errstate(over="ignore"):  # from_edge() rejects an infinite result
+                found[n, m] = scale * _edge_factor((n, m), normalization) * coefficient
         if eps > 0.0:
             with np.errstate(over="ignore", invalid="ignore"):
-                found = _over_disc(found, normalization, eps)
+                found = _edge_from_annular(found, normalization, eps)
         return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(
@@ -349,18 +350,17 @@ class Wavefront(EqualByContent, display.Shown):
         wavelength: float | None = None,
         obscuration: float = 0.0,
     ) -> dict[Any, Array]:
-        """Return the Zernike coefficients by index; the inverse of :meth:`zernike`.
+        """Return the Zernike coefficients by index; the inverse of :meth:`zernike`, with the same options.
 
-        `order`, `unit`, `normalization`, `wavelength` and `obscuration` are as there. Each coefficient has the shape
-        of the stack; terms that are all zero, and piston, are omitted. Raises ValueError if a term has no index in
-        the order (Fringe ends with 37).
+        Each coefficient has the shape of the stack. Piston is omitted, and so are terms that are zero throughout the
+        stack. Raises ValueError if a term has no index in the `order`: Fringe ends with 37.
         """
         scale = radians_per(unit, wavelength)
         validation.choice("normalization", normalization, NORMALIZATIONS)
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
         terms = self.edge_terms()
         if eps > 0.0:
-            terms = _annular(terms, normalization, eps)
+            terms = _annular_from_edge(terms, normalization, eps)
         found = {}
         for (n, m), c in terms.items():
             if np.any(c):
@@ -368,15 +368,15 @@ class Wavefront(EqualByContent, display.Shown):
                 found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
         return found
 
-    def save(self, path: str | PathLike[str], **how: object) -> None:
-        """Write the Zernike coefficients of a single wavefront to a `path` ending in .csv, .json or .toml.
+    def save(self, path: str | PathLike[str], **options: object) -> None:
+        """Write the Zernike coefficients of a single wavefront to a .csv, .json or .toml file.
 
-        `how` holds options of :func:`lommel.save_zernike`; :func:`lommel.load_zernike` reads the file.
+        `options` are those of :func:`lommel.save_zernike`. :func:`lommel.load_zernike` reads the file.
         """
-        display.save(self, path, **how)
+        display.save(self, path, **options)
 
     def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Axes | NDArray[np.object_]:
-        """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
+        """Draw the phase across the full disc on matplotlib axes; all panels of a stack share one colour scale.
 
         See :func:`lommel.show.pupils.wavefront`.
         """
@@ -415,7 +415,7 @@ class Wavefront(EqualByContent, display.Shown):
         Raises
         ------
         TypeError, ValueError
-            If a coefficient is not real and finite, or they do not broadcast.
+            If a coefficient is not real and finite, or if the arrays do not broadcast.
 
         References
         ----------
@@ -423,7 +423,7 @@ class Wavefront(EqualByContent, display.Shown):
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        with np.errstate(over="ignore"):  # what overflows in radians becomes infinite, and is refused
+        with np.errstate(over="ignore"):  # real_array() below rejects an infinite result
             radians = {name: 2 * math.pi * _coefficients(name, value) for name, value in waves.items()}
         w = {name: validation.real_array(name, value) for name, value in radians.items()}
         if not isinstance(field, tuple | list) or len(field) != 2:
@@ -451,7 +451,7 @@ class Wavefront(EqualByContent, display.Shown):
 
     @classmethod
     def balanced_spherical(cls, rms: ArrayLike, obscuration: float = 0.0) -> Self:
-        r"""Build primary spherical aberration of a given rms, balanced with the defocus of least variance.
+        r"""Build primary spherical aberration with a prescribed rms, balanced by the defocus of least variance.
 
         On the annulus ``eps <= rho <= 1`` this is the annular Zernike term
         ``C_s (rho^4 - (1 + eps^2) rho^2 + ...)`` with ``C_s = 6 sqrt(5) rms / (1 - eps^2)^2``.
@@ -461,12 +461,12 @@ class Wavefront(EqualByContent, display.Shown):
         rms : array_like
             Root mean square phase over the annulus, radians; its sign is that of C_s.
         obscuration : float
-            eps, 0 to below 1.
+            Radius eps of the central obscuration, 0 to below 1.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or the coefficient overflows.
+            If an argument is out of range, or if C_s is not finite.
 
         References
         ----------
@@ -482,14 +482,14 @@ class Wavefront(EqualByContent, display.Shown):
 
     @cached_property
     def defocus(self) -> Array:
-        """C_d, radians."""
+        """Defocus coefficient C_d, radians."""
         half = np.asarray(0.5 * self.coefficients[..., 0])
         half.flags.writeable = False
         return half
 
     @property
     def spherical(self) -> Array:
-        """C_s, radians."""
+        """Coefficient C_s of rho^4, radians."""
         return np.asarray(self.coefficients[..., 1])
 
     @property
@@ -499,7 +499,7 @@ class Wavefront(EqualByContent, display.Shown):
 
     @cached_property
     def nonradial(self) -> Mapping[Term, Array]:
-        """Coefficients of the other terms, radians at the edge, by (n, m)."""
+        """Coefficients of the terms that depend on theta, radians at the edge, by (n, m)."""
         others = enumerate(self.terms[self.symmetric :], self.symmetric)
         return MappingProxyType({term: np.asarray(self.edge[..., j]) for j, term in others})
 
@@ -510,12 +510,12 @@ class Wavefront(EqualByContent, display.Shown):
 
     @property
     def radial(self) -> bool:
-        """Whether the phase depends on rho only: no other term, or none but zeros."""
+        """True if the phase depends on rho only."""
         return self.symmetric == len(self.terms) or not self.edge[..., self.symmetric :].any()
 
     @property
     def waves(self) -> dict[str, Array]:
-        """Seidel coefficients W020, W040, W060, ... in waves: the radially symmetric part."""
+        """Seidel coefficients W020, W040, W060, ... of the radially symmetric part, waves."""
         names = [f"W0{2 * k}0" for k in range(1, 1 + self.coefficients.shape[-1])]
         return {name: self.coefficients[..., k] / (2 * math.pi) for k, name in enumerate(names)}
 
@@ -531,7 +531,7 @@ class Wavefront(EqualByContent, display.Shown):
 
     @cached_property
     def coefficients(self) -> Array:
-        """Coefficients of t, t^2, ... with t = rho^2, radians: the radially symmetric part."""
+        """Coefficients of rho^2, rho^4, ... of the radially symmetric part, radians."""
         if self._powers is not None:
             return self._powers
         powers = zernike.powers_of_edge(self.radial_terms)
@@ -543,30 +543,30 @@ class Wavefront(EqualByContent, display.Shown):
         return dict(zip(self.terms, np.moveaxis(self.edge, -1, 0), strict=True))
 
     def amplitudes(self) -> dict[Term, float]:
-        """Return the largest amplitude in the stack of cosine and sine together by (n, abs(m)), of terms not 0."""
+        """Return amplitudes ``sqrt(cosine^2 + sine^2)`` of nonzero terms by (n, abs(m)); the largest in a stack."""
         sizes: dict[Term, Array] = {}
         for (n, m), c in self.edge_terms().items():
-            # a cos m theta + b sin m theta is one wave of the amplitude sqrt(a^2 + b^2).
+            # a cos(m theta) + b sin(m theta) has the amplitude sqrt(a^2 + b^2).
             sizes[n, abs(m)] = np.hypot(sizes.get((n, abs(m)), 0.0), c)
         return {term: float(size.max()) for term, size in sizes.items() if size.any()}
 
     @cached_property
     def flat(self) -> bool:
-        """Whether the phase is zero everywhere, and it is not a stack."""
+        """True for a single wavefront whose phase and `error` are zero."""
         return not (self.edge.any() or self.error or self.shape)
 
     @property
     def left_out(self) -> float:
-        """Bound on the phase that the terms do not represent, radians: `error`, and rounding where powers cancel."""
-        return self.error + (0.0 if self._powers is None or self.symmetric <= 2 else self._lost)
+        """Bound on the phase that the terms do not represent, radians: `error` plus rounding of converted powers."""
+        return self.error + (0.0 if self._powers is None or self.symmetric <= 2 else self._conversion_error)
 
     @cached_property
-    def _lost(self) -> float:
-        lost = zernike.conversion_error(self.coefficients)
-        # Certificate, "Model error of a wavefront", "Powers of rho": cancellation below roundings counted in section
-        # 4 is not counted twice.
-        rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
-        return float(lost.max()) if np.any(lost > rounded) else 0.0
+    def _conversion_error(self) -> float:
+        """Bound on the rounding errors of converting powers of rho to Zernike terms, radians."""
+        errors = zernike.conversion_error(self.coefficients)
+        # Section 4 of docs/certificate.md already includes errors up to one rounding of the terms.
+        rounding = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
+        return float(errors.max()) if np.any(errors > rounding) else 0.0
 
     def __len__(self) -> int:
         """Return the length of the first axis of a stack."""
@@ -575,26 +575,26 @@ class Wavefront(EqualByContent, display.Shown):
         return self.shape[0]
 
     def __bool__(self) -> bool:
-        """Return True; Python would otherwise ask for the length, which a single wavefront lacks."""
+        """Return True; Python would otherwise call `__len__`, which raises TypeError for a single wavefront."""
         return True
 
     def __getitem__(self, index: Index) -> Self:
-        """Return part of a stack, indexed as an array of its shape."""
+        """Return part of a stack, indexed like an array of shape `shape`."""
         if self.shape == ():
             raise TypeError("a single wavefront cannot be indexed")
 
         def part(columns: Array) -> Array:
             return np.stack([column[index] for column in np.moveaxis(columns, -1, 0)], axis=-1)
 
-        return self._each(part)
+        return self._map_coefficients(part)
 
     def broadcast(self, shape: tuple[int, ...]) -> Self:
-        """Return the stack broadcast to `shape`, at most 2^28; TypeError or ValueError if that is impossible."""
-        wanted = validation.stack_shape(shape, self.shape)
-        return self._each(lambda c: np.broadcast_to(c, (*wanted, c.shape[-1])).copy())
+        """Return the stack broadcast to `shape`, at most 2^28 wavefronts; TypeError or ValueError if impossible."""
+        stack = validation.stack_shape(shape, self.shape)
+        return self._map_coefficients(lambda c: np.broadcast_to(c, (*stack, c.shape[-1])).copy())
 
-    def _each(self, change: Callable[[Array], Array], growth: float = 1.0) -> Self:
-        """Return the wavefront with `change` applied to its coefficients and its error multiplied by `growth`."""
+    def _map_coefficients(self, change: Callable[[Array], Array], growth: float = 1.0) -> Self:
+        """Apply the linear map `change` to coefficient arrays (..., terms), and multiply `error` by `growth`."""
         powers = None if self._powers is None else change(self._powers)
         return self.trusted(self.terms, change(self.edge), growth * self.error, powers)
 
@@ -602,7 +602,7 @@ class Wavefront(EqualByContent, display.Shown):
         """Return the same stack with the shape ``(n,)``; a single wavefront becomes a stack of one."""
         if self.edge.ndim == 2:
             return self
-        return self._each(lambda c: c.reshape(-1, c.shape[-1]).copy())
+        return self._map_coefficients(lambda c: c.reshape(-1, c.shape[-1]).copy())
 
     def __add__(self, other: object) -> Self:
         """Return the sum of two wavefronts."""
@@ -611,7 +611,7 @@ class Wavefront(EqualByContent, display.Shown):
         shape = common_shape("wavefronts to add", {"first": self, "second": other})
         terms = self.terms
         if other.terms != terms:
-            # Radial terms first and without gaps, then the others in order: equal sums get equal terms.
+            # A canonical order of the terms: radial terms without gaps, then the others, sorted.
             others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
             terms = (*symmetric_terms(max(self.symmetric, other.symmetric)), *sorted(others))
         edge = np.zeros((*shape, len(terms)))
@@ -631,8 +631,8 @@ class Wavefront(EqualByContent, display.Shown):
     def __mul__(self, factor: float) -> Self:
         """Return the wavefront times a number."""
         f = validation.real("factor", factor)
-        with np.errstate(over="ignore"):  # refused below where not finite
-            return self._each(lambda c: f * c, abs(f))
+        with np.errstate(over="ignore"):  # trusted() rejects an infinite result
+            return self._map_coefficients(lambda c: f * c, abs(f))
 
     __rmul__ = __mul__
     # NumPy would otherwise multiply each element of an array by the wavefront instead of calling __rmul__.
@@ -642,7 +642,7 @@ class Wavefront(EqualByContent, display.Shown):
         """Return the wavefront divided by a number."""
         d = validation.real("divisor", divisor)
         if d == 0 or math.isinf(1.0 / d):
-            raise ValueError(f"divisor must not be 0, nor so close to it, got {d:g}")
+            raise ValueError(f"divisor must not be 0 or so small that 1 / divisor overflows, got {d:g}")
         return self * (1.0 / d)
 
     def __neg__(self) -> Self:
@@ -676,17 +676,18 @@ class Wavefront(EqualByContent, display.Shown):
         rho : array_like
             Pupil radius, 0 to 1.
         theta : array_like, default 0
-            Angle, radians from x towards y.
+            Pupil angle, radians from x towards y.
 
         Returns
         -------
         ndarray, shape ``shape + s``
-            s is the shape that `rho` and `theta` broadcast to.
+            s is the common shape of `rho` and `theta` after broadcasting.
 
         Raises
         ------
         TypeError, ValueError
-            If they are not real and finite, do not broadcast, or a radius is negative or above 1000.
+            If `rho` or `theta` is not real and finite, if they do not broadcast, or if a radius is negative or above
+            1000.
         """
         points = validation.real_array("rho", rho, least=0.0, most=_FAR), validation.real_array("theta", theta)
         r, angle = validation.broadcast("rho and theta", *points)
@@ -697,31 +698,32 @@ class Wavefront(EqualByContent, display.Shown):
         return total
 
     def rotated(self, angle: ArrayLike) -> Self:
-        """Return the wavefront rotated by an `angle`, radians from x towards y: clockwise in a picture.
+        """Return the wavefront rotated by an `angle`, radians from x towards y: clockwise if y points down.
 
-        ``phase'(rho, theta) = phase(rho, theta - angle)``, and the image turns by the same angle. Exact but for
-        rounding. Angles broadcast with the stack; TypeError or ValueError if they are not finite or do not broadcast.
+        ``rotated.phase(rho, theta) = phase(rho, theta - angle)``, exact up to rounding; the image rotates by the same
+        angle. Angles broadcast with the stack. Raises TypeError or ValueError if an angle is not finite or if the
+        shapes do not broadcast.
         """
-        turn = validation.real_array("angle", angle)
-        shape = common_shape("angle and the stack", {"angle": turn, "the stack": self})
-        here = self if shape == self.shape else self.broadcast(shape)
-        turned = zernike.rotated(dict(self.nonradial), turn)
-        terms = (*self.terms[: self.symmetric], *sorted(turned))
-        edge = _columns([turned[term] if term[1] else here.edge[..., j] for j, term in enumerate(terms)], shape)
-        return self.trusted(terms, edge, self.error, here._powers)
+        angles = validation.real_array("angle", angle)
+        shape = common_shape("angle and the stack", {"angle": angles, "the stack": self})
+        stack = self if shape == self.shape else self.broadcast(shape)
+        nonradial = zernike.rotated(dict(self.nonradial), angles)
+        terms = (*self.terms[: self.symmetric], *sorted(nonradial))
+        edge = _columns([nonradial[term] if term[1] else stack.edge[..., j] for j, term in enumerate(terms)], shape)
+        return self.trusted(terms, edge, self.error, stack._powers)
 
     def flipped(self, axis: str) -> Self:
-        """Return the mirror image, exactly: `axis` "x" exchanges left and right, "y" up and down; else ValueError."""
+        """Return the mirror image, without rounding: "x" exchanges left and right, "y" exchanges top and bottom."""
         validation.choice("axis", axis, ("x", "y"))
-        # theta -> -theta for "y", theta -> pi - theta for "x": sines change sign, or odd orders and even sines.
+        # "y": theta -> -theta reverses sines. "x": theta -> pi - theta reverses odd cosines and even sines.
         signs = np.array([(-1.0 if m < 0 else 1.0) * (-1.0 if axis == "x" and m % 2 else 1.0) for _, m in self.terms])
         return self.trusted(self.terms, signs * self.edge, self.error, self._powers)
 
     def scaled(self, radius: ArrayLike) -> Self:
-        """Return the wavefront across a smaller, concentric pupil: ``phase'(rho, theta) = phase(radius rho, theta)``.
+        """Return the wavefront across a smaller, concentric pupil of a `radius` relative to this pupil's, (0, 1].
 
-        Exact but for rounding and piston. `radius` is over that of this pupil, above 0 and at most 1; radii broadcast
-        with the stack. TypeError or ValueError if one is out of range or they do not broadcast.
+        ``scaled.phase(rho, theta) = phase(radius * rho, theta)``, exact up to piston and rounding. Radii broadcast
+        with the stack. Raises TypeError or ValueError if a radius is out of range or if the shapes do not broadcast.
 
         References
         ----------
@@ -733,12 +735,12 @@ class Wavefront(EqualByContent, display.Shown):
             bad = eps[~((eps > 0.0) & (eps <= 1.0))].flat[0]
             raise ValueError(f"radius must be > 0 and <= 1, got {bad:g}")
         shape = common_shape("radius and the stack", {"radius": eps, "the stack": self})
-        found = zernike.scaled(self.edge_terms(), np.broadcast_to(eps, shape))
-        terms = (*symmetric_terms(self.symmetric), *sorted(term for term in found if term[1]))
-        edge = _columns([found[term] for term in terms], shape)
+        scaled = zernike.scaled(self.edge_terms(), np.broadcast_to(eps, shape))
+        terms = (*symmetric_terms(self.symmetric), *sorted(term for term in scaled if term[1]))
+        edge = _columns([scaled[term] for term in terms], shape)
         powers = None
         if self._powers is not None:
-            # phase(radius rho): each power of rho^2 is multiplied by radius^2.
+            # The coefficient of rho^(2 k) is multiplied by radius^(2 k).
             powers = self._powers * eps[..., None] ** (2.0 * np.arange(1, 1 + self.symmetric))
         return self.trusted(terms, edge, self.error, powers)
 
@@ -746,18 +748,18 @@ class Wavefront(EqualByContent, display.Shown):
         if self._powers is None:
             terms = {t: c for t, c in self.edge_terms().items() if np.any(c)}
             error = f", error={self.error:.3g}" if self.error else ""
-            return f'Wavefront.zernike({_listed(terms)}, normalization="edge"{error})'
-        shown = [f"defocus={_short(self.defocus, shape=True)}", f"spherical={_short(self.spherical)}"]
+            return f'Wavefront.zernike({_terms_text(terms)}, normalization="edge"{error})'
+        shown = [f"defocus={_number_text(self.defocus, shape=True)}", f"spherical={_number_text(self.spherical)}"]
         if self.higher:
-            shown.append(f"higher=({', '.join(_short(c) for c in self.higher)},)")
+            shown.append(f"higher=({', '.join(_number_text(c) for c in self.higher)},)")
         if self.nonradial:
-            shown.append(f"nonradial={_listed(self.nonradial)}")
+            shown.append(f"nonradial={_terms_text(self.nonradial)}")
         if self.error:
             shown.append(f"error={self.error:.3g}")
         return f"Wavefront({', '.join(shown)})"
 
     def in_words(self) -> str:
-        """Return the largest terms, radians at the edge of the pupil, and how many more there are."""
+        """Describe the three largest terms, radians at the edge of the pupil, and the number of other terms."""
         sizes = self.amplitudes()
         if sizes.keys() <= {(2, 0)}:
             ends = dict.fromkeys(f"{c:.4g}" for c in (self.defocus.min(), self.defocus.max()))
@@ -772,25 +774,25 @@ class Wavefront(EqualByContent, display.Shown):
         if self._powers is None:
             plain: Json = {"terms": [[n, m, c.tolist()] for (n, m), c in self.edge_terms().items()]}
         else:
-            # Where all of a stack are equal one number is written; the defocus keeps the shape.
+            # A coefficient that is constant over the stack becomes one number; the defocus keeps the stack's shape.
             plain = {
                 "defocus": self.defocus.tolist(),
-                "spherical": _once_or_all(self.spherical),
-                "higher": [_once_or_all(c) for c in self.higher],
+                "spherical": _constant_or_list(self.spherical),
+                "higher": [_constant_or_list(c) for c in self.higher],
             }
             if self.nonradial:
-                plain["nonradial"] = [[n, m, _once_or_all(c)] for (n, m), c in self.nonradial.items()]
+                plain["nonradial"] = [[n, m, _constant_or_list(c)] for (n, m), c in self.nonradial.items()]
         if self.error:
             plain["error"] = self.error
         return plain
 
     @classmethod
     def from_dict(cls, description: Json) -> Self:
-        """Rebuild a wavefront from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
+        """Rebuild a wavefront from the result of :meth:`to_dict`; TypeError or ValueError for other dictionaries."""
         parts = dict(description)
         if "terms" in parts:
-            given = [((n, m), c) for n, m, c in parts.pop("terms")]
-            return cls.zernike(given, normalization="edge", **parts)
+            pairs = [((n, m), c) for n, m, c in parts.pop("terms")]
+            return cls.zernike(pairs, normalization="edge", **parts)
         listed = parts.pop("nonradial", [])
         others = {(n, m): c for n, m, c in listed}
         if len(others) < len(listed):
@@ -798,90 +800,91 @@ class Wavefront(EqualByContent, display.Shown):
         return cls(**parts, nonradial=others)
 
 
-def _once_or_all(value: Array) -> object:
+def _constant_or_list(value: Array) -> object:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
 
 
 def _edge_factor(term: Term, normalization: str) -> float:
-    """Return the value at the edge of the pupil of a term with the coefficient 1."""
+    """Return the coefficient at the edge of a Zernike term over the disc whose coefficient is 1."""
     return zernike.rms_factor(*term) if normalization == "rms" else 1.0
 
 
-def _over_disc(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
-    """Return coefficients at the edge of terms over the disc, from those of annular ones times _edge_factor()."""
-    # An annular term is a sum of terms over the disc of the same order and lower degree.
+def _edge_from_annular(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
+    """Return edge coefficients of terms over the disc from annular coefficients times _edge_factor()."""
+    # An annular term is a sum of terms over the disc with the same m and at most the same n.
     rms = {(n, m): c / _annular_factor((n, m), normalization, eps) for (n, m), c in terms.items()}
     return {term: zernike.rms_factor(*term) * c for term, c in zernike.over_disc(rms, eps).items()}
 
 
-def _annular(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
-    """Return what :func:`_over_disc` makes `terms` of, without piston."""
+def _annular_from_edge(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
+    """Return the inverse of :func:`_edge_from_annular`, without piston and without coefficients of rounding size."""
     rms = zernike.over_annulus({term: c / zernike.rms_factor(*term) for term, c in terms.items()}, eps)
-    least = 1e-14 * max((float(np.abs(c).max()) for c in rms.values()), default=0.0)  # rounding errors
-    kept = {term: c for term, c in rms.items() if term != (0, 0) and np.abs(c).max() > least}
-    return {term: c * _annular_factor(term, normalization, eps) for term, c in kept.items()}
+    threshold = 1e-14 * max((float(np.abs(c).max()) for c in rms.values()), default=0.0)
+    nonzero = {term: c for term, c in rms.items() if term != (0, 0) and np.abs(c).max() > threshold}
+    return {term: c * _annular_factor(term, normalization, eps) for term, c in nonzero.items()}
 
 
 def _annular_factor(term: Term, normalization: str, eps: float) -> float:
-    """Return the coefficient times _edge_factor() of an annular term of rms 1."""
+    """Return the annular coefficient times _edge_factor() of an annular term with an rms of 1."""
     return zernike.rms_factor(*term) if normalization == "rms" else zernike.annular_edge(*term, eps)
 
 
-def _listed(terms: Mapping[Term, Array]) -> str:
-    return f"{{{', '.join(f'{t}: {_short(c)}' for t, c in terms.items())}}}"
+def _terms_text(terms: Mapping[Term, Array]) -> str:
+    return f"{{{', '.join(f'{t}: {_number_text(c)}' for t, c in terms.items())}}}"
 
 
-def _short(value: Array, *, shape: bool = False) -> str:
+def _number_text(value: Array, *, shape: bool = False) -> str:
     if value.ndim == 0 or (not shape and value.min() == value.max()):
         return repr(float(value.flat[0]))
     return f"<array {value.shape} from {value.min():g} to {value.max():g}>"
 
 
 def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
-    """Return a wavefront of one wavelength at another, metres: the same optical path differences, no dispersion."""
+    """Convert a wavefront at the wavelength `known` to `wavelength`, metres, with equal optical path differences."""
     return known / wavelength * wavefront
 
 
-_DEGREE = 80  # of the series that is cut
-_LEAST, _MOST = 2, zernike.MAX_DEGREE // 2  # terms that are kept
-_ROUNDING = 2.0**-47
+_DEGREE = 80  # degree of the Chebyshev series of the phase of defocus before truncation
+_MIN_TERMS, _MAX_TERMS = 2, zernike.MAX_DEGREE // 2  # number of radial terms after truncation
+_ROUNDING = 2.0**-47  # bound on rounding errors relative to the sum of absolute coefficients
 
 
 @lru_cache(maxsize=4)
 def _chebyshev_to_legendre(degree: int) -> Array:
-    """Return the coefficients of P_j in T_k, shape ``(degree + 1, degree + 1)``, [k, j]."""
+    """Return the coefficient [k, j] of the Legendre polynomial P_j in the Chebyshev polynomial T_k, 0 to `degree`."""
     # B. K. Alpert and V. Rokhlin, SIAM J. Sci. Stat. Comput. 12, 158 (1991), Eq. 2.20, doi:10.1137/0912009.
     ratio = [math.sqrt(math.pi), 2.0 / math.sqrt(math.pi)]  # Gamma(z + 1/2) / Gamma(z + 1) at z = 0, 1/2, ...
     for i in range(2, 2 * degree + 1):
         ratio.append(ratio[i - 2] * (i - 1) / i)
-    found = np.zeros((degree + 1, degree + 1))
-    found[0, 0] = 1.0
+    matrix = np.zeros((degree + 1, degree + 1))
+    matrix[0, 0] = 1.0
     for k in range(1, degree + 1):
-        found[k, k] = 0.5 * math.sqrt(math.pi) / ratio[2 * k]
+        matrix[k, k] = 0.5 * math.sqrt(math.pi) / ratio[2 * k]
         for j in range(k - 2, -1, -2):
-            found[k, j] = -k * (j + 0.5) * ratio[k - j - 2] / (k - j) * ratio[k + j - 1] / (k + j + 1)
-    return found
+            matrix[k, j] = -k * (j + 0.5) * ratio[k - j - 2] / (k - j) * ratio[k + j - 1] / (k + j + 1)
+    return matrix
 
 
 def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
-    """Return the path difference W at ``rho^2 = t``, metres.
+    """Return the path difference W of the module docstring at ``rho^2 = t``, metres.
 
     Parameters
     ----------
     t : ndarray, shape (t,)
+        Squares of the pupil radius, 0 to 1.
     radius : float
-        Of the pupil, metres.
+        Radius of the pupil, metres.
     sphere : float
-        Curvature a of the reference sphere, 1/metres: positive where light diverges from its centre.
+        Curvature a of the reference sphere, 1/metres: positive if light diverges from its centre.
     vergence : ndarray, shape (n,)
-        Difference delta of the curvature of the wave, 1/metres.
+        Curvature of the wave minus curvature of the reference sphere, delta, 1/metres.
 
     Returns
     -------
     ndarray, shape (n, t)
-        Metres.
+        Path difference, metres.
     """
-    # Written without differences of nearly equal numbers; docs/theory.md has the derivation.
+    # The formula avoids differences of nearly equal numbers; docs/theory.md derives it.
     square = radius**2 * t
     p = square / (1.0 + np.sqrt(1.0 - sphere**2 * square))
     delta = vergence[:, None]
@@ -889,9 +892,9 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
 
 
 def growth(radius: float, sphere: float, vergence: float) -> float:
-    """Bound the range of Im W across the pupil per Im delta, metres^2, for ``|delta| <= vergence``."""
-    # With ``w = 2 p (a + delta) delta``, ``W = p delta g(w)`` and ``g(w) = 2 / (1 + sqrt(1 + w))``, whose series
-    # alternates: on ``|w| <= q < 1``, ``|g - 1|`` and ``|g'|`` are largest at -q.
+    """Return a bound on (range of Im W across the pupil) / Im delta, metres^2, for ``abs(delta) <= vergence``."""
+    # With ``w = 2 p (a + delta) delta`` and ``g(w) = 2 / (1 + sqrt(1 + w))``, ``W = p delta g(w)``. The series of g
+    # alternates, so that for ``|w| <= q < 1`` the moduli ``|g - 1|`` and ``|g'|`` are largest at ``w = -q``.
     p = radius**2 / (1.0 + math.sqrt(1.0 - (sphere * radius) ** 2))
     q = 2.0 * p * (abs(sphere) + vergence) * vergence
     if not q < 1.0:
@@ -903,56 +906,59 @@ def growth(radius: float, sphere: float, vergence: float) -> float:
 
 
 def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) -> tuple[Array, float]:
-    """Return the phase ``2 pi W / wavelength`` as coefficients of R_2^0, R_4^0, ..., and a bound on their error.
+    """Return coefficients of ``2 pi W / wavelength`` in R_2^0, R_4^0, ..., and a bound on the error of the phase.
 
-    At most thirty terms of a series of degree 80 are kept. The bound, radians, is the sum of the terms cut off, the
-    truncation of the series and rounding; the constant phase does not count.
+    At most thirty terms of a Chebyshev series of degree 80 are kept. The error bound includes the omitted terms, the
+    error of the series itself and rounding; piston is ignored.
 
     Parameters
     ----------
     radius, sphere, vergence
         As of :func:`lommel.optics.wavefront.wavefront.path`.
     wavelength : float
-        Metres.
+        Wavelength, metres.
 
     Returns
     -------
     coefficients : ndarray, shape (n, k)
+        Values at the edge of the pupil, radians.
     error : float
-        The largest of the stack.
+        Bound on the error of the phase, radians; the largest of the stack.
 
     Raises
     ------
     ValueError
-        If the sine of the rim would be 1 or more, or if the object is so close that the phase has no expansion.
+        If the sine of the marginal ray's angle would be 1 or more, or if the object is so close that the phase has no
+        convergent expansion.
     """
     wavenumber = 2.0 * math.pi / wavelength
-    size = float(np.abs(vergence).max())
-    with np.errstate(over="ignore"):  # refused below
-        bend = 2.0 * float(np.abs((sphere + vergence) * vergence).max())
-    nearest = radius**2 * max(sphere**2, bend)  # one over the t within which neither root can vanish
-    if nearest >= 1.0:
+    max_vergence = float(np.abs(vergence).max())
+    with np.errstate(over="ignore"):  # an infinite value is rejected below
+        quadratic = 2.0 * float(np.abs((sphere + vergence) * vergence).max())
+    inverse_radius = radius**2 * max(sphere**2, quadratic)  # W is analytic for abs(t) < 1 / inverse_radius
+    if inverse_radius >= 1.0:
         if radius * abs(sphere) >= 1.0:
-            reason = f"the sine of the angle of its rim would be {radius * abs(sphere):.4g}"
+            reason = f"the sine of the angle of the marginal ray would be {radius * abs(sphere):.4g}"
         else:
             reason = "the object is so close that the phase has no expansion in powers of rho^2"
         raise ValueError(f"model 'aplanatic' is not possible: {reason}")
     angle = (np.arange(_DEGREE + 1, dtype=np.float64) + 0.5) * (math.pi / (_DEGREE + 1))
-    # Chebyshev interpolation in t on [0, 1]: certificate, "Model error of a wavefront", "An aplanatic phase".
+    # Chebyshev interpolation in t on [0, 1]; docs/certificate.md, "An aplanatic phase", proves the error bound.
     values = wavenumber * path(0.5 + 0.5 * np.cos(angle), radius, sphere, vergence)
     series = values @ np.cos(np.outer(angle, np.arange(_DEGREE + 1))) * (2.0 / (_DEGREE + 1))
     series[:, 0] *= 0.5
-    # On the ellipse through t = 1 / nearest both roots have a positive real part, hence |W| <= 2 R^2 |t| delta.
-    reach = 1.0 / max(nearest, 1e-6)
-    ellipse = 2.0 * reach - 1.0 + 2.0 * math.sqrt(reach * (reach - 1.0))
-    beyond = 8.0 * wavenumber * radius**2 * reach * size * ellipse**-_DEGREE / (ellipse - 1.0)
+    # Inside the Bernstein ellipse through t_max both square roots of W have a positive real part, which implies |W|
+    # <= 2 R^2 |t| |delta|; `ellipse` is the sum of the ellipse's semiaxes on the interval [-1, 1].
+    t_max = 1.0 / max(inverse_radius, 1e-6)
+    ellipse = 2.0 * t_max - 1.0 + 2.0 * math.sqrt(t_max * (t_max - 1.0))
+    series_error = 8.0 * wavenumber * radius**2 * t_max * max_vergence * ellipse**-_DEGREE / (ellipse - 1.0)
     total = np.abs(series).sum(axis=1).max()
-    tails = np.abs(series[:, ::-1]).cumsum(axis=1)[:, ::-1].max(axis=0)  # from each term on
-    enough = 4.0 * _ROUNDING * total  # what roundings of the series leave is less
-    degree = next((k for k in range(_LEAST, _MOST) if tails[k + 1] <= enough), _MOST)
+    tails = np.abs(series[:, ::-1]).cumsum(axis=1)[:, ::-1].max(axis=0)  # tails[k]: sum of abs(terms) from k on
+    threshold = 4.0 * _ROUNDING * total  # above the rounding errors of the series
+    degree = next((k for k in range(_MIN_TERMS, _MAX_TERMS) if tails[k + 1] <= threshold), _MAX_TERMS)
     terms = series[:, : degree + 1] @ _chebyshev_to_legendre(degree)
     rounding = _ROUNDING * (total + np.abs(terms).sum(axis=1).max())
-    return terms[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0
+    return terms[:, 1:], float(tails[degree + 1] + series_error + rounding) if max_vergence else 0.0
 
 
 def wavefront(radius: float, sphere: float, vergence: Array, wavelength: float) -> Wavefront:

@@ -344,7 +344,10 @@ NOISE = lm.Noise(white=1e4, read=3.0)
         (lambda: lm.Wavefront.zernike({11: 1e308}, order="noll"), "must be finite"),
         (lambda: lm.mse(HUGE, np.ones((3, 3))), "values and reference must not differ so much"),
         (lambda: lm.mse(-HUGE, HUGE), "values and reference must not differ so much"),
-        (lambda: lm.measures.errors.peak_error(HUGE, np.full((3, 3), 1e-300)), "values and reference must not differ so much"),
+        (
+            lambda: lm.measures.errors.peak_error(HUGE, np.full((3, 3), 1e-300)),
+            "values and reference must not differ so much",
+        ),
         (lambda: lm.psf(PUPIL, 5, 1e-6, derivatives=0.5, blur=lm.Jitter(1e-6)), "derivatives must be a sequence"),
         (lambda: lm.ColourPSF(lm.Channels.rgb(), 1e9), "psfs must be a PSF for each of the 3 channels, got 1"),
         (lambda: NOISE.record(np.ones((2, 2)), seed="a" * 10000), "seed must be an integer >= 0 or a Generator"),

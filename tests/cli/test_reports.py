@@ -35,7 +35,7 @@ def test_pixels_of_a_sensor_average_unless_told_otherwise(call_lommel, lenses, t
     assert facts["sampling"] == made.sampling == sampling
     if sampling == "center":
         assert facts["sum"] == pytest.approx(float(expected.values.sum(dtype=float)))
-        assert f"The values sum to {facts['sum']:.4g}, not to the light" in shown.stdout
+        assert f"The sum of the values, {facts['sum']:.4g}, is not the light" in shown.stdout
     else:
         assert facts["sum"] is None
         assert expected.values.sum() == pytest.approx(facts["energy"], rel=1e-4)

@@ -123,7 +123,7 @@ def test_an_object_is_in_focus_unless_told_otherwise(load):
     assert load(text=without).object_distance == load().lens.focus_distance == pytest.approx(2.0)
     assert load('distance = "inf"').object_distance == math.inf
     inside = without.replace('focus_distance = "2 m"', 'sensor_distance = "10 mm"')
-    with pytest.raises(LensFileError, match=r"object.distance: must be given where the sensor lies inside"):
+    with pytest.raises(LensFileError, match=r"object.distance: must be given for a sensor closer than the focal"):
         load(text=inside)
 
 

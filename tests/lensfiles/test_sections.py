@@ -536,7 +536,7 @@ def test_pixels_may_have_two_sides_and_an_active_part(tmp_path, lenses):
     assert found.pixel == (4e-6, 6e-6)
     assert found.pitch == (4e-6, 6e-6)
     assert found.sensor_options == {"integrate": None, "fill": (0.9, 0.5)}
-    with pytest.raises(ValueError, match="pixel must be square"):
+    with pytest.raises(ValueError, match="pixels must be square"):
         _ = found.side
     for wrong, message in (
         ('pixel = ["4 um", "6"]', "sensor.pixel"),

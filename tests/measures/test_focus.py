@@ -205,9 +205,9 @@ def test_what_is_no_stack_over_z_is_refused():
         for ask in (lambda of: of.z, lambda of: of.axial_fwhm()):
             with pytest.raises(ValueError, match=said):
                 ask(answer)
-    with pytest.raises(ValueError, match="takes at least 4 planes, got 3"):
+    with pytest.raises(ValueError, match="needs at least 4 planes, got 3"):
         made(depth=0.0, z=z[:3]).axial_fwhm()
-    with pytest.raises(ValueError, match="do not fall to half of the largest on both sides within the stack"):
+    with pytest.raises(ValueError, match="must extend in z until the light falls to half of its maximum"):
         made(depth=0.0, z=0.5 * z).axial_fwhm()
 
 

@@ -41,7 +41,7 @@ def test_a_difference_is_drawn_over_the_peak_on_a_scale_that_is_the_same_both_wa
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (µm)", "y (µm)")
     rms = math.sqrt(lm.mse(other, psf))
     assert axes.get_title() == f"largest difference {lm.peak_error(other, psf):.2g} of the peak, rms {rms:.2g}"
-    assert axes.figure.axes[1].get_ylabel() == "difference over the peak"
+    assert axes.figure.axes[1].get_ylabel() == "difference / peak"
     axes.figure.canvas.draw()
 
 
@@ -139,7 +139,7 @@ def test_of_other_apertures_the_curves_are_drawn():
 
 
 def test_a_pixel_for_what_has_one_is_refused(psf):
-    with pytest.raises(ValueError, match="pixel must be None for a PSF, which has its own, got 1e-06"):
+    with pytest.raises(ValueError, match="pixel must be None for a PSF, whose pixels are used, got 1e-06"):
         lm.show.mtf(psf, pixel=1e-6)
     with pytest.raises(TypeError, match="pupil must be a Pupil, got a Wavefront"):
         lm.show.mtf(COMA)
@@ -204,7 +204,7 @@ def test_rays_are_those_of_one_lens():
         NA=0.8, magnification=40, immersion=1.0, working_distance=1e-3, coverslip=lm.Layer(1.52, 170e-6), sample=1.33
     )
     pupil = objective.pupil(depth=0.0, wavelength=520e-9, z=0.0)
-    with pytest.raises(ValueError, match="psf must be that of a lens"):
+    with pytest.raises(ValueError, match="psf must be the PSF of a lens"):
         lm.psf(pupil, 9, 6e-6).plot_spots()
 
 

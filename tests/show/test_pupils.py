@@ -41,7 +41,7 @@ def test_the_phase_is_that_of_the_wavefront_less_its_mean_in_the_unit(unit, radi
     (image,) = axes.get_images()
     assert image.get_extent() == [-1, 1, 1, -1]  # y rises downwards
     assert image.norm.vmin == -image.norm.vmax == -np.nanmax(np.abs(values))
-    assert axes.figure.axes[1].get_ylabel() == f"phase, less its mean ({unit})"
+    assert axes.figure.axes[1].get_ylabel() == f"phase minus its mean ({unit})"
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (pupil radii)", "y (pupil radii)")
     spread = np.nanmax(values) - np.nanmin(values)
     rms = lm.rms(lm.Pupil(WAVEFRONT, obscuration=0.4)) / radians
@@ -75,7 +75,10 @@ def test_the_amplitude_is_that_of_apodization_and_mask_and_nothing_where_light_i
     np.testing.assert_allclose(np.nan_to_num(values), truth, atol=1e-12)
     np.testing.assert_array_equal(np.isnan(values), truth == 0.0)
     assert axes.get_images()[0].get_clim() == (0.0, 1.0)
-    assert axes.get_title() == f"amplitude (1 = clear); {100 * pupil.transmission:.3g} % of a clear disc's light pass"
+    assert (
+        axes.get_title()
+        == f"amplitude (1 = clear); transmits {100 * pupil.transmission:.3g} % of the light of a clear disc"
+    )
 
 
 def test_the_phase_through_layers_changes_with_the_focus_as_the_immersion_says():

@@ -100,7 +100,7 @@ def test_the_fourth_axes_have_the_lines_through_the_brightest_voxel():
 def test_dark_surroundings_of_a_stack_are_cut_off_and_the_title_says_so():
     psf = stack(shape=(49, 61))
     xy, xz, yz = psf.plot()
-    said = "dark surroundings are cut off"
+    said = "dark surroundings are cropped"
     assert said in plt.gcf().get_suptitle()
     assert xy.get_xlim() == xz.get_xlim()
     assert xy.get_ylim()[::-1] == pytest.approx(yz.get_ylim()[::-1])

@@ -11,7 +11,7 @@ KINDS = {
     "class": ("notebook", "*.ipynb"),
     "notebooks": ("notebook", "*.ipynb"),
 }
-"""What the files of each folder describe, and how their names end."""
+"""Kind and file name pattern of the examples in each folder."""
 
 
 def example_files() -> dict[str, Path]:
@@ -20,12 +20,13 @@ def example_files() -> dict[str, Path]:
     Returns
     -------
     dict of str to Path
-        Files by name, as ``lommel examples`` lists them: ``"zeiss-63x-1.4-oil"``.
+        Path of each file by its name without suffix, such as ``"zeiss-63x-1.4-oil"`` (``lommel examples`` lists
+        them).
 
     Raises
     ------
     FileNotFoundError
-        If the installation lacks them.
+        If the installation lacks the example files.
 
     Examples
     --------
@@ -35,12 +36,12 @@ def example_files() -> dict[str, Path]:
     1.4
     """
     here = Path(__file__).resolve()
-    # A wheel has them within the package; in the sources they stand at the top.
+    # A wheel has the examples within the package, the source tree at its top.
     for folder in (here.parents[1] / "examples", here.parents[3] / "examples"):
         found = [path for kind, (_, ending) in KINDS.items() for path in sorted((folder / kind).glob(ending))]
         if found:
             return {path.stem: path for path in found}
-    raise FileNotFoundError(f"the examples are missing ({here.parents[1] / 'examples'}): wheels bring them")
+    raise FileNotFoundError(f"no examples in {here.parents[1] / 'examples'}: install a wheel, which includes them")
 
 
 def of_kind(kind: str) -> dict[str, Path]:

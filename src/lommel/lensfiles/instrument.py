@@ -1,4 +1,4 @@
-"""Lens and camera as described by a lens file."""
+"""Lens and camera that a lens file describes."""
 
 from __future__ import annotations
 
@@ -23,16 +23,18 @@ from lommel.show.drawing import length_in_words, name_in_words, true_minus
 
 @dataclass(frozen=True)
 class Camera:
-    """A camera sensor, as described by a file with a section [camera].
+    """Camera sensor, for example from a file with a section [camera].
+
+    `read`, `full_well`, `gain` and `offset` are None if the file does not state them.
 
     Attributes
     ----------
     name, source : str
-        Name, and source of the numbers.
+        Name of the camera, and source of its numbers.
     pixel : float or (float, float)
-        Pixel pitch in metres; height and width of pixels that are not square.
+        Pixel pitch, metres: one number for square pixels, else (height, width).
     read : float or None
-        Read noise, rms electrons. This and the following are None if the file does not state them.
+        Read noise, rms electrons.
     full_well : float or None
         Electrons at which a pixel saturates.
     gain : float or None
@@ -40,7 +42,7 @@ class Camera:
     offset : float or None
         Counts of a pixel without electrons.
     excess : float
-        Excess noise factor of electron multiplication, as of :class:`lommel.Noise`; 1 for none.
+        Excess noise factor of electron multiplication, as in :class:`lommel.Noise`; 1 without multiplication.
     """
 
     name: str
@@ -62,11 +64,12 @@ class Camera:
         return f"<Camera {self.name!r}: pixels of {pixel}{noise}{well}{excess}>"
 
     def to_dict(self) -> Json:
-        """Return the properties of the camera, except for its pixel pitch, as plain data.
+        """Return all attributes except the pixel pitch as plain data.
 
         Returns
         -------
         dict
+            Values by attribute name.
         """
         return {name: value for name, value in vars(self).items() if name != "pixel"}
 
@@ -74,16 +77,17 @@ class Camera:
     def side(self) -> float:
         """Pitch of square pixels, metres; ValueError for other pixels."""
         if not isinstance(self.pixel, float):
-            raise ValueError(f"pixel must be square, got that of {self.name!r}, {self.pixel}")
+            raise ValueError(f"pixels must be square, got {self.pixel} m for {self.name!r}")
         return self.pixel
 
     @property
     def noise(self) -> Noise:
-        """Noise of images in counts: gain (1 if not stated), read noise, offset (0 if not stated), excess.
+        """Noise model of images in counts; a gain that is not stated is 1, and an offset that is not stated is 0.
 
         Returns
         -------
         Noise
+            Noise model with gain, read noise, offset and excess noise factor.
 
         Raises
         ------
@@ -99,7 +103,7 @@ _MAX_SHOWN = 129  # largest side in pixels of the PSF shown in notebooks
 
 
 class PixelOptions(TypedDict):
-    """Arguments of :func:`lommel.psf` on pixels, other than the pitch."""
+    """Arguments of :func:`lommel.psf` that describe pixels, without the pitch."""
 
     integrate: bool | None
     fill: tuple[float, float]
@@ -107,25 +111,26 @@ class PixelOptions(TypedDict):
 
 @dataclass(frozen=True)
 class Instrument:
-    """A lens with its object and sensor, as described by a lens file.
+    """Lens with object and sensor, for example from a lens file.
 
     Attributes
     ----------
     name, source : str
-        Name, and source of the numbers.
+        Name of the lens, and source of its numbers.
     lens : Lens
+        Lens with its on-axis aberrations.
     object_distance : float
         Object distance in metres.
     pixel : float or (float, float)
-        Pixel pitch in metres; height and width of pixels that are not square.
+        Pixel pitch, metres: one number for square pixels, else (height, width).
     shape : tuple of int, or None
         Height and width of the window in pixels, if the file states them; see :attr:`window`.
     radii : dict of str to float
         Radii on the sensor (metres) for encircled energies; keys are the texts in the file.
     sensor : tuple of float, or None
-        Height and width of the whole sensor, metres, if the file has a section [field].
+        Height and width of the whole sensor, metres; None if the file has no section [field].
     aberrations_of_field : FieldMap, or None
-        Aberrations of the field, added to those of the lens.
+        Field-dependent aberrations, which are added to the aberrations of `lens`.
     integrate : bool or None
         Pixel-integrated or point-sampled values, as in :func:`lommel.psf`; None if not stated.
     fill : (float, float)
@@ -197,12 +202,14 @@ class Instrument:
     def side(self) -> float:
         """Pitch of square pixels with a fill factor of 1; ValueError for other pixels."""
         if not isinstance(self.pixel, float) or self.fill != (1.0, 1.0):
-            raise ValueError(f"pixel must be square, and all of it active, got pixel={self.pixel}, fill={self.fill}")
+            raise ValueError(
+                f"pixels must be square with a fill factor of 1, got pixel={self.pixel}, fill={self.fill}"
+            )
         return self.pixel
 
     @property
     def sensor_options(self) -> PixelOptions:
-        """Arguments of :func:`lommel.psf` on pixels, other than the pitch."""
+        """Arguments of :func:`lommel.psf` that describe pixels, without the pitch."""
         return {"integrate": self.integrate, "fill": self.fill}
 
     @property
@@ -211,25 +218,27 @@ class Instrument:
         return self.shape or (max(33, min(wide_enough(self.pupil(), min(self.pitch)), 1025)),) * 2
 
     def pupil(self) -> Pupil:
-        """Return the pupil for the object of the file.
+        """Return the pupil on the axis for `object_distance`.
 
         Returns
         -------
         Pupil
+            Pupil with the on-axis aberrations of the lens.
 
         Raises
         ------
         TypeError, ValueError
-            As :meth:`lommel.Lens.pupil`.
+            On the conditions of :meth:`lommel.Lens.pupil`.
         """
         return self.lens.pupil(self.object_distance)
 
     def field(self) -> FieldMap:
-        """Return the aberrations over the field, including those of the lens, for the object of the file.
+        """Return the aberrations over the field, including the aberrations of `lens`, for `object_distance`.
 
         Returns
         -------
         FieldMap
+            Sum of on-axis and field-dependent aberrations.
 
         Raises
         ------
@@ -245,7 +254,7 @@ class Instrument:
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:
     """Return the odd side, in pixels, of a square around the axis that contains about 98 % of the light."""
-    # At x lambda*N from the edge of the geometric blur 2 / (pi^2 x) of the light is still outside, by diffraction;
-    # more for an annulus, whose edges are long for its area.
+    # Diffraction spreads the fraction 2 / (pi^2 x) of the light farther than x lambda*N beyond the geometric blur,
+    # and for an annulus more, by the factor 1 / (1 - obscuration).
     tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
     return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1

@@ -1,4 +1,4 @@
-"""Lens files in TOML: apertures, wavefronts, objects and sensors, or ranges of these for random lenses."""
+"""Lens files in TOML: a lens with its object and sensor, or ranges of lens parameters for random lenses."""
 
 from __future__ import annotations
 
@@ -75,13 +75,13 @@ class _Spider(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return what is wrong where the vanes are not given one way."""
+        """Return the error message unless exactly one of `vanes` and `angles` is present."""
         if ("vanes" in given) == ("angles" in given):
-            return "needs vanes, a number of them at equal angles, or angles: exactly one of the two"
+            return "needs vanes (their number, at equal angles) or angles: exactly one of the two"
         return "first has no meaning with angles" if {"angles", "first"} <= set(given) else None
 
     def spider(self, radius: float) -> Spider:
-        """Return the vanes of an aperture of this radius (metres)."""
+        """Return the spider in an aperture of this radius, metres."""
         if not self.width < 2.0 * radius:
             raise ValueError(f"must be below the diameter of the aperture, {2.0 * radius:g} m, got {self.width:g} m")
         width = self.width / radius
@@ -110,16 +110,15 @@ class _CatEye(BuiltSection):
 
 class _Mask(Section):
     holds: Literal["amplitude", "intensity"] = "amplitude"
-    # Becomes the mask, read once `holds` is known.
-    file: object
+    file: object  # validation replaces the file name by the mask, which depends on `holds`
 
     @field_validator("file")
     @classmethod
     def _file(cls, value: object, info: ValidationInfo) -> object:
         if "holds" not in info.data:
             return value  # `holds` has an error of its own
-        wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
-        mask = Mask(read_beside(info.context, value, wanted, _read_transmission))
+        entry = f"the name of a file, {', '.join(_SUFFIXES)}"
+        mask = Mask(read_beside(info.context, value, entry, _read_transmission))
         if info.data["holds"] == "amplitude":
             return mask
         if mask.values.dtype.kind == "c":
@@ -128,7 +127,7 @@ class _Mask(Section):
 
 
 def _read_transmission(path: Path) -> Values:
-    """Read a square of transmissions from 0 to 1: an array (.npy), a FITS image, or a grey picture with white = 1."""
+    """Read transmissions from 0 to 1 from an array (.npy), a FITS image or a grey picture, whose white is 1."""
     if not path.name.lower().endswith(_SUFFIXES):
         raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
     if path.suffix.lower() == ".npy":
@@ -141,7 +140,7 @@ def _read_transmission(path: Path) -> Values:
         data = reading.contents(path)
         try:
             return fits_images.read(data, MAX_SIDE**2)[0].values
-        except Exception as error:  # of astropy
+        except Exception as error:  # astropy raises various errors
             raise ValueError(f"{path.name!r} is not a FITS image: {reading.reason(error)}") from None
     try:
         values = read_raster(path)[0]
@@ -153,17 +152,15 @@ def _read_transmission(path: Path) -> Values:
 
 
 class _Metres(float):
-    """A length in metres, where other numbers are over the radius of the aperture."""
+    """A length in metres; plain numbers are lengths in units of the radius of the aperture."""
 
 
 def _extent(value: object) -> float:
-    """Return a length of a shape: a text with a unit, or a number over the radius of the aperture."""
+    """Return a length of a shape from a text with a unit, or from a number in units of the aperture's radius."""
     if isinstance(value, str):
         return _Metres(finite(parse_length(value, "50 mm")))
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(
-            f"must be a length with a unit or a number over the radius of the aperture, got {validation.shown(value)}"
-        )
+        raise ValueError(f"must be a length with a unit or a number in aperture radii, got {validation.shown(value)}")
     return finite(float(value))
 
 
@@ -171,15 +168,16 @@ _Extent = Annotated[float, PlainValidator(_extent)]
 _Point = tuple[_Extent, _Extent]
 
 
-def _over(extent: float, radius: float) -> float:
+def _relative(extent: float, radius: float) -> float:
+    """Return an extent in units of the aperture's radius (metres)."""
     return float(extent) / radius if isinstance(extent, _Metres) else extent
 
 
 def _place(point: tuple[float, float], radius: float) -> tuple[float, float]:
-    return _over(point[0], radius), _over(point[1], radius)
+    return _relative(point[0], radius), _relative(point[1], radius)
 
 
-# Of each type the keys that it needs, and those that it may have.
+# Required and optional keys of each type of shape.
 _KEYS: dict[str, tuple[set[str], set[str]]] = {
     "disc": ({"radius"}, {"center"}),
     "ellipse": ({"a", "b"}, {"angle", "center"}),
@@ -205,7 +203,7 @@ class _Part(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return which keys a shape of this type lacks or has beyond its own."""
+        """Return the error message for missing or superfluous keys of this type of shape."""
         kind = given.get("type")
         if not isinstance(kind, str) or kind not in _KEYS:
             return None
@@ -217,15 +215,15 @@ class _Part(Section):
 
     def build(self, radius: float) -> Shape:
         """Return the shape in an aperture of this radius, metres."""
-        size, center = _over(self.radius, radius), _place(self.center, radius)
+        size, center = _relative(self.radius, radius), _place(self.center, radius)
         if self.type == "disc":
             return Disc(size, center)
         if self.type == "hexagon":
             return Polygon.regular(6, size, center, self.angle)
         if self.type == "ellipse":
-            return Ellipse(_over(self.a, radius), _over(self.b, radius), self.angle, center)
+            return Ellipse(_relative(self.a, radius), _relative(self.b, radius), self.angle, center)
         if self.type == "strip":
-            return Polygon.strip(_place(self.start, radius), _place(self.end, radius), _over(self.width, radius))
+            return Polygon.strip(_place(self.start, radius), _place(self.end, radius), _relative(self.width, radius))
         return Polygon(tuple(_place(corner, radius) for corner in self.corners))
 
 
@@ -237,8 +235,7 @@ class _Segments(Section):
     piston: list[Number] | None = None
     tip: list[Number] | None = None
     tilt: list[Number] | None = None
-    # Becomes the rows of the file.
-    file: Any = None
+    file: Any = None  # validation replaces the file name by the rows of the file
 
     @field_validator("file")
     @classmethod
@@ -247,14 +244,14 @@ class _Segments(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return which keys exclude each other."""
+        """Return the error message for keys that exclude each other."""
         if "file" in given and set(_PHASES) & set(given):
             return "takes file or the lists piston, tip and tilt, got both"
         stray = sorted({"gap", "middle", "angle"} & set(given))
         return f"{', '.join(stray)} has no meaning without rings" if stray and "rings" not in given else None
 
     def phased(self, segments: Segments) -> Segments:
-        """Return segments with the phases of the file, in waves there."""
+        """Return segments with the phases that the section states in waves."""
         rows = self.file
         given = (
             dict(zip(_PHASES, rows.T, strict=False))
@@ -273,7 +270,7 @@ _PHASES = ("piston", "tip", "tilt")
 
 
 def _read_phases(path: Path) -> Values:
-    """Read rows of piston, or of piston, tip and tilt, in waves; commas or spaces between, # before a comment."""
+    """Read rows of one number (piston) or three (piston, tip, tilt), waves; # starts a comment."""
     rows: list[list[float]] = []
     for number, line in enumerate(reading.decoded(reading.contents(path, reading.MAX_TOML)).splitlines(), 1):
         words = line.partition("#")[0].replace(",", " ").split()
@@ -308,9 +305,9 @@ class ApertureSection(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return which parts exclude each other."""
+        """Return the error message for parts that exclude each other."""
         if {"ellipse", "cat_eye"} <= set(given):
-            return "takes one of ellipse and cat_eye, got both"
+            return "must have at most one of ellipse and cat_eye, got both"
         segments, telescope = given.get("segments"), given.get("telescope")
         segmented = telescope in ("elt", "jwst", "keck")
         if isinstance(segments, dict) and ("rings" not in segments) != segmented:
@@ -320,28 +317,28 @@ class ApertureSection(Section):
         return None
 
     def shapes(self, radius: float) -> Toml:
-        """Return the aperture of a lens of this radius (metres), by the names in :class:`lommel.Lens`.
+        """Return arguments of :class:`lommel.Lens` that describe an aperture of this radius, metres.
 
-        PartsError, with all errors of its parts.
+        Raises PartsError with the errors of all parts.
         """
-        faults = _Collected()
+        faults = _ErrorCollector()
         spider, edge = self.spider, self.ellipse or self.cat_eye
         found = {"vignetting": edge and edge.build(), "mask": self.mask and self.mask.file}
         if spider is not None:
-            found["spider"] = faults.tried(("spider", "width"), "spider.width", lambda: spider.spider(radius))
+            found["spider"] = faults.attempt(("spider", "width"), "spider.width", lambda: spider.spider(radius))
         stop = self._mirror(radius, faults)
         clear, blocked = (_union(name, getattr(self, name), radius, faults) for name in ("clear", "blocked"))
-        faults.refuse()
+        faults.raise_errors()
         if clear is not None:
             stop = clear if stop is None else stop & clear
-        # A blocked part alone is cut out of the full disc.
+        # Blocked parts without clear parts are subtracted from the full disc.
         if blocked is not None:
             stop = (Disc() if stop is None else stop) - blocked
         found["stop"] = stop
         return {name: shape for name, shape in found.items() if shape is not None}
 
-    def _mirror(self, radius: float, faults: _Collected) -> Shape | Segments | None:
-        """Return the telescope or the segments, if any."""
+    def _mirror(self, radius: float, faults: _ErrorCollector) -> Shape | Segments | None:
+        """Return the stop of the telescope or of the segments, None without them."""
         stop: Shape | Segments | None = None
         if self.telescope is not None:
             stop = getattr(telescopes, self.telescope)()
@@ -349,25 +346,27 @@ class ApertureSection(Section):
         if one is None:
             return stop
         if one.rings is not None:
-            rings, gap = one.rings, _over(one.gap, radius)
-            stop = faults.tried(
+            rings, gap = one.rings, _relative(one.gap, radius)
+            stop = faults.attempt(
                 ("segments", "gap"),
                 "segments",
                 lambda: Segments.hexagonal(rings, gap, middle=one.middle, angle=one.angle),
             )
         return (
-            faults.tried(("segments",), "segments", lambda: one.phased(stop)) if isinstance(stop, Segments) else stop
+            faults.attempt(("segments",), "segments", lambda: one.phased(stop))
+            if isinstance(stop, Segments)
+            else stop
         )
 
 
-class _Collected:
-    """Collected errors of the parts of an aperture."""
+class _ErrorCollector:
+    """List of errors of the parts of an aperture, which are raised together."""
 
     def __init__(self) -> None:
         self.faults: list[tuple[tuple[str, ...], str, str]] = []
 
-    def tried(self, keys: tuple[str, ...], name: str, make: Callable[[], _Made]) -> _Made | None:
-        """Return the result of `make`, or None, and keep its error."""
+    def attempt(self, keys: tuple[str, ...], name: str, make: Callable[[], _Made]) -> _Made | None:
+        """Return the result of `make`; if it raises an error, collect the error and return None."""
         try:
             return make()
         except PartsError as error:
@@ -376,33 +375,33 @@ class _Collected:
             self.faults.append((("aperture", *keys), f"aperture.{name}", str(error)))
         return None
 
-    def refuse(self) -> None:
-        """Raise PartsError with all errors, if there are any."""
+    def raise_errors(self) -> None:
+        """Raise PartsError with all collected errors, if there are any."""
         if self.faults:
             raise PartsError(self.faults)
 
 
-def _union(name: str, parts: list[_Part] | None, radius: float, faults: _Collected) -> Shape | None:
-    """Return the union of parts, if any."""
+def _union(name: str, parts: list[_Part] | None, radius: float, faults: _ErrorCollector) -> Shape | None:
+    """Return the union of the shapes of parts, None without parts."""
 
-    def made(part: _Part) -> Shape:
+    def build(part: _Part) -> Shape:
         shape = part.build(radius)
         require_reach("it", shape)
         return shape
 
-    listed = [
-        faults.tried((name, str(k)), f"{name}, entry {k + 1}, {part.type}", partial(made, part))
+    shapes = [
+        faults.attempt((name, str(k)), f"{name}, entry {k + 1}, {part.type}", partial(build, part))
         for k, part in enumerate(parts or [])
     ]
-    whole = [shape for shape in listed if shape is not None]
-    return reduce(or_, whole) if whole else None
+    valid = [shape for shape in shapes if shape is not None]
+    return reduce(or_, valid) if valid else None
 
 
 def _lengths(value: Any, info: ValidationInfo) -> Any:
-    """Return a length in metres, or a pair of them."""
+    """Return a length in metres, or for a list a pair of lengths."""
     example = {"focal_length": "50 mm", "focus_distance": "2 m"}.get(info.field_name or "", "3.45 um")
     if isinstance(value, list):
-        return tuple(parse_length(each, example) for each in value)
+        return tuple(parse_length(text, example) for text in value)
     return parse_length(value, example)
 
 
@@ -427,11 +426,11 @@ class _AberrationRanges(Section):
 
 class _Sensor(Section):
     pixel: _Lengths
-    shape: Any = None  # of PSFs, in lens files
+    shape: Any = None  # ignored: the window of PSFs in lens files
 
 
 class _ObjectRange(Section):
-    distance: Any = None  # of lens files
+    distance: Any = None  # ignored: the object distance in lens files
 
 
 class _RangesFile(Section):
@@ -444,23 +443,23 @@ class _RangesFile(Section):
 
 
 def load_lens_ranges(path: str | PathLike[str]) -> LensRanges:
-    """Return the ranges of a file, each a value or a list of two; LensFileError or OSError if it cannot be used.
+    """Read ranges of lens parameters from a file; LensFileError or OSError if it cannot be used.
 
-    Keys: ``[lens]`` focal_length, f_number, focus_distance, wavelength (one value); ``[aberrations]`` spherical (C_s,
-    radians); ``[sensor]`` pixel. Lengths are texts with a unit.
+    A range is one value or a list of two values. Keys: ``[lens]`` focal_length, f_number, focus_distance, wavelength
+    (one value); ``[aberrations]`` spherical (C_s, radians); ``[sensor]`` pixel. Lengths are texts with a unit.
     """
     source = validation.path("path", path)
     text, raw = toml_files.parsed(source)
 
-    def made(file: _RangesFile) -> LensRanges:
-        given = file.lens.model_dump() | {"spherical": file.aberrations.spherical, "pixel": file.sensor.pixel}
-        return LensRanges(**given)
+    def build(file: _RangesFile) -> LensRanges:
+        ranges = file.lens.model_dump() | {"spherical": file.aberrations.spherical, "pixel": file.sensor.pixel}
+        return LensRanges(**ranges)
 
-    return toml_files.built(source, raw, text, _RangesFile, made)
+    return toml_files.built(source, raw, text, _RangesFile, build)
 
 
 def _radius(value: str | float) -> str | float:
-    """Return a length or an angle as written, checked."""
+    """Return the text of a radius, a length or an angle, unchanged if it is valid; ValueError otherwise."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
         raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
     return value
@@ -500,7 +499,7 @@ class _Lens(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return what is wrong where the aperture and the focus are not given one way."""
+        """Return the error message unless one key states the aperture and at most one key states the focus."""
         if ("f_number" in given) == ("aperture_diameter" in given):
             got = "both" if "f_number" in given else "none"
             return f"give exactly one of f_number and aperture_diameter, got {got}"
@@ -522,19 +521,19 @@ class _Aberrations(_Seidel):
 
 
 class VignettingSection(BuiltSection):
-    """The section [field.vignetting]: a circle that moves across the aperture with the image height."""
+    """The section [field.vignetting]: a circle that shifts across the aperture with the image height."""
 
     height: Annotated[list[SignedLength], Field(min_length=2)]
     shift: list[Number]
     radius: Number | list[Number] = 1.0
 
     def build(self) -> Vignetting:
-        """Return the argument of a field map."""
+        """Return the object for a field map."""
         return Vignetting(self.height, self.shift, self.radius)
 
 
 class ShadingSection(BuiltSection):
-    """The section [field.shading]: a table of the light, or the fourth power of a cosine."""
+    """The section [field.shading]: relative illumination as a table, or by the cos^4 law."""
 
     distance: Length | None = None
     height: list[SignedLength] | None = None
@@ -542,13 +541,13 @@ class ShadingSection(BuiltSection):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return what is wrong where the light is not given one way."""
+        """Return the error message unless either `distance` or `height` and `light` are present."""
         if {"distance", "height", "light"} & set(given) in ({"distance"}, {"height", "light"}):
             return None
-        return "needs distance, of the exit pupil from the sensor, or height and light: one of the two"
+        return "needs distance (from the exit pupil to the sensor), or height and light: one of the two"
 
     def build(self) -> Shading:
-        """Return the argument of a field map."""
+        """Return the object for a field map."""
         if self.distance is not None:
             return Shading.cos4(self.distance)
         assert self.height is not None and self.light is not None  # noqa: PT018 (see `fault`)
@@ -568,7 +567,7 @@ class ColourSection(BuiltSection):
     heights: Length | list[Length] | None = None
 
     def build(self) -> Colour:
-        """Return the table."""
+        """Return the chromatic aberrations."""
         return Colour(**dict(self))
 
 
@@ -581,15 +580,14 @@ class ChannelsSection(BuiltSection):
     illuminant: str | None = None
     tol: Number = 1e-3
     paths: Length = 5e-6
-    # Becomes the channels, read once all other keys are known.
-    file: Any = None
+    file: Any = None  # validation replaces the file name by the channels, which depend on the other keys
 
     @field_validator("file")
     @classmethod
     def _file(cls, value: object, info: ValidationInfo) -> Any:
         given = info.data
         if value is None or not {"filters", "illuminant", "tol", "paths"} <= given.keys():
-            return value  # the others have errors of their own
+            return value  # the other keys have errors, which are reported
 
         def beside(name: str) -> Path:
             return read_beside(info.context, name, _CSV, lambda path: path)
@@ -601,14 +599,14 @@ class ChannelsSection(BuiltSection):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return what is wrong where the channels are not given one way."""
+        """Return the error message unless exactly one of `file` and `wavelengths` is present, with its options."""
         if ("file" in given) == ("wavelengths" in given):
-            return "needs file, a table of the sensor, or wavelengths: exactly one of the two"
-        way, stray = "file", {"weights"}
+            return "needs file (a table of the sensor) or wavelengths: exactly one of the two"
+        way, excluded = "file", {"weights"}
         if "wavelengths" in given:
-            way, stray = "wavelengths", {"filters", "illuminant", "tol", "paths"}
-        found = sorted(stray & set(given))
-        return f"{', '.join(found)} has no meaning with {way}" if found else None
+            way, excluded = "wavelengths", {"filters", "illuminant", "tol", "paths"}
+        stray = sorted(excluded & set(given))
+        return f"{', '.join(stray)} has no meaning with {way}" if stray else None
 
     def build(self) -> Channels:
         """Return the channels."""
@@ -619,12 +617,12 @@ class ChannelsSection(BuiltSection):
             return Channels.of_wavelengths(self.wavelengths)
         counts = {len(row) for row in self.weights.values()}
         if counts != {len(self.wavelengths)}:
-            raise ValueError(f"weights must be one for each of {len(self.wavelengths)} wavelengths in every channel")
+            raise ValueError(f"weights of a channel must be one for each of {len(self.wavelengths)} wavelengths")
         return Channels(self.wavelengths, list(self.weights.values()), list(self.weights))
 
 
 class _Object(Section):
-    distance: Distance | None = None  # that in focus
+    distance: Distance | None = None  # default: the focus distance
 
 
 _SEIDEL = tuple(_Seidel.model_fields)
@@ -638,7 +636,7 @@ class _Field(_Seidel):
     normalization: Literal["rms", "edge"] = "rms"
     direction: Literal["x", "y"] = "x"
     columns: Annotated[list[str], Field(min_length=1)] | None = None
-    # Checked in this order: a table needs the order and the columns. Rows and files become tables.
+    # Fields are validated in this order; `rows` and `file`, which need the fields above, are replaced by tables.
     rows: Any = None
     file: Any = None
     vignetting: VignettingSection | None = None
@@ -650,7 +648,7 @@ class _Field(_Seidel):
         if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
             raise ValueError(f"must be a list of lists, one for each position, got {validation.shown(value)}")
         if not {"order", "columns"} <= info.data.keys():
-            return value  # these have errors of their own
+            return value  # these keys have errors, which are reported
         if info.data["columns"] is None:
             raise ValueError('needs columns, such as columns = ["height", "Z4"]')
         return tables.read_rows(info.data["columns"], value, info.data["order"])
@@ -665,28 +663,30 @@ class _Field(_Seidel):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return what is wrong where the field is not given one way."""
+        """Return the error message unless the keys describe the field in exactly one way."""
         seidel, of_tables = ", ".join(_SEIDEL), {"order", "unit", "normalization", "direction"}
         # The ways to describe the field, and the keys that each excludes.
         ways = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
-        found = [way for way in ways if set(given) & set(way.split(", "))]
-        if len(found) != 1:
-            got = " and ".join(found) or "none"
+        present = [way for way in ways if set(given) & set(way.split(", "))]
+        if len(present) != 1:
+            got = " and ".join(present) or "none"
             return f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}"
-        stray = sorted(ways[found[0]] & set(given))
-        return f"{', '.join(stray)} has no meaning with {found[0]}" if stray else None
+        stray = sorted(ways[present[0]] & set(given))
+        return f"{', '.join(stray)} has no meaning with {present[0]}" if stray else None
 
     def map(self, pupil: Pupil) -> FieldMap:
-        """Return the map, with the aperture and the scale of `pupil`."""
+        """Return the field map, with the aperture and the scale of `pupil`."""
         table: FieldTable | None = self.rows if self.rows is not None else self.file
         if table is not None:
-            made = table.field_map(pupil, unit=self.unit, normalization=self.normalization, direction=self.direction)
+            field_map = table.field_map(
+                pupil, unit=self.unit, normalization=self.normalization, direction=self.direction
+            )
         else:
             edge = 0.5 * math.hypot(*self.sensor) if self.edge is None else self.edge
             waves = self.model_dump(include=set(_SEIDEL))
-            made = FieldMap.from_seidel(edge, **waves, aperture=pupil.unaberrated())
+            field_map = FieldMap.from_seidel(edge, **waves, aperture=pupil.unaberrated())
         vignetting = None if self.vignetting is None else self.vignetting.build()
-        return made.seen_through(vignetting, None if self.shading is None else self.shading.build())
+        return field_map.seen_through(vignetting, None if self.shading is None else self.shading.build())
 
 
 class _Report(Section):
@@ -708,79 +708,83 @@ class _File(Section):
 
 
 def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> Instrument:
-    """Read a lens file.
+    """Read a lens file in TOML.
 
-    Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
-    ``name`` (by default that of the file) and ``source``; ``[lens]`` focal_length, f_number or aperture_diameter,
-    focus_distance or sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic"), corrected_for
-    ("object" or "focus") and apodization (a number, a list as of :class:`lommel.Apodization`, or "aplanatic"), see
-    :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080
-    (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131, W222, W220, W311 (waves at
-    the edge of the field) with field, a pair [x, y] over that edge, and a section ``[aberrations.zernike]``, all of
-    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` camera, the name of an example or of a
-    file of :func:`lommel.load_camera`, or pixel (height and width, ``["4 um", "6 um"]``, where these differ), shape
-    (by default a window that holds about 98 % of the light),
-    integrate, whether its pixels average over their area, which they do by default, and fill, the part of it that
-    they average over, or those of height and width; ``[report]`` encircled_energy, a list of radii on the sensor or
-    of angles; ``[field]`` what changes over the sensor and adds to all of this.
+    Lengths are texts with a unit (``"50 mm"``, ``"inf"``). Angles are texts with a unit or numbers in radians. File
+    names are relative to the folder of the lens file. The keys ``name`` (default: the file's name) and ``source``
+    precede these sections:
 
-    ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
-    them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
-    b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
-    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy, .fits) or grey picture (.png, .tif)
-    from the folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``,
-    all positions see this aperture, but for what ``[field.vignetting]`` hides.
+    ``[lens]``: focal_length, f_number or aperture_diameter, focus_distance or sensor_distance, wavelength,
+    obscuration, model ("paraxial" or "aplanatic"), corrected_for ("object" or "focus") and apodization (a number, a
+    list as in :class:`lommel.Apodization`, or "aplanatic"). See :class:`lommel.Lens`.
 
-    Other shapes: ``telescope``, the name of one of ``lommel.telescopes``; ``[aperture.segments]`` with rings, gap,
-    middle and angle of :meth:`lommel.Segments.hexagonal`, and their phases in waves at the wavelength of the lens,
-    lists piston, tip and tilt (at the edge of the aperture, from the centre of the segment), or file, a text file
-    beside the lens file with a line of one or three numbers for each segment. Of all that, light passes where any
-    part of ``[[aperture.clear]]`` is and none of ``[[aperture.blocked]]``. A part has type "disc" (radius, center),
-    "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius of its corners, center, angle) or
-    "strip" (start, end, width). Their lengths are texts with a unit, or numbers over the radius of the aperture.
+    ``[aberrations]``: defocus and spherical (C_d and C_s, radians); W020, W040, W060, W080 (waves); spherical_rms (a
+    length, the rms of balanced primary spherical aberration over the annulus); W131, W222, W220, W311 (waves at the
+    edge of the field) with field, a pair [x, y] relative to the edge of the field. ``[aberrations.zernike]`` has
+    either order, unit, normalization and terms as in :func:`lommel.load_zernike`, or file, the name of such a table.
+    Its wavelength is by default that of the lens, but a file in waves or radians must state its wavelength. All
+    aberrations are added.
 
-    ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
-    the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
-    folder of the lens file. A table in waves or radians must state its wavelength.
+    ``[object]``: distance (default: the focus distance). ``[sensor]``: either camera (the name of an example or of a
+    file for :func:`lommel.load_camera`) or pixel (a length, or ``["4 um", "6 um"]`` for height and width); shape
+    (default: a window with about 98 % of the light); integrate (default true: pixels average over their area); fill,
+    the active fraction of a pixel's area or of height and width. ``[report]``: encircled_energy, a list of radii on
+    the sensor, as lengths or angles.
 
-    ``[field]`` has sensor, the height and width of all of it, and one of three: Seidel coefficients W131, W222, W220,
-    W311 in waves at the edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike
-    coefficients (:func:`lommel.lensfiles.tables.read_rows`); or file, a CSV file with such a table
-    beside the lens file. Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"),
-    normalization ("rms", "edge"), and direction, "x" or "y", that heights are along. ``[field.vignetting]`` has
-    height, shift and radius of :class:`lommel.Vignetting`; ``[field.shading]`` either distance, of the exit pupil
-    from the sensor (the fourth power of the cosine), or height and light, a table.
+    ``[aperture]``: all parts block light together, at all field positions. ``[aperture.spider]`` has width and either
+    vanes, the number of vanes at equal angles from the angle first, or angles, a list (``"45 deg"``, from x to y).
+    ``[aperture.ellipse]`` (a, b, angle) and ``[aperture.cat_eye]`` (shift, a pair [x, y], and radius) are in units of
+    the aperture's radius. ``[aperture.mask]`` has file, the name of a square array (.npy, .fits) or grey picture
+    (.png, .tif), and holds, "amplitude" or "intensity". ``telescope`` is a name in ``lommel.telescopes``.
+    ``[aperture.segments]`` has rings, gap, middle and angle of :meth:`lommel.Segments.hexagonal`, and the phases of
+    the segments in waves at the wavelength of the lens: lists piston, tip and tilt (at the edge of the aperture, from
+    the centre of the segment), or file, a text file with one or three numbers per line and segment. Light passes only
+    in the union of the shapes in ``[[aperture.clear]]``, without the shapes in ``[[aperture.blocked]]``. A shape has
+    the type "disc" (radius, center), "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius
+    of its corners, center, angle) or "strip" (start, end, width); its lengths are texts with a unit, or numbers in
+    units of the aperture's radius.
 
-    ``[colour]`` has wavelengths, focus_shift, lateral and heights, lists as of :class:`lommel.Colour`. ``[channels]``
-    has what the sensor records: file, a CSV file of :func:`lommel.load_channels` beside the lens file, with filters,
-    illuminant, tol and paths of it; or wavelengths, and weights by the name of each channel
-    (``weights.red = [0.1, 0.9]``), without which each wavelength is a channel.
+    ``[field]``: sensor, the height and width of the whole sensor, and one of three descriptions of field-dependent
+    aberrations, which are added to those of the lens: Seidel coefficients W131, W222, W220, W311 in waves at the edge
+    of the field (edge, by default half the diagonal); columns and rows, a table of Zernike coefficients
+    (:func:`lommel.lensfiles.tables.read_rows`); or file, a CSV file with such a table. Options of tables are order
+    ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization ("rms", "edge") and direction ("x"
+    or "y", the axis of image heights). ``[field.vignetting]`` has height, shift and radius of
+    :class:`lommel.Vignetting`. ``[field.shading]`` has either distance, from the exit pupil to the sensor, for the
+    cos^4 law, or height and light, a table.
+
+    ``[colour]``: lists wavelengths, focus_shift, lateral and heights of :class:`lommel.Colour`. ``[channels]``:
+    either file, a CSV file for :func:`lommel.load_channels`, with its options filters, illuminant, tol and paths; or
+    wavelengths, and weights by the name of each channel (``weights.red = [0.1, 0.9]``). Without weights each
+    wavelength is a channel.
 
     Parameters
     ----------
     path : path
+        Lens file.
     folder_only : bool, default False
-        Refuse tables and masks outside the folder of the lens file. Error messages quote some of their contents, so a
-        service that takes lens files from strangers should set this.
+        Reject tables and masks outside the folder of the lens file. Error messages quote parts of such files, so that
+        a service for untrusted lens files should set this option.
 
     Returns
     -------
     Instrument
+        Lens, object and sensor.
 
     Raises
     ------
     LensFileError
-        If the file is not valid TOML, or for missing, unknown or invalid entries, all reported together with key and
-        line.
+        If the file is not valid TOML, or if entries are missing, unknown or invalid. All errors are reported
+        together, with keys and line numbers.
     OSError
-        If it cannot be read.
+        If the file cannot be read.
     """
     source = validation.path("path", path)
     text, raw = toml_files.parsed(source)
     if "objective" in raw and "lens" not in raw:
         raise LensFileError(
-            f"{validation.line(source)}: describes a microscope, [objective], not a lens: "
-            "lommel.load_microscope reads it, and the commands info, psf, beads and localize take it"
+            f"{validation.line(source)}: describes a microscope, [objective], not a lens: use lommel.load_microscope "
+            "or one of the commands info, psf, beads and localize"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = camera_files.read_zernike(raw, text, context)
@@ -789,37 +793,39 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:
+    """Return the instrument of a validated file; `stem` is its default name."""
     wavelength = file.lens.wavelength
     a = file.aberrations
-    # Balanced spherical aberration is stated as a length of path.
+    # Convert the rms of balanced spherical aberration from a path length to radians.
     rms = 2.0 * math.pi * a.spherical_rms / wavelength
     seidel = a.model_dump(exclude={"defocus", "spherical", "spherical_rms", "zernike"})
     aberrations = Wavefront(a.defocus, a.spherical) + Wavefront.from_seidel(**seidel)
     aberrations += Wavefront.balanced_spherical(rms, file.lens.obscuration)
     if table is not None:
         aberrations += camera_files.wavefront_of(table, wavelength)
-    given: Toml = dict(file.lens) | {"colour": file.colour and file.colour.build()}
-    # As a diameter, since a length with a unit is certainly meant.
-    diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))
-    given["aperture_diameter"] = diameter
-    radius = 0.5 * Lens(**given).aperture_diameter
+    options: Toml = dict(file.lens) | {"colour": file.colour and file.colour.build()}
+    # Lens() might reject an implausible f-number; a diameter is used as stated.
+    diameter = aperture(file.lens.focal_length, options.pop("f_number"), options.pop("aperture_diameter"))
+    options["aperture_diameter"] = diameter
+    radius = 0.5 * Lens(**options).aperture_diameter
     shapes = file.aperture.shapes(radius)
     try:
-        lens = Lens(**given, aberrations=aberrations, **shapes)
+        lens = Lens(**options, aberrations=aberrations, **shapes)
     except ValueError as error:
         raise ValueError(f"aperture: {error}" if shapes else str(error)) from None
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
     distance = lens.focus_distance if file.object.distance is None else file.object.distance
     if distance < 0.0:
         raise ValueError(
-            "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
+            "object.distance: must be given for a sensor closer than the focal length, since no object is in focus"
         )
     name, pixels = stem if file.name is None else file.name, dict(file.sensor)
     channels = None if file.channels is None else file.channels.build()
-    found = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
+    instrument = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
     if file.field is None:
-        return found
+        return instrument
     try:
-        return replace(found, sensor=file.field.sensor, aberrations_of_field=file.field.map(found.pupil()))
+        field_map = file.field.map(instrument.pupil())
+        return replace(instrument, sensor=file.field.sensor, aberrations_of_field=field_map)
     except ValueError as error:
         raise ValueError(f"field: {error}") from None

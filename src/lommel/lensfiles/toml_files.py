@@ -1,4 +1,4 @@
-"""TOML files of optics: types of entries and their checks, with all errors reported together."""
+"""TOML files of optics: types of entries and their validation, with all errors of a file reported together."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ Toml: TypeAlias = Json
 
 
 class Context(TypedDict, total=False):
-    """Where the files that a lens file names may lie."""
+    """Folder of a lens file, relative to which it names other files; and whether these must lie in this folder."""
 
     folder: Path
     folder_only: bool
@@ -51,14 +51,14 @@ def _positive(value: float) -> float:
 
 
 def finite(value: float) -> float:
-    """Return a finite number."""
+    """Return a number if it is finite; ValueError otherwise."""
     if not math.isfinite(value):
         raise ValueError(f"must be finite, got {value}")
     return value
 
 
 def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
-    """Return a check whose errors are all ValueErrors, as pydantic collects them."""
+    """Return `check` with TypeErrors converted to ValueErrors, which pydantic collects."""
 
     def checked(value: object) -> _Made:
         try:
@@ -69,7 +69,7 @@ def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
     return checked
 
 
-# Example of a length in error messages, by key; "5 mm" for other keys.
+# Example of a length in the error message for a key; "5 mm" for other keys.
 _EXAMPLES = {"wavelength": "550 nm", "focal_length": "50 mm", "focus_distance": "2 m", "distance": "2 m"}
 _EXAMPLES |= {
     "sensor_distance": "51 mm",
@@ -92,23 +92,23 @@ Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
 
 
 def pitch(value: str | float | list[str | float]) -> float | tuple[float, float]:
-    """Return the pixel pitch from a text, or height and width from a list of two."""
+    """Return the pixel pitch from a text or, for a list of two texts, (height, width), metres."""
     sides = value if isinstance(value, list) else [value]
     lengths = [validation.pixel(finite(_positive(parse_length(side, "3.45 um"))), metric=True) for side in sides]
     return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
 
 
 def read_beside(context: Context | None, name: object, what: str, read: Callable[[Path], _Read]) -> _Read:
-    """Return the contents of a file that a lens file names; ValueError if it cannot or must not be read.
+    """Read a file that a lens file names; ValueError if it cannot be read or is outside the allowed folder.
 
-    `what` is what the entry must be, for the error where it is no text, such as "the name of a mask".
+    `what` describes a valid entry in the error message for an entry that is not a text, such as "the name of a mask".
     """
     if not isinstance(name, str):
         raise ValueError(f"must be {what}, got {shown(name)}")
-    given = context or {}
-    folder = given.get("folder", Path())
+    options = context or {}
+    folder = options.get("folder", Path())
     path = folder / name
-    if given.get("folder_only") and not path.resolve().is_relative_to(folder.resolve()):
+    if options.get("folder_only") and not path.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"must lie in the folder of the lens file, got {shown(name)}")
     try:
         return read(path)
@@ -117,57 +117,59 @@ def read_beside(context: Context | None, name: object, what: str, read: Callable
 
 
 class Section(BaseModel):
-    """A section of a lens file, without unknown keys."""
+    """A section of a lens file; unknown keys are errors."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:  # noqa: ARG003 (used by overriding methods)
-        """Return what is wrong with the set of keys, whatever their values."""
+        """Return the error message for a wrong combination of keys, None if the combination is valid."""
         return None
 
     @model_validator(mode="wrap")
     @classmethod
     def _with_fault(cls, raw: object, handler: ModelWrapValidatorHandler[Self]) -> Self:
-        """Validate, and report a fault together with errors of the values."""
-        told = cls.fault(raw) if isinstance(raw, dict) else None
+        """Validate the section; report an error of :meth:`fault` together with errors of the values."""
+        message = cls.fault(raw) if isinstance(raw, dict) else None
         faults = (
-            [InitErrorDetails(type="value_error", loc=(), input=raw, ctx={"error": ValueError(told)})] if told else []
+            [InitErrorDetails(type="value_error", loc=(), input=raw, ctx={"error": ValueError(message)})]
+            if message
+            else []
         )
         try:
-            made = handler(raw)
+            section = handler(raw)
         except ValidationError as error:
             if not faults:
                 raise
-            every = error.errors(include_url=False)
+            details = error.errors(include_url=False)
             faults = [
                 InitErrorDetails(type=one["type"], loc=one["loc"], input=one["input"], ctx=one.get("ctx", {}))
-                for one in every
+                for one in details
             ] + faults
         if faults:
             raise ValidationError.from_exception_data(cls.__name__, faults)
-        return made
+        return section
 
 
 class BuiltSection(Section):
-    """A section whose object is built while the file is validated, so that its errors name the section."""
+    """A section that builds its object also during validation, so that errors of the object name the section."""
 
     @model_validator(mode="after")
-    def _makes(self) -> Self:
+    def _validate_object(self) -> Self:
         self.build()
         return self
 
     def build(self) -> object:
-        """Return the object."""
+        """Return the object that the section describes."""
         raise NotImplementedError
 
 
 class LensFileError(ValueError):
-    """A lens file that cannot be used; the message names every error with its key and line."""
+    """Error in a lens file; the message states all errors, with keys and line numbers if they have any."""
 
 
 class PartsError(ValueError):
-    """Errors of what a file describes, each with its keys, its name and its message."""
+    """Errors of parts of a lens, each with the keys of the part in the file, the name of the part and a message."""
 
     def __init__(self, faults: Sequence[tuple[tuple[str, ...], str, str]]) -> None:
         super().__init__("; ".join(f"{name}: {message}" for _, name, message in faults))
@@ -175,7 +177,7 @@ class PartsError(ValueError):
 
 
 def _refuse_images(source: Path) -> None:
-    """Raise LensFileError for an image, which is easily given in place of a lens file."""
+    """Raise LensFileError if a file is an image, which users may confuse with a lens file."""
     if reading.start(source, 16).startswith((*photos.PNG, *photos.JPEG, *photos.TIFF, b"\x93NUMPY", b"SIMPLE  =")):
         raise LensFileError(f"{validation.line(source)} is an image, not a lens file, which is text (TOML)")
 
@@ -200,19 +202,19 @@ def built(
     context: Context | None = None,
     found: tuple[str, ...] = (),
 ) -> _Made:
-    """Return the object that a file describes; LensFileError with all errors, those `found` before too."""
+    """Return the object ``make(validated file)``; LensFileError with all errors, including earlier errors `found`."""
     errors = list(found)
     try:
         file = model.model_validate(raw, context=context)
-        # Overflows in the numbers of a file are errors, not warnings.
+        # Overflows caused by numbers of a file are errors, not warnings.
         with np.errstate(over="raise", divide="raise", invalid="raise"):
-            made = make(file)  # even if `found` has errors, to report those of make() too
+            result = make(file)  # also after earlier errors, to report the errors of make() too
         if not errors:
-            return made
+            return result
     except ValidationError as error:
-        every = error.errors(include_url=False, include_context=False)
-        count = len(every) + len(errors)
-        errors = [_described(fault, text, model) for fault in every[: text_files.TOLD]] + errors
+        details = error.errors(include_url=False, include_context=False)
+        count = len(details) + len(errors)
+        errors = [_error_message(fault, text, model) for fault in details[: text_files.TOLD]] + errors
         raise LensFileError(text_files.joined_errors(source, errors, count)) from None
     except ArithmeticError as error:
         errors.append(f"its numbers lead to an overflow: {error}")
@@ -225,7 +227,8 @@ def built(
     raise LensFileError(text_files.joined_errors(source, errors))
 
 
-def _described(fault: ErrorDetails, text: str, model: type[Section]) -> str:
+def _error_message(fault: ErrorDetails, text: str, model: type[Section]) -> str:
+    """Return a message with key, line number and text of an error of validation."""
     place = [str(part) for part in fault["loc"]]
     keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
     message = with_units(fault["msg"].removeprefix("Value error, "))
@@ -240,22 +243,22 @@ def _described(fault: ErrorDetails, text: str, model: type[Section]) -> str:
         message = f"must be a section, [{'.'.join(keys)}]"
     elif message.startswith("Input should be"):
         message += f", got {shown(fault['input'])}"
-    if not keys:  # of the file as a whole
+    if not keys:  # an error of the whole file
         return str(message)
-    # First by the place with its index, which tells tables of an array apart, then by the keys alone.
+    # Search the line with the index in arrays of tables, else by the keys alone.
     line = text_files.line_of(text, place) or text_files.line_of(text, keys)
     return f"{'.'.join(map(validation.key, keys))}{f' (line {line})' if line else ''}: {message}"
 
 
 def _elsewhere(model: type[Section], keys: list[str]) -> str | None:
-    """Return the other sections of a file that have a key of this name, if any."""
+    """Return a hint at the other sections that have a key of this name, None if there are none."""
     sections = {name: _section(part.annotation) for name, part in model.model_fields.items() if name != keys[0]}
     homes = [f"[{name}]" for name, part in sections.items() if keys[-1] in getattr(part, "model_fields", ())]
     return f"it is in {' or '.join(homes)}" if homes else None
 
 
 def _section(annotation: object) -> Any:
-    """Return the model in an annotation, which may be optional or a list."""
+    """Return the model class in an annotation such as X | None or list[X]."""
     if get_origin(annotation) in (Union, UnionType, Annotated, list):
         parts = (part for part in get_args(annotation) if part is not type(None))
         return _section(next(parts))

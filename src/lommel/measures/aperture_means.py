@@ -219,8 +219,8 @@ def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
     # A complex mask defines its phase modulo 2 pi only, so that neither the mean nor the slope of the phase exists.
     if pupil.phase_mask:
         raise ValueError(
-            "mask must be real for measures of the wavefront, since a complex mask defines its phase only up to whole "
-            "waves; pass this phase as Zernike terms (lommel.fit_opd), or use lommel.strehl"
+            "mask must be real for measures of the wavefront, since a complex mask defines its phase modulo one wave "
+            "only; pass this phase as Zernike terms (lommel.fit_opd), or use lommel.strehl"
         )
     terms = pupil.wavefront.nonradial
     # The square of a phase of degree n in rho has degree n in t = rho^2.

@@ -127,7 +127,8 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     degrees = math.degrees(math.atan(abs(slope)))
     if not _MIN_ANGLE <= degrees <= _MAX_ANGLE:
         raise ValueError(
-            f"image must have an edge at {_MIN_ANGLE:g} to {_MAX_ANGLE:g} degrees to its rows or columns, got {degrees:.2g}"
+            f"image must have an edge at {_MIN_ANGLE:g} to {_MAX_ANGLE:g} degrees to its rows or columns, "
+            f"got {degrees:.2g}"
         )
     height, width = upright.shape
     ends = start, start + slope * (height - 1)

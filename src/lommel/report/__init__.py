@@ -1,4 +1,4 @@
-"""Reports on lenses, microscopes and PSFs: facts for JSON, and lines and tables that say the same."""
+"""Reports on lenses, microscopes and PSFs: results as plain data (facts, for JSON) and as printed text and tables."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 
 
 Parts: TypeAlias = "list[RenderableType]"
-"""Lines and tables of a report."""
+"""Lines of text and tables of a report, in the order of printing."""
 
 Facts: TypeAlias = Json
-"""Plain data as JSON has it: texts, numbers, lists and dictionaries of these, None."""
+"""Data that JSON can represent: strings, numbers, None, and lists and dictionaries of such values."""
 
 
 @dataclass(frozen=True)
 class Report:
-    """Result of a command: facts, which ``--json`` prints, and lines and tables that say the same.
+    """Result of a command: facts, which ``--json`` prints, and lines and tables with the same content.
 
-    The exit code is 3 where a result is not to be trusted or not whole: a fit that did not converge, a data set
-    without some of its pictures.
+    `converged` is False if the result is unreliable or incomplete, such as a fit that did not converge or a data set
+    without some of its pictures. The exit code of the command is then 3.
     """
 
     facts: Facts
@@ -45,29 +45,29 @@ class Report:
 
     def print(self, *, as_json: bool = False) -> None:
         """Print the facts as JSON, or the parts, on standard output."""
-        import click  # late: image quality without the command line does not need it
+        import click  # imported here, because only the command line needs it
 
         if as_json:
             click.echo(json.dumps(self.facts, indent=2, allow_nan=False))
             return
         from rich.console import Console
 
-        # A pipe has no width; tables are then as wide as they need to be. Brackets in names are no markup.
+        # A pipe has no width, so that 160 columns leave room for all tables. Brackets in names are not markup.
         width = None if sys.stdout.isatty() or "COLUMNS" in os.environ else 160
         console = Console(width=width, markup=False, emoji=False, highlight=False)
         with console.capture() as captured:
             for part in self.parts:
                 if isinstance(part, str):
-                    console.print(Wrapped(part), crop=False)  # paths stay whole
+                    console.print(Wrapped(part), crop=False)  # do not cut long paths
                 else:
                     console.print(part)
-        # Tables fill their columns with blanks.
+        # Remove the blanks with which tables fill their columns.
         click.echo(re.sub(r" +$", "", captured.get(), flags=re.MULTILINE), nl=False)
 
 
 @dataclass(frozen=True)
 class Wrapped:
-    """A line that is broken between words only, with the rest indented."""
+    """A text that is broken into lines between words only, with all lines but the first indented."""
 
     text: str
     style: str = ""
@@ -78,7 +78,7 @@ class Wrapped:
         lines = textwrap.wrap(
             self.text, options.max_width, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False
         )
-        # Words longer than a line, as paths are, stay whole.
+        # Do not break words longer than a line, such as paths.
         yield from (Text(line, self.style, no_wrap=True, overflow="ignore") for line in lines or [""])
 
 
@@ -89,12 +89,12 @@ def table_of(
     no_wrap: bool = False,
     title: str | None = None,
 ) -> Table:
-    """Return a table with columns of these names, numbers but for the column at `left`, which holds words."""
+    """Return a table with a title and named columns, right-aligned except for the column with the index `left`."""
     from rich.table import Column, Table
 
     columns = [
-        Column(name, justify="left" if place == left else "right", no_wrap=no_wrap)
-        for place, name in enumerate(names)
+        Column(name, justify="left" if index == left else "right", no_wrap=no_wrap)
+        for index, name in enumerate(names)
     ]
     table = Table(*columns, box=None, pad_edge=False, title=title, title_justify="left")
     for row in rows:
@@ -103,7 +103,7 @@ def table_of(
 
 
 def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
-    """Return a table of names and values, without the names that have no value."""
+    """Return a table of names and values, without the rows whose value is None."""
     from rich.table import Column, Table
 
     columns = Column(style="cyan"), Column()
@@ -115,18 +115,18 @@ def list_of(rows: Iterable[tuple[str, str | None]], title: str = "") -> Table:
 
 
 def paragraphs(*parts: Iterable[RenderableType]) -> Parts:
-    """Return parts with a blank line between those that hold something."""
-    found: Parts = []
+    """Join lists of lines and tables, with a blank line between the lists that are not empty."""
+    joined: Parts = []
     for part in map(list, parts):
-        found += ["", *part] if found and part else part
-    return found
+        joined += ["", *part] if joined and part else part
+    return joined
 
 
 def refused(facts: Facts) -> Parts:
-    """Return the reasons why some results are missing."""
+    """Return lines with the reasons why results are missing, from ``facts["refused"]``."""
     return [Wrapped(f"not computed: {reason}", "dim") for reason in facts["refused"]]
 
 
 def finite(distance: float) -> float | str:
-    """Return a distance as JSON can hold it."""
+    """Return a distance for JSON, "infinity" if it is infinite."""
     return distance if math.isfinite(distance) else "infinity"

@@ -1,4 +1,4 @@
-"""Image quality of a lens at its sensor: sharpness, wavefront, and what its field of science measures by."""
+"""Image quality of a lens or a microscope: Strehl ratio, widths, MTF, depth of field and encircled energy."""
 
 from __future__ import annotations
 
@@ -31,28 +31,28 @@ if TYPE_CHECKING:
     from lommel.optics.lens import Lens
     from lommel.optics.pupil import Pupil
 
-    # x and y on the sensor, metres, None where the file has no field; and the pupil there.
+    # x and y on the sensor, metres, or None if the file has no field aberrations; and the pupil at this position.
     Place = tuple[float | None, float | None, Pupil]
 
 Value = TypeVar("Value")
 
 IN_FOCUS = 2.0
-"""Largest circle of confusion of what counts as in focus, in pixels."""
+"""Largest diameter, in pixels, of the circle of confusion of objects that count as in focus."""
 
-_OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
+_LENS_ATTRIBUTES = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength",
             "model", "corrected_for")  # fmt: skip
 _ARCSEC = math.pi / 648000.0
-_SHARE = 0.8
-# Pixels change diameters of more pixels than this by less than their last digit, at the cost of seconds.
-_WIDE = 60.0
-# Mirrors of more segments have an MTF50 that takes longer than all the rest.
-_MANY = 24
+_DIAMETER_FRACTION = 0.8  # fraction of the light within `diameter_80`
+# Above this diameter, in pixels, pixel integration would change a width by less than its last printed digit.
+_MAX_WIDTH = 60.0
+# Largest number of mirror segments for which MTF50 and focus tolerance are computed; more segments take minutes.
+_MAX_SEGMENTS = 24
 
 
 class PointQuality:
-    """Quality of the image of a point through a pupil: each attribute is computed when it is read.
+    """Quality of the image of a point through a pupil, with attributes that are computed at access.
 
-    Attributes raise ValueError or ArithmeticError where they cannot be computed.
+    An attribute raises ValueError or ArithmeticError if it cannot be computed.
 
     Parameters
     ----------
@@ -72,12 +72,12 @@ class PointQuality:
         """Strehl ratio at the brightest point of the image."""
         pupil = self.pupil
         if not pupil.radial:
-            # Where the image is brightest is the axis of a wavefront with another tilt.
+            # An additional tilt moves the brightest point to the axis.
             x, y = spot.brightest_place(optics(pupil))
-            return float(aperture_means.strehl(_tilted(pupil, -math.pi * x, -math.pi * y)))
+            return float(aperture_means.strehl(_with_tilt(pupil, -math.pi * x, -math.pi * y)))
         method, far = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
         v = np.linspace(0.0, far, 64 + math.ceil(10.0 * far))
-        # The brightest place along a radius: coarse samples first, then fine ones around the best.
+        # Find the brightest radius by coarse samples, then by fine samples around the best coarse one.
         best = v[np.argmax(method.profile(pupil, v).values[0])]
         near = np.abs(best + np.linspace(-v[1], v[1], 101))
         top = method.profile(pupil, np.append(0.0, near)).values.max()
@@ -90,21 +90,21 @@ class PointQuality:
 
     @property
     def rms_waves_without_tilt(self) -> float:
-        """Rms wavefront error less the tilt without which it is least, which only shifts the image, waves."""
-        tilt = -aperture_means.least_squares(self.pupil, [_across, _down])
-        return float(aperture_means.rms(_tilted(self.pupil, *tilt), unit="waves"))
+        """Rms wavefront error after subtraction of the best-fit tilt, which only shifts the image, waves."""
+        tilt = -aperture_means.least_squares(self.pupil, [_tilt_x, _tilt_y])
+        return float(aperture_means.rms(_with_tilt(self.pupil, *tilt), unit="waves"))
 
 
 class ImageQuality(PointQuality):
     """Quality of the images of a lens at its sensor, as ``lommel info`` prints it.
 
-    Lengths in metres, phases in radians, frequencies in cycles per metre. Each attribute is computed when it is read,
-    and raises ValueError or ArithmeticError where it cannot be.
+    Lengths are in metres, phases in radians, frequencies in cycles per metre. Attributes are computed at access. An
+    attribute raises ValueError or ArithmeticError if it cannot be computed.
 
     Parameters
     ----------
     instrument : Instrument
-        Lens, object and sensor, as of :func:`lommel.load_instrument`.
+        Lens, object and sensor, for example from :func:`lommel.load_instrument`.
 
     Examples
     --------
@@ -123,52 +123,51 @@ class ImageQuality(PointQuality):
 
     @property
     def depth_of_field(self) -> tuple[float, float] | None:
-        """Nearest and farthest distance whose circle of confusion is up to 2 pixels wide.
+        """Nearest and farthest object distance with a circle of confusion of at most 2 pixels.
 
-        Geometric, of a lens without aberration: ``blur = D d abs(1/s - 1/s0)`` at the distance s, D being the
-        aperture diameter, d the distance of the sensor and s0 the distance in focus. None for telescopes and
-        microscopes.
+        The diameter of the circle of confusion of a lens without aberrations is ``D d abs(1/s - 1/s0)`` for an object
+        at the distance s, where D is the aperture diameter, d the sensor distance and s0 the focus distance. None for
+        telescopes and microscopes.
         """
-        if not self._photographs:
+        if not self._is_camera:
             return None
         lens = self.lens
-        # blur = D d |1/s - 1/s0| at the limit, solved for 1/s - 1/s0.
+        # Largest |1/s - 1/s0|.
         reach = IN_FOCUS * max(self.instrument.pitch) / (lens.aperture_diameter * lens.sensor_distance)
         near, far = 1.0 / lens.focus_distance + reach, 1.0 / lens.focus_distance - reach
         return 1.0 / near, 1.0 / far if far > 0.0 else math.inf
 
     @property
     def hyperfocal_distance(self) -> float | None:
-        """Focus distance beyond which all is in focus up to infinity, as `depth_of_field`."""
+        """Smallest focus distance whose depth of field extends to infinity; None if `depth_of_field` is None."""
         blur = IN_FOCUS * max(self.instrument.pitch)
-        return self.lens.focal_length * (1.0 + self.lens.aperture_diameter / blur) if self._photographs else None
+        return self.lens.focal_length * (1.0 + self.lens.aperture_diameter / blur) if self._is_camera else None
 
     @property
-    def _photographs(self) -> bool:
+    def _is_camera(self) -> bool:
+        """False for telescopes and microscopes, whose depth of field is not reported."""
         lens = self.lens
         return not (lens.focus_distance < 0.0 or magnifies(lens) or lens.obscuration or lens.focal_length > 1.0)
 
     @property
     def marechal(self) -> float:
-        """Marechal's estimate of the Strehl ratio."""
+        """Marechal estimate of the Strehl ratio, exp(-sigma^2) with the rms phase sigma."""
         return float(aperture_means.marechal(self.pupil))
 
     @property
     def balancing_defocus(self) -> float | None:
-        """W020 (waves) that leaves the least rms beside the other terms; None where there are none."""
+        """W020 (waves) that minimises the rms wavefront error; None without spherical or higher radial terms."""
         wavefront = self.pupil.wavefront
         if not (wavefront.spherical or any(wavefront.higher)):
             return None
-        # Tilts are fitted along: they shift the image only.
-        excess = aperture_means.least_squares(self.pupil, [lambda rho, _: rho**2, _across, _down])[0]
+        # Tilt, which only shifts the image, is fitted too.
+        excess = aperture_means.least_squares(self.pupil, [lambda rho, _: rho**2, _tilt_x, _tilt_y])[0]
         return float(wavefront.waves["W020"] - excess / (2.0 * math.pi))
 
     @property
     def dark_ring_radius(self) -> float | None:
-        """Radius of the first dark ring without aberrations; None where the aperture is no annulus.
-
-        The field of an annulus is the difference of those of two discs: ``J1(v) = eps J1(eps v)``.
-        """
+        """Radius of the first dark ring of the unaberrated aperture; None unless it is a uniform disc or annulus."""
+        # The field of an annulus is the field of a disc minus that of the obscuration, so that J1(v) = eps J1(eps v).
         from scipy.optimize import brentq
         from scipy.special import j1, jn_zeros
 
@@ -182,14 +181,14 @@ class ImageQuality(PointQuality):
 
     @property
     def circle_of_confusion(self) -> float:
-        """Diameter of the blur by defocus alone."""
+        """Diameter of the geometric blur due to defocus alone."""
         lens = self.lens
         plain = lens if lens.aberrations.flat else replace(lens, aberrations=Wavefront())
         return 2.0 * float(plain.pupil(self.instrument.object_distance).geometric_radius())
 
     @cached_property
     def image(self) -> PSF:
-        """One pixel of the image, integrated: measures of it are of the continuous image."""
+        """PSF of one integrated pixel; its measures refer to the continuous image, so that one pixel suffices."""
         instrument = self.instrument
         return psf(self.pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
 
@@ -199,30 +198,30 @@ class ImageQuality(PointQuality):
         Parameters
         ----------
         pixel : bool, default False
-            Of the image that pixels average, rather than of the optics alone.
+            Include the average over a pixel.
 
         Returns
         -------
         float
-            Metres.
+            Full width at half maximum, metres.
         """
         return float(spot.fwhm(self.image, of="image" if pixel else "optics"))
 
     def diameter_80(self, *, pixel: bool = False) -> float:
-        """Return the diameter of 80 % of the light about the centroid.
+        """Return the diameter of the circle about the centroid that contains 80 % of the light.
 
         Parameters
         ----------
         pixel : bool, default False
-            Of the image that pixels average, rather than of the optics alone.
+            Include the average over a pixel.
 
         Returns
         -------
         float
-            Metres.
+            Diameter, metres.
         """
         of: Literal["image", "optics"] = "image" if pixel else "optics"
-        return float(spot.energy_diameter(self.image, _SHARE, about="centroid", of=of))
+        return float(spot.energy_diameter(self.image, _DIAMETER_FRACTION, about="centroid", of=of))
 
     def mtf(self, frequency: float, angle: float = 0.0, *, pixel: bool = False) -> float:
         """Return the MTF at a frequency in a direction.
@@ -230,47 +229,50 @@ class ImageQuality(PointQuality):
         Parameters
         ----------
         frequency : float
-            Cycles per metre.
+            Spatial frequency, cycles per metre.
         angle : float, default 0.0
             Direction, radians from x towards y.
         pixel : bool, default False
-            With the average over a pixel.
+            Include the average over a pixel.
 
         Returns
         -------
         float
+            MTF, 0 to 1.
         """
         sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill} if pixel else {}
         x, y = frequency * math.cos(angle), frequency * math.sin(angle)
         return float(transfer.mtf(self.pupil, x, y, **sensor))
 
     def focus_tolerance(self, least: float = 0.3) -> tuple[float, float]:
-        """Return how far the sensor may move for an MTF at half the Nyquist frequency, pixel included.
+        """Return the sensor displacements at which the MTF at half the Nyquist frequency falls to `least`.
 
         Parameters
         ----------
         least : float, default 0.3
-            Smallest MTF that suffices.
+            Smallest acceptable MTF.
 
         Returns
         -------
         (float, float)
-            Metres, towards the lens and away from it, as of :func:`lommel.focus_tolerance`.
+            Displacements, metres, towards the lens (negative) and away from it; see :func:`lommel.focus_tolerance`.
 
         Raises
         ------
         ValueError
-            If the MTF does not suffice where the sensor is, or for the segments of a mirror, which take minutes.
+            If the MTF without displacement is below `least`, or if the aperture has more than 24 segments, for which
+            the computation takes minutes.
         """
-        if isinstance(self.pupil.stop, Segments) and len(self.pupil.stop.shapes) > _MANY:
-            raise ValueError("a tolerance of focus takes minutes for so many segments: lommel.focus_tolerance has it")
+        if isinstance(self.pupil.stop, Segments) and len(self.pupil.stop.shapes) > _MAX_SEGMENTS:
+            raise ValueError(
+                f"focus tolerance takes minutes for more than {_MAX_SEGMENTS} segments: use lommel.focus_tolerance"
+            )
         sensor: Any = {"pixel": self.instrument.pixel, "fill": self.instrument.fill}
         frequency = 0.25 / max(self.instrument.pitch)
         here = min(self.mtf(frequency, angle, pixel=True) for angle in (0.0, 0.5 * math.pi))
         if here < least:
             raise ValueError(
-                f"the sensor has no focus tolerance, as the MTF at half the Nyquist frequency is {here:.3g}, "
-                f"below {least:g}"
+                f"the focus tolerance needs an MTF of {least:g} or more at half the Nyquist frequency, got {here:.3g}"
             )
         return transfer.focus_tolerance(self.pupil, frequency, least=least, **sensor)
 
@@ -285,43 +287,41 @@ class ImageQuality(PointQuality):
         Returns
         -------
         float
-            Cycles per metre.
+            Frequency, cycles per metre.
 
         Raises
         ------
         ValueError
-            If the aperture has more than 24 segments, for which it takes minutes.
+            If the aperture has more than 24 segments, for which the computation takes minutes.
         """
         segments = len(self.pupil.opening.regions)
-        if segments > _MANY:
-            raise ValueError(
-                f"MTF50, which takes minutes for {segments} segments: lommel.mtf_frequency(pupil) has it"
-            )
+        if segments > _MAX_SEGMENTS:
+            raise ValueError(f"MTF50, which takes minutes for {segments} segments: use lommel.mtf_frequency(pupil)")
         return float(transfer.mtf_frequency(self.pupil, angle=angle))
 
     @property
     def radii(self) -> dict[str, float]:
-        """Radii of interest: of the file, of the Airy disc, of all rays."""
-        found, blur = dict(self.instrument.radii), float(self.pupil.geometric_radius())
-        found.setdefault("Airy radius", self.pupil.airy_radius)
+        """Radii for the encircled energy by name: those of the file, the Airy radius, and the radius of all rays."""
+        radii, blur = dict(self.instrument.radii), float(self.pupil.geometric_radius())
+        radii.setdefault("Airy radius", self.pupil.airy_radius)
         if blur > 0:
-            found.setdefault("edge of the geometric blur", blur)
-        return found
+            radii.setdefault("edge of the geometric blur", blur)
+        return radii
 
     def encircled_energy(self, *, unaberrated: bool = False) -> tuple[list[float | None], float | None]:
-        """Return shares of the light within the `radii` about the axis.
+        """Return the fractions of the light within the `radii` about the axis.
 
         Parameters
         ----------
         unaberrated : bool, default False
-            Without aberrations.
+            Ignore all aberrations.
 
         Returns
         -------
         list of float or None
-            None for circles that are too wide.
+            Fraction for each radius; None if the radius is above 250 lambda*N and the pupil not radially symmetric.
         float or None
-            Bound on their error, None where none is proven.
+            Bound on the error of the fractions; None if no bound is proven.
         """
         pupil, radii = self.pupil.unaberrated() if unaberrated else self.pupil, self.radii.values()
         most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
@@ -330,11 +330,12 @@ class ImageQuality(PointQuality):
         return [next(within) if r <= most else None for r in radii], found.error
 
     def setup(self) -> Json:
-        """Return what is known of the lens, its object and its sensor as plain data, without measures of images.
+        """Return the parameters of lens, object and sensor as plain data, without measures of image quality.
 
         Returns
         -------
         dict
+            Plain data for JSON.
         """
         lens, instrument, field = self.lens, self.instrument, self.depth_of_field
         height, width = instrument.pitch
@@ -343,7 +344,7 @@ class ImageQuality(PointQuality):
         found = {
             "name": instrument.name,
             "source": instrument.source,
-            **{name: getattr(lens, name) for name in _OF_LENS},
+            **{name: getattr(lens, name) for name in _LENS_ATTRIBUTES},
             "apodization": lens.apodization,
             "focus_distance": lens.focus_distance,
             "sensor_distance": lens.sensor_distance,
@@ -364,37 +365,39 @@ class ImageQuality(PointQuality):
         return dict(plain(found))
 
     def to_dict(self) -> Json:
-        """Return all measures as plain data, None for infinity and what cannot be computed.
+        """Return all measures as plain data; infinite values and failed computations are None.
 
-        Those along x have plain names, those along y end in "_y"; "refused" has the reasons of what is missing.
+        Names of measures along y end in "_y", those along x have no ending. "refused" lists the reasons of failed
+        computations.
 
         Returns
         -------
         dict
+            Plain data for JSON.
         """
         pupil, pitch, radii = self.pupil, self.instrument.pitch, self.radii
         reasons: dict[str, None] = {}
 
-        def tried(work: Callable[[], Value]) -> Value | None:
+        def attempt(work: Callable[[], Value]) -> Value | None:
             try:
                 return work()
             except (ValueError, ArithmeticError) as reason:
                 reasons[str(reason)] = None
                 return None
 
-        def read(of: PointQuality, *names: str) -> Json:
-            return {name: tried(partial(getattr, of, name)) for name in names}
+        def attributes(of: PointQuality, *names: str) -> Json:
+            return {name: attempt(partial(getattr, of, name)) for name in names}
 
         nothing: tuple[list[float | None], None] = [None] * len(radii), None
-        seen, ideal = (tried(partial(self.encircled_energy, unaberrated=flat)) or nothing for flat in (False, True))
+        seen, ideal = (attempt(partial(self.encircled_energy, unaberrated=flat)) or nothing for flat in (False, True))
         transfers: Json = {}
         for end, angle, side in (("", 0.0, pitch[1]), ("_y", 0.5 * math.pi, pitch[0])):
             nyquist = 0.5 / side
             transfers |= {
-                f"mtf50{end}": tried(partial(self.mtf50, angle)),
+                f"mtf50{end}": attempt(partial(self.mtf50, angle)),
                 f"nyquist{end}": nyquist,
-                f"mtf_at_nyquist{end}": tried(partial(self.mtf, nyquist, angle)),
-                f"mtf_at_nyquist_with_pixel{end}": tried(partial(self.mtf, nyquist, angle, pixel=True)),
+                f"mtf_at_nyquist{end}": attempt(partial(self.mtf, nyquist, angle)),
+                f"mtf_at_nyquist_with_pixel{end}": attempt(partial(self.mtf, nyquist, angle, pixel=True)),
             }
         found = self.setup() | {
             "rim_amplitude": float(np.divide(*self.lens.illumination.value([1.0, 0.0]))),
@@ -409,18 +412,18 @@ class ImageQuality(PointQuality):
             "dark_ring_radius": self.dark_ring_radius,
             "geometric_radius": float(pupil.geometric_radius()),
             "circle_of_confusion": self.circle_of_confusion,
-            "balancing_W020": tried(partial(getattr, self, "balancing_defocus")),
-            **read(self, "strehl", "strehl_at_peak", "marechal", "rms_waves", "rms_waves_without_tilt"),
-            **self._widths(tried),
+            "balancing_W020": attempt(partial(getattr, self, "balancing_defocus")),
+            **attributes(self, "strehl", "strehl_at_peak", "marechal", "rms_waves", "rms_waves_without_tilt"),
+            **self._widths(attempt),
             "cutoff": pupil.cutoff,
             **transfers,
-            "focus_tolerance": tried(self.focus_tolerance),
+            "focus_tolerance": attempt(self.focus_tolerance),
         }
         places = None if self.instrument.aberrations_of_field is None else self._places()
         found["field"] = places and {
             **places,
             "places": [
-                place | read(one, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
+                place | attributes(one, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
                 for place, one in places["places"]
             ],
         }
@@ -431,26 +434,29 @@ class ImageQuality(PointQuality):
         found["encircled_energy_error"] = max((e for e in (seen[1], ideal[1]) if e is not None), default=None)
         return found | {"refused": list(reasons)}
 
-    def _widths(self, tried: Callable[[Callable[[], float]], float | None]) -> dict[str, float | None]:
-        """Return FWHM and diameter of 80 % of the light, also with the pixel where that may differ."""
+    def _widths(self, attempt: Callable[[Callable[[], float]], float | None]) -> dict[str, float | None]:
+        """Return FWHM and diameter of 80 % of the light, with the pixel (None if it hardly matters) and without it.
+
+        `attempt` returns the result of a function, or None if the function raises an error.
+        """
         measures: dict[str, Callable[..., float]] = {"fwhm": self.fwhm, "diameter_80": self.diameter_80}
-        found = {name: tried(measure) for name, measure in measures.items()}
-        wide = (found["diameter_80"] or math.inf) > _WIDE * min(self.instrument.pitch)
+        found = {name: attempt(measure) for name, measure in measures.items()}
+        wide = (found["diameter_80"] or math.inf) > _MAX_WIDTH * min(self.instrument.pitch)
         for name, measure in measures.items():
-            hidden = found[name] is None or wide
-            found[f"{name}_with_pixel"] = None if hidden else tried(partial(measure, pixel=True))
+            omitted = found[name] is None or wide
+            found[f"{name}_with_pixel"] = None if omitted else attempt(partial(measure, pixel=True))
         return found
 
     def _places(self) -> Json:
-        """Return the description of the field, with places from the axis to a corner of the sensor."""
-        assert self.instrument.sensor is not None  # as long as there is a map
+        """Return the field aberrations as plain data, with positions from the axis to a corner of the sensor."""
+        assert self.instrument.sensor is not None  # instruments with field aberrations have a sensor size
         field, (height, width) = self.instrument.field(), self.instrument.sensor
         places = []
         for part in (0.0, 0.5, 0.7, 1.0):
             x, y = 0.5 * part * width, 0.5 * part * height
             try:
                 one = PointQuality(field.pupil(x, y))
-            except ValueError:  # beyond the map
+            except ValueError:  # the position is outside the field map
                 continue
             terms = one.pupil.wavefront.to_zernike(unit="waves")
             listed = listed_terms({term: c for term, c in terms.items() if term[0] > 1})
@@ -460,22 +466,23 @@ class ImageQuality(PointQuality):
 
 
 def magnifies(lens: Lens) -> bool:
-    """Return whether the image of the object in focus is larger than it, as with a microscope objective."""
+    """Return True if the image of an object in focus is larger than the object, as with a microscope objective."""
     return 0.0 < lens.focus_distance < lens.sensor_distance
 
 
 def other_model(instrument: Instrument) -> Json:
-    """Return how the PSF changes with the other model of the lens, paraxial or aplanatic; or the "reason" why not.
+    """Compare the PSF of the lens with that of its other model, paraxial or aplanatic, as plain data.
 
-    "peak_error" is the largest difference of the two PSFs in the window over the peak of the aplanatic one.
+    "peak_error" is the largest difference of the two PSFs in the window divided by the peak of the aplanatic PSF. If
+    the comparison fails, it is None and "reason" is a text.
     """
     lens = instrument.lens
     model = "aplanatic" if lens.model == "paraxial" else "paraxial"
-    # Where the lens magnifies, as an objective does, the sensor is in its design position and the object is not.
+    # In a lens that magnifies, such as an objective, the sensor is at its design position, and the object may not be.
     side = "focus" if model == "aplanatic" and magnifies(lens) else lens.corrected_for
     found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
     try:
-        # The amplitude stays, also where it is made of angles that a paraxial lens does not have.
+        # Keep the amplitude, also if it is defined by ray angles, which a paraxial lens lacks.
         changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
         other = changed.pupil(instrument.object_distance)
         pupils = {lens.model: instrument.pupil(), model: other}
@@ -492,12 +499,12 @@ def other_model(instrument: Instrument) -> Json:
 
 
 def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Json:
-    """Return the MTF, pixel included, at the Nyquist frequency and at half of it as plain data.
+    """Return the MTF, pixel included, at the Nyquist frequency and at half the Nyquist frequency as plain data.
 
-    "frequency" has the Nyquist frequencies along x and y, cycles per metre; "rows" one row for each of the `places`
-    and of the `channels`, or for the wavelength of the file, along x and y. Rows of places off the axis also have
-    "sagittal" (of radial lines, whose frequency is across the radius) and "tangential", at the smaller Nyquist
-    frequency.
+    "frequency" has the Nyquist frequencies along x and y, cycles per metre. "rows" has one row for each combination
+    of `places` and `channels` (without channels, the wavelength of the file), with the MTF along x and y. Rows of
+    places off the axis also have the "sagittal" MTF (frequency perpendicular to the radius) and the "tangential" MTF,
+    at the smaller Nyquist frequency and at half of it.
     """
     nyquist = [0.5 / side for side in instrument.pitch[::-1]]
     lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
@@ -512,7 +519,9 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
             directions["radial"] = min(nyquist) * np.array([[-radial[1], radial[0]], radial])
         for name, light in lights:
             found = {
-                key: [transfer.mtf(pupil, *(share * f.T), spectrum=light, **sensor).tolist() for share in (1.0, 0.5)]
+                key: [
+                    transfer.mtf(pupil, *(factor * f.T), spectrum=light, **sensor).tolist() for factor in (1.0, 0.5)
+                ]
                 for key, f in directions.items()
             }
             row = {
@@ -529,7 +538,7 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
 
 
 def listed_terms(terms: Mapping[tuple[int, int], Numbers]) -> list[Json]:
-    """Return Zernike terms in waves rms, in Noll's order."""
+    """Return Zernike coefficients (waves rms) as plain data, sorted by Noll index."""
     return [
         {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
         for (n, m), c in sorted(terms.items(), key=lambda item: int(zernike.index_of(item[0][0], item[0][1], "noll")))
@@ -537,9 +546,9 @@ def listed_terms(terms: Mapping[tuple[int, int], Numbers]) -> list[Json]:
 
 
 def _stop(stop: Shape | Segments) -> Json:
-    """Return the parts of a stop, and the spread of the phases of its segments."""
+    """Return the numbers of segments and shapes of a stop, and the rms piston of its segments."""
     shapes = stop.shapes if isinstance(stop, Segments) else (stop,)
-    parts = [part for one in shapes for part in one.parts if part != Disc()]  # but the rim itself
+    parts = [part for one in shapes for part in one.parts if part != Disc()]  # without the rim itself
     kinds = {"discs": (Disc, CatEye), "ellipses": (Ellipse,), "polygons": (Polygon,)}
     return {
         "segments": len(stop.shapes) if isinstance(stop, Segments) else 0,
@@ -548,33 +557,34 @@ def _stop(stop: Shape | Segments) -> Json:
     }
 
 
-def _across(rho: Array, theta: Array) -> Array:
+def _tilt_x(rho: Array, theta: Array) -> Array:
     return rho * np.cos(theta)
 
 
-def _down(rho: Array, theta: Array) -> Array:
+def _tilt_y(rho: Array, theta: Array) -> Array:
     return rho * np.sin(theta)
 
 
-def _tilted(pupil: Pupil, x: float, y: float) -> Pupil:
-    """Return a pupil with further tilt, radians at the edge of the pupil along x and y."""
-    # A Zernike tilt is normalised to an rms of 1 over the disc: 2 at its edge.
+def _with_tilt(pupil: Pupil, x: float, y: float) -> Pupil:
+    """Return a pupil with additional tilts along x and y, radians at the edge of the pupil."""
+    # A Zernike tilt with an rms of 1 over the disc is 2 at the edge.
     tilt = Wavefront.zernike({(1, 1): 0.5 * x, (1, -1): 0.5 * y})
     return replace(pupil, wavefront=pupil.wavefront + tilt, geometry=None)
 
 
 DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
-"""Depths that are listed besides that of the file, metres."""
+"""Depths at which foci are reported in addition to the depth of the file, metres."""
 
-_OF_OBJECTIVE = ("NA", "magnification", "working_distance", "immersion")
-_OF_FOCUS = ("paraxial", "brightest", "axial_fwhm", "lateral_fwhm", "peak")
+_OBJECTIVE_ATTRIBUTES = ("NA", "magnification", "working_distance", "immersion")
+_FOCUS_ATTRIBUTES = ("paraxial", "brightest", "axial_fwhm", "lateral_fwhm", "peak")
 
 
 def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
-    """Return what is known of a microscope as plain data; with `foci`, also of a dipole at several depths.
+    """Return the parameters of a microscope as plain data, and with `foci` the focus of dipoles at several depths.
 
-    Lengths in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles in radians. "refused" has
-    the reasons why depths are missing in "focus", where dipoles rotate freely.
+    Lengths are in metres: x and y in the sample, z of the stage, "pixel" on the camera. Angles are in radians. The
+    list "focus" has one row for each depth of a freely rotating dipole, and "refused" the reasons why depths are
+    missing.
     """
     objective, wavelength = microscope.objective, microscope.wavelength
     light, nyquist = illumination(objective.apodization), objective.nyquist(wavelength=wavelength)
@@ -587,7 +597,7 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
     return {
         "name": microscope.name,
         "source": microscope.source,
-        **{name: getattr(objective, name) for name in _OF_OBJECTIVE},
+        **{name: getattr(objective, name) for name in _OBJECTIVE_ATTRIBUTES},
         "apodization": list(light.powers),
         "rim_amplitude": float(light.value(1.0)),
         "coverslip": plain(objective.coverslip),
@@ -615,7 +625,7 @@ def microscope_quality(microscope: Microscope, *, foci: bool = True) -> Json:
 
 
 def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[str]]:
-    """Return the foci at several depths, and the reasons why other depths have none."""
+    """Return one row of data for the focus at each depth, and the reasons why depths are missing."""
     objective, wavelength = microscope.objective, microscope.wavelength
     rows: list[dict[str, float | None]] = []
     refused: dict[str, None] = {}
@@ -627,7 +637,7 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
             refused[f"{1e6 * depth:.4g} um deep: {reason}"] = None
             continue
         row: dict[str, float | None] = {"depth": depth, "ratio": float(found.ratio) if depth > 0.0 else None}
-        row |= {name: float(getattr(found, name)) for name in _OF_FOCUS}
+        row |= {name: float(getattr(found, name)) for name in _FOCUS_ATTRIBUTES}
         row["peak_of_surface"] = float(found.peak) / surface
         row["collected"] = float(objective.collected(depth, wavelength=wavelength))
         rows.append(row)
@@ -637,47 +647,48 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
 def compare_methods(
     instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
 ) -> tuple[list[Json], dict[str, PSF]]:
-    """Return the errors and times of several methods against the `reference`, and the PSFs of those that apply.
+    """Return errors and times of several methods, one row each, and the PSFs of the methods that apply.
 
-    The PSF of the reference comes first, called "Hankel" or by name and tolerance. Those on other samples than it has
-    are left out.
+    Errors are relative to :func:`lommel.methods.choice.reference`, whose PSF comes first, under the name of its class
+    or its ``repr``. PSFs with another kind of sampling than the reference are omitted. `started` is called with the
+    name of each method before it runs.
     """
     pupil = instrument.pupil()
-    judge = reference(pupil)
-    judge_name = type(judge).__name__ if pupil.radial else repr(judge)
+    exact_method = reference(pupil)
+    exact_name = type(exact_method).__name__ if pupil.radial else repr(exact_method)
 
-    def answer(method: Method, integrate: bool | None) -> PSF:
+    def compute(method: Method, integrate: bool | None) -> PSF:
         window, pixel = instrument.window, instrument.pixel
         fill = 1.0 if integrate is False else instrument.fill
         return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate, fill=fill)
 
     def timed(method: Method, integrate: bool | None) -> tuple[PSF, float]:
-        """Return the PSF and the seconds of the second of two runs, or of a first that takes more than a second."""
+        """Return the PSF and the seconds of the second run, or of the first run if it takes more than a second."""
         for _ in range(2):  # the first one loads libraries and fills caches
             start = time.perf_counter()
-            found = answer(method, integrate)
+            found = compute(method, integrate)
             seconds = time.perf_counter() - start
             if seconds > 1.0:
                 break
         return found, seconds
 
-    started(judge_name)
-    truth, seconds = timed(judge, instrument.integrate)
-    answers, rows = {judge_name: truth}, []
+    started(exact_name)
+    truth, seconds = timed(exact_method, instrument.integrate)
+    answers, rows = {exact_name: truth}, []
     for method in methods:
         name = type(method).__name__
         row: Json = {"method": name, "options": method.to_dict(), "reason": None}
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
         rows.append(row)
         if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and magnifies(instrument.lens):
-            row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike any objective'
+            row["reason"] = 'needs model = "aplanatic": its paraxial model is a flat lens, unlike an objective'
             continue
-        if method != judge:
+        if method != exact_method:
             started(name)
-        # Its sums over the area of every pixel would take minutes.
+        # Pixel integration by Huygens-Fresnel sums would take minutes.
         integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
         try:
-            found, row["seconds"] = (truth, seconds) if method == judge else timed(method, integrate)
+            found, row["seconds"] = (truth, seconds) if method == exact_method else timed(method, integrate)
         except (ValueError, ArithmeticError, ImportError) as error:
             row["reason"] = str(error)
             continue
@@ -686,6 +697,6 @@ def compare_methods(
         if found.sampling == truth.sampling:
             answers[name] = found
         elif found.sampling == "center":
-            against = answer(judge, False)
+            against = compute(exact_method, False)
         row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
     return rows, answers

@@ -1,4 +1,4 @@
-"""Reports on lenses, microscopes and their PSFs: facts for JSON, and the same in tables."""
+"""Reports on lenses, microscopes and their PSFs: facts (plain data for JSON), and tables with the same content."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ if TYPE_CHECKING:
     from lommel.optics.lens import Lens
     from lommel.report.image_quality import Place
 
-# If the circle of 80 % of the light is wider than the FWHM by more than this factor, the image is a narrow central
-# peak within a wide blur, and the FWHM is labelled as that of the peak.
+# If (diameter of 80 % of the light) / FWHM exceeds this value, the image is a narrow central peak within a wide blur,
+# and the report labels the FWHM as the width of the peak.
 _NARROW_PEAK = 4.0
 
 
 def summarize_lens(instrument: Instrument) -> Report:
-    """Return a report of one line on a lens, its object and its sensor, without measures of image quality."""
+    """Return a one-line report on a lens, its object and its sensor, without measures of image quality."""
     facts = ImageQuality(instrument).setup() | {"camera": plain(instrument.camera)}
     focus_distance, object_distance = distinct(facts["focus_distance"], facts["object_distance"])
     lens = instrument.lens
@@ -84,12 +84,12 @@ def _setup(facts: Facts) -> Table:
 
 
 def _largest_blur(facts: Facts) -> str:
-    """Return in words the largest circle of confusion of what counts as in focus."""
+    """Return the largest circle of confusion that counts as in focus, as a text."""
     return f"blur of {IN_FOCUS:g} pixels, {format_length(IN_FOCUS * float(np.max(facts['pixel'])))}"
 
 
 def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
-    """Return the tables of the image of a point; `pitch` is that of the pixels along y and x, metres."""
+    """Return the tables on the image of a point; `pitch` is the pixel pitch along y and x, metres."""
     on_axis, at_peak, bound = facts["strehl"], facts["strehl_at_peak"], facts["encircled_energy_error"]
     strehl = strehl_ratio(on_axis)
     if at_peak is not None and on_axis is not None and at_peak > 1.005 * on_axis:
@@ -115,7 +115,7 @@ def _image_parts(facts: Facts, pitch: tuple[float, float]) -> Parts:
 
 
 def _focus_tolerance(facts: Facts) -> str | None:
-    """Return the range in which the sensor may move, in words."""
+    """Return the focus tolerance as a text, None if it could not be computed."""
     if facts["focus_tolerance"] is None:
         return None
     near, far = (f"{end / 1e-6:+.3g} um" for end in facts["focus_tolerance"])
@@ -143,9 +143,9 @@ def _mtf_rows(facts: Facts) -> list[tuple[str, str | None]]:
 
 
 def _diameters(facts: Facts, pixel: float) -> RenderableType:
-    """Return the table of the diameters of the blur in micrometres, pixels and, if known, arcsec or nm in the sample.
+    """Return the table of blur diameters in micrometres and in pixels of the pitch `pixel`, metres.
 
-    `pixel` is the pixel pitch in metres.
+    Telescopes also have diameters in arcseconds, and microscopes in nanometres in the sample.
     """
     fwhm, diameter_80, ring = facts["fwhm"], facts["diameter_80"], facts["dark_ring_radius"]
     unlike_airy = ring != facts["airy_radius"]  # obscured or otherwise cut
@@ -205,7 +205,7 @@ def _wavefront_parts(facts: Facts) -> Parts:
 
 
 def distinct(*distances: float | None) -> list[str]:
-    """Return lengths as texts with enough digits for different lengths to have different texts; None is infinity."""
+    """Return lengths as texts with enough digits that different lengths have different texts; None means infinity."""
     for digits in range(4, 13):
         texts = [format_length(math.inf if d is None else d, digits=digits) for d in distances]
         if len(set(texts)) == len(set(distances)):
@@ -227,7 +227,7 @@ def _model(facts: Facts) -> str:
 
 
 def model_in_words(other: Facts) -> str:
-    """Return a line on the other model of the lens (paraxial or aplanatic) and the difference of its PSF."""
+    """Return a text on the other model of the lens (paraxial or aplanatic) and the difference of the two PSFs."""
     if other["reason"] is not None:
         return f"{other['model']}: {other['reason']}"
     if _identical(other):
@@ -236,12 +236,12 @@ def model_in_words(other: Facts) -> str:
 
 
 def _identical(other: Facts) -> bool:
-    """Check that the PSF of the other model differs by less than 1e-6, the tolerance of both."""
+    """Return True if the PSFs of both models differ by less than 1e-6 of the peak, their tolerance."""
     return other["reason"] is None and bool(other["peak_error"] < 1e-6)
 
 
 def _aperture(facts: Facts) -> list[tuple[str, str]]:
-    """Return rows on spider, vignetting, mask and stop of the aperture, and the clear area; none for a full disc."""
+    """Return rows on spider, vignetting, mask, stop and clear area of the aperture; no rows for a full disc."""
     spider, vignetting, mask, stop = (facts["aperture"][name] for name in ("spider", "vignetting", "mask", "stop"))
     rows = []
     if stop is not None:
@@ -265,7 +265,7 @@ def _aperture(facts: Facts) -> list[tuple[str, str]]:
 
 
 def _field_parts(field: Facts) -> Parts:
-    """Return the table of the field."""
+    """Return the table of image quality at several image heights."""
     seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
     if seidel:
         seidel = f": {seidel} waves at an image height of {format_length(field['reach'])}"
@@ -289,7 +289,7 @@ def zernike_table(facts: Facts) -> Table:
 
 
 def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
-    """Return the report of a microscope; with `foci`, a row for each depth of a freely rotating dipole."""
+    """Return the report of a microscope, and with `foci` the focus of a freely rotating dipole at several depths."""
     facts = microscope_quality(microscope, foci=foci)
     tables: Parts = ["", zernike_table(facts)] if facts["zernike"] else []
     return Report(facts, [*_microscope_parts(facts), *tables, *(_focus_parts(facts) if facts["focus"] else ())])
@@ -346,7 +346,7 @@ _ORIGINS = {
 
 
 def _layer_in_words(layer: dict[str, float] | None) -> str:
-    """Return thickness and index of a layer in words, "" for none."""
+    """Return thickness and index of a layer as a text, "" for None."""
     return "" if layer is None else f"{format_length(layer['thickness'])} of index {layer['index']:g}"
 
 
@@ -368,8 +368,8 @@ def _focus_parts(facts: Facts) -> Parts:
     for column in table.columns:
         column.overflow = "fold"  # other settings cut off digits
     note = (
-        "paraxial, best: stage travel to the paraxial and the brightest focus, from the paraxial one on the cover "
-        "glass; FWHM: of the optics without the pixel, along the stage and in the sample; peak: intensity at the "
+        "paraxial, best: stage travel to the paraxial and to the brightest focus, from the paraxial focus on the "
+        "cover glass; FWHM: of the optics, without pixel, along the stage and in the sample; peak: intensity at the "
         "best focus relative to an ideal lens of scalar theory; collected light: relative to an emitter far from the "
         "glass, above 1 where supercritical light is collected"
     )
@@ -377,40 +377,43 @@ def _focus_parts(facts: Facts) -> Parts:
 
 
 def camera_in_words(facts: Facts) -> str | None:
-    """Return the camera of a report and its noise in a line."""
+    """Return the name and the noise parameters of the camera as a text, None without a camera."""
     if (camera := facts["camera"]) is None:
         return None
     units = {"read": "read noise {:g} electrons", "full_well": "full well {:g}", "gain": "{:g} electrons per count"}
-    told = [text.format(camera[name]) for name, text in units.items() if camera[name]]
-    told += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
-    return ", ".join([camera["name"], *told])
+    texts = [text.format(camera[name]) for name, text in units.items() if camera[name]]
+    texts += [f"excess noise {camera['excess']:g}"] if camera["excess"] > 1.0 else []
+    return ", ".join([camera["name"], *texts])
 
 
 def lens_facts(lenses: list[Lens]) -> tuple[Facts, str]:
-    """Return focus distances and f-numbers of frames, and the same in words."""
+    """Return focus distances and f-numbers of several frames as facts and as a text."""
     facts = {
         "focus_distances": [finite(one.focus_distance) for one in lenses],
         "f_numbers": [one.f_number for one in lenses],
         "focal_length": lenses[0].focal_length,
     }
-    each = (f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
-    return facts, f"focus {', '.join(each)}"
+    frames = (f"{format_length(one.focus_distance)} at f/{one.f_number:.3g}" for one in lenses)
+    return facts, f"focus {', '.join(frames)}"
 
 
 def describe_psf(answer: PSF, seconds: float) -> Report:
-    """Return the report of a PSF; if it has below 95 % of the light, "wide_enough" is the side for about 98 %."""
+    """Return the report of a PSF.
+
+    If the window holds less than 95 % of the light, "wide_enough" is the side, in pixels, of a window for about 98 %.
+    """
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     enough = energy >= 0.95 or min(answer.shape) >= side
     facts = how_made(answer, seconds) | {"wide_enough": None if enough else side, "energy": energy}
-    # As many digits of the peak as its error bound allows.
+    # Print only digits of the peak that its error bound makes significant.
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
     pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
     parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", percent(energy, 2))
     notes = []
     if facts["sum"] is not None:
         notes.append(
-            f"The values sum to {facts['sum']:.4g}, not to the light in the window: point samples more than lambda*N "
-            "apart do not. Use --integrate for pixel-integrated values."
+            f"The sum of the values, {facts['sum']:.4g}, is not the light in the window, because point samples are "
+            "more than lambda*N apart. Use --integrate for pixel-integrated values."
         )
     if not enough:
         notes.append(f"The window holds {percent(energy)} of the light; --shape {side} would hold about 98 %.")
@@ -418,7 +421,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
 
 
 def _psf_parts(answer: PSF, facts: Facts, pixels: str, peak: str, energy: str) -> Parts:
-    """Return the table of a PSF or a stack."""
+    """Return the table of a PSF or of a stack of PSFs."""
     lines = [
         ("method", repr(answer.method)),
         ("values", _values(facts)),
@@ -436,7 +439,7 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> Rep
     sensor, energy = list(grid.sensor), np.asarray(answer.energy)
     facts: Facts = {"name": instrument.name, "source": instrument.source, "sensor": sensor}
     facts |= {"x": grid.x.tolist(), "y": grid.y.tolist(), "energy": energy.tolist()} | how_made(answer, seconds)
-    # "sum" is given only if the values do not sum to the light: see `how_made`.
+    # "sum" is None if the sum of the values is the light in the window: see `how_made`.
     (rows, columns, height, width), sums = facts["shape"], facts["sum"]
     ends = "" if sums is None else f"{np.min(sums):.4g} to {np.max(sums):.4g}"
     lines = [
@@ -506,12 +509,12 @@ def describe_colour(instrument: Instrument, answer: ColourPSF, seconds: float) -
 
 
 def _values(facts: Facts) -> str:
-    """Return shape, type and normalisation of the values in words."""
+    """Return shape, type and normalisation of the values as a text."""
     return f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"
 
 
 def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
-    """Return the row of the error bound, for the peak of a PSF or of a `channel`, and that of the time."""
+    """Return the rows of the error bound and of the time; the bound is relative to the peak (of a `channel`)."""
     bound = "none proven"
     if facts["error_bound"] is not None:
         bound = f"each value within {facts['error_bound']:.2g} of the peak{channel}"
@@ -519,10 +522,10 @@ def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
 
 
 def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Report:
-    """Return the report of the MTF, pixel included, at the Nyquist frequency and at half of it.
+    """Return the report of the MTF, pixel included, at the Nyquist frequency and at half the Nyquist frequency.
 
-    There is one row for each of the `places` in the field and of the `channels`, or for the wavelength of the file
-    without channels. Directions are sagittal and tangential, or x and y if the only place is the axis.
+    There is one row for each combination of `places` in the field and `channels` (without channels, the wavelength of
+    the file). Directions are sagittal and tangential, or x and y if the only place is the axis.
     """
     facts = sensor_mtf(instrument, places, channels)
     over_field = places[0][0] is not None
@@ -551,9 +554,9 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
 
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:
-    """Return the facts on the values of a PSF and their computation; sums and peaks are for each PSF of a stack.
+    """Return facts on the values of a PSF and on their computation; a stack has one sum and one peak for each PSF.
 
-    "sum" is None unless the values, although normalised to energy, do not sum to the light in the window.
+    "sum" is None unless the values are normalised to energy and their sum differs from the light in the window.
     """
     undersampled = answer.normalize == "energy" and not answer.sum_is_light
     return {

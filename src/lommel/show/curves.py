@@ -1,4 +1,4 @@
-"""Curves of the MTF and of encircled energy; sections and curves through focus."""
+"""Plots of the MTF and of encircled energy, and of sections, MTF and Strehl ratio through focus."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ from lommel.special import zernike
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_MARGIN = 8.0  # defocus drawn beyond the outermost foci, radians
-_NEAREST = 0.05  # smallest drawn distance from lens to sensor, as a share of the actual distance
+_MARGIN = 8.0  # smallest additional defocus drawn beyond the outermost foci, radians
+_NEAREST = 0.05  # smallest drawn distance from lens to sensor, as a fraction of the actual distance
 
 
 class Moved(NamedTuple):
@@ -42,12 +42,12 @@ class Moved(NamedTuple):
     Attributes
     ----------
     at : ndarray, shape (n,)
-        Shift of the sensor away from the lens, metres. For pupils in units of lambda*N the added defocus coefficient
-        C_d, radians at the pupil edge.
+        Shift of the sensor away from the lens, metres; for pupils in units of lambda*N instead the added defocus
+        coefficient C_d, radians at the pupil edge.
     metric : bool
         True if `at` is in metres.
     pupils : tuple of Pupil
-        For a lens one pupil for each position, with the working f-number there; for a pupil a single stack.
+        For a lens, one pupil for each position, with the working f-number at this position; for a pupil, one stack.
     """
 
     at: Array
@@ -68,27 +68,28 @@ def moved(
     object_distance : float, optional
         Object distance of a lens, metres; by default the focus distance.
     reach : float, optional
-        Largest shift in both directions: metres, or radians for a pupil in units of lambda*N. By default it includes
-        the focus of each zone of the aperture and the sensor, with a margin.
+        Largest shift in both directions, metres, or radians for a pupil in units of lambda*N. By default the range
+        includes the focus of each zone of the aperture and the initial sensor position, with a margin.
     count : int, default 161
         Number of positions, 3 to 4096.
 
     Returns
     -------
     Moved
+        Shifts of the sensor and the pupils at these shifts.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or `thing` is a stack.
+        If an argument is out of range, or if `thing` is a stack.
     """
     n = validation.integer("count", count, least=3, most=4096)
     lens = thing if isinstance(thing, Lens) else None
     if lens is None and object_distance is not None:
-        raise ValueError("object_distance must be None for a pupil, whose object is fixed; pass the lens")
+        raise ValueError("object_distance must be None for a pupil, whose object distance is fixed; pass the lens")
     pupil = checked_psf(thing if lens is None else lens.pupil(object_distance))
     if pupil.shape != ():
-        raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}")
+        raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}; index it")
     low, high = _foci(pupil)
     if lens is not None:
         at = _shift_range(lens, low, high) if reach is None else _even_shifts(reach, lens.sensor_distance, n)
@@ -115,8 +116,8 @@ def section(through: Moved, x: Array) -> Array:
     Returns
     -------
     ndarray, shape (n, m)
-        Intensity relative to the peak of the same aperture without aberration, in focus at the initial sensor
-        position. The error is below 1e-6 of the peak at each position, the tolerance of the default method.
+        Intensity relative to the peak of the same aperture without aberrations, in focus at the initial sensor
+        position. At each position the error is below 1e-6 of the peak, the tolerance of the default method.
     """
     middle = through.pupils[len(through.pupils) // 2]
     step = float(x[-1] - x[0]) / max(x.size - 1, 1)
@@ -141,9 +142,10 @@ def section(through: Moved, x: Array) -> Array:
 
 
 def _foci(pupil: Pupil) -> tuple[float, float]:
-    """Return a range of added defocus, radians, that includes the focus of every zone, 0 and a margin."""
+    """Return the ends of a range of added defocus C_d, radians, that includes 0, all foci of zones and a margin."""
     t = np.linspace(pupil.obscuration**2, 1.0, 129)
-    # Defocus C_d (2 t - 1), t = rho^2, brings a zone to focus if it cancels the slope of the phase in t.
+    # Defocus adds the phase C_d (2 t - 1), t = rho^2. A zone is in focus if the slope 2 C_d cancels that of the
+    # phase.
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     low, high = min(-0.5 * float(slope.max()), 0.0), max(-0.5 * float(slope.min()), 0.0)
     margin = _MARGIN + 0.25 * (high - low)
@@ -151,26 +153,28 @@ def _foci(pupil: Pupil) -> tuple[float, float]:
 
 
 def _shift_range(lens: Lens, low: float, high: float) -> Array:
-    """Return the sensor shifts that add the defocus ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2`` = high and low.
+    """Return the sensor shifts, metres, that add the defocus C_d = `high` and C_d = `low`, radians.
 
-    R is the aperture radius, d and d' are the sensor distances before and after the shift.
+    ``C_d = (pi / (2 lambda)) (1/d' - 1/d) R^2`` for the aperture radius R and the sensor distances d before and d'
+    after the shift.
     """
     d, radius = lens.sensor_distance, 0.5 * lens.aperture_diameter
     vergence = 1.0 / d + np.array([high, low]) * (2.0 * lens.wavelength / (math.pi * radius**2))
-    # Distances are limited to 0.05 to 3 times the actual one; a focus may lie at infinity.
+    # A focus may lie at infinity: sensor distances are limited to 0.05 d to 3 d.
     return np.asarray(1.0 / np.clip(vergence, 1.0 / (3.0 * d), 1.0 / (_NEAREST * d)) - d)
 
 
 def _even_shifts(reach: float, sensor_distance: float, count: int) -> Array:
+    """Return `count` equally spaced shifts from -reach to reach; ValueError if one would reach the lens."""
     far = validation.real("reach", reach, above=0.0)
     if far >= sensor_distance:
         raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {far:g}")
     return np.linspace(-far, far, count)
 
 
-_ACROSS = 241  # points along x
-_CUTOFF_SHARES = (0.1, 0.25, 0.5)  # default frequencies as shares of the cutoff
-_TOL = 1e-6
+_ACROSS = 241  # number of points along x in a section
+_CUTOFF_FRACTIONS = (0.1, 0.25, 0.5)  # default frequencies of focus_curves(), as fractions of the cutoff
+_TOL = 1e-6  # tolerance of drawn MTFs
 
 
 def through_focus(
@@ -189,7 +193,7 @@ def through_focus(
     ----------
     thing : Lens or Pupil
         Lens or single pupil. For a pupil in units of lambda*N the horizontal axis is the added defocus coefficient
-        C_d (radians at the pupil edge), which decreases as the sensor moves away.
+        C_d (radians at the pupil edge), which decreases as the sensor moves away from the lens.
     ax : matplotlib Axes, optional
         By default a new figure with a title and a colour bar.
     object_distance : float, optional
@@ -197,12 +201,13 @@ def through_focus(
     reach : float, optional
         Largest shift of the sensor in both directions: metres, or radians; see :func:`lommel.show.curves.moved`.
     half_width : float, optional
-        Half width in x, metres or units of lambda*N; by default that of the geometric blur. A sharp focus in a long
-        range may fall between the 241 points along x: give `half_width` and `reach` there.
+        Half width in x, metres or units of lambda*N; by default slightly more than the radius of the geometric blur.
+        If the range is long, a sharp focus may be missed between the 241 points along x: then set a smaller
+        `half_width` and `reach`.
     planes : int, default 161
         Number of sensor positions.
     stretch : {"sqrt", "linear", "log"}
-        Scale of the values; "log" reaches down to 1e-5 of the largest value.
+        Brightness scale of the values; "log" shows values down to 1e-5 of the largest value.
 
     Returns
     -------
@@ -267,8 +272,8 @@ def focus_curves(
     object_distance, reach
         See :func:`lommel.show.curves.through_focus`.
     frequency : float or sequence of float, optional
-        Frequencies in cycles per metre, or per lambda*N; by default a tenth, a quarter and half of the cutoff. If the
-        MTF along y differs from that along x it is drawn as dashed curves.
+        Frequencies in cycles per metre or cycles per lambda*N; by default a tenth, a quarter and half of the cutoff.
+        If the MTF is not radially symmetric, dashed curves show the MTF along y.
     planes : int, default 61
         Number of sensor positions.
 
@@ -286,8 +291,8 @@ def focus_curves(
     validation.axes("ax", ax)
     through = moved(thing, object_distance, reach=reach, count=planes)
     here = through.pupils[len(through.pupils) // 2]
-    given = np.array(_CUTOFF_SHARES) * here.cutoff if frequency is None else frequency
-    f = np.atleast_1d(validation.real_array("frequency", given, least=0.0))
+    values = np.array(_CUTOFF_FRACTIONS) * here.cutoff if frequency is None else frequency
+    f = np.atleast_1d(validation.real_array("frequency", values, least=0.0))
     axes = drawing.new_axes(ax, figsize=(6.4, 4.2))
     shift, label = _shift(through)
     ratios = np.concatenate([np.atleast_1d(strehl(pupil)) for pupil in through.pupils])
@@ -297,9 +302,9 @@ def focus_curves(
         along = {"-": (f, np.zeros(f.size))} | ({} if here.radial else {"--": (np.zeros(f.size), f)})
         for style, (fx, fy) in along.items():
             curves = np.concatenate([np.atleast_2d(transfer.mtf(p, fx, fy, tol=_TOL)) for p in through.pupils])
-            for k, each in enumerate(f):
-                word = f"MTF at {each * factor:.3g} {unit}" + (", along y" if style == "--" else "")
-                axes.plot(shift, curves[:, k], style, color=f"C{k}", label=word)
+            for k, value in enumerate(f):
+                name = f"MTF at {value * factor:.3g} {unit}" + (", along y" if style == "--" else "")
+                axes.plot(shift, curves[:, k], style, color=f"C{k}", label=name)
     axes.axvline(0.0, color="0.5", linewidth=0.8, linestyle="--")
     title = _through_focus_title(thing, here, object_distance) if ax is None else None
     drawing.complete_curves(axes, title, (shift[0], shift[-1]), xlabel=label, ylabel="Strehl ratio, MTF")
@@ -326,24 +331,25 @@ def _through_focus_title(thing: Lens | Pupil, pupil: Pupil, object_distance: flo
     return f"{text}; dashed: the sensor"
 
 
-_POINTS = 129
-_MOST = 8  # largest number of curves drawn for a stack
+_POINTS = 129  # number of frequencies of a curve
+_MAX_MEMBERS = 8  # largest number of members of a stack that are drawn
 
 
 @display.register("mtf")
 def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None = None) -> Axes:
-    """Draw the MTF along x and along y, with the MTF of the unaberrated aperture and of the pixel.
+    """Draw the MTF along x and along y, and for comparison the MTF of the unaberrated aperture and of the pixel.
 
     Parameters
     ----------
     thing : Pupil or PSF
-        Pupil or PSF; of a stack at most eight evenly spaced members are drawn. The MTF of a PSF includes its blur and
-        pixels: :meth:`lommel.PSF.mtf`.
+        Pupil or PSF. At most eight evenly spaced members of a stack are drawn. The MTF of a PSF includes blur and
+        pixels (:meth:`lommel.PSF.mtf`).
     ax : matplotlib Axes, optional
         By default a new figure with a title.
     pixel : float, optional
-        Pixel pitch for a pupil, metres or units of lambda*N; a PSF has its own. All curves then include the pixel, a
-        dotted curve is the MTF of the pixel alone, and a line marks the Nyquist frequency.
+        Pixel pitch for a pupil, metres or units of lambda*N; must be None for a PSF, whose pixels are used. With
+        pixels, all curves include the pixel, a dotted curve is the MTF of the pixel alone, and a line marks the
+        Nyquist frequency.
 
     Returns
     -------
@@ -352,21 +358,21 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     Raises
     ------
     TypeError, ValueError
-        If `thing` is of another type, or a pixel is given for a PSF.
+        If `thing` is neither a pupil nor a PSF, or if a pixel is passed with a PSF.
     ImportError
         If matplotlib is not installed.
     """
     validation.axes("ax", ax)
     if is_psf(thing):
         if pixel is not None:
-            raise ValueError(f"pixel must be None for a PSF, which has its own, got {validation.shown(pixel)}")
+            raise ValueError(f"pixel must be None for a PSF, whose pixels are used, got {validation.shown(pixel)}")
         pupil, grid = thing.pupil, thing.grid
         sides = grid.active
     else:
         pupil = checked_pupil(thing)
         side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
         sides = side, side
-    members = drawing.evenly_spaced_members(pupil.shape, _MOST)
+    members = drawing.evenly_spaced_members(pupil.shape, _MAX_MEMBERS)
     titles = drawing.of_pupils(pupil)
     axes = drawing.new_axes(ax)
     factor, unit = drawing.frequencies(pupil.unit)
@@ -375,7 +381,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     for k, (place, index) in enumerate(members.items()):
         one = thing[index] if pupil.shape else thing
         name = f"{titles[place]}, " if pupil.shape else ""
-        if _same_along_both(one, sides):
+        if _equal_along_axes(one, sides):
             axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
             continue
         axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
@@ -388,7 +394,7 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
             ideal = first.unaberrated()
         axes.plot(factor * f, _curve(ideal, f, zero, sides), color="0.5", linewidth=1.0, label="without aberration")
     if sides[1]:
-        axes.plot(factor * f, _of_pixel(f, sides[1]), ":", color="0.5", label="pixel alone")
+        axes.plot(factor * f, _pixel_mtf(f, sides[1]), ":", color="0.5", label="pixel alone")
         nyquist = 0.5 / (thing.grid.pitch[1] if is_psf(thing) else sides[1])
         if nyquist <= most:
             axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
@@ -397,12 +403,13 @@ def mtf(thing: Pupil | PSFLike, ax: Axes | None = None, *, pixel: float | None =
     return axes
 
 
-def _of_pixel(f: Array, side: float) -> Array:
+def _pixel_mtf(f: Array, side: float) -> Array:
+    """Return the MTF of a pixel of this side at frequencies f along the side."""
     return np.asarray(np.abs(np.sinc(f * side)))
 
 
-def _same_along_both(thing: Any, sides: tuple[float, float]) -> bool:
-    """Return whether the curves along x and y coincide."""
+def _equal_along_axes(thing: Any, sides: tuple[float, float]) -> bool:
+    """Return True if the MTFs along x and y are equal."""
     if not is_psf(thing):
         return bool(thing.radial)
     directional = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
@@ -410,9 +417,9 @@ def _same_along_both(thing: Any, sides: tuple[float, float]) -> bool:
 
 
 def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Array:
-    """Return the MTF of a single pupil with pixels of the given sides (y, x), or of a single PSF."""
+    """Return the MTF of a single pupil times that of pixels with `sides` (y, x), or the MTF of a single PSF."""
     if not is_psf(thing):
-        return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
+        return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _pixel_mtf(fx, sides[1]) * _pixel_mtf(fy, sides[0])
     return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
 
 
@@ -425,22 +432,22 @@ def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:
     return f"{title} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"
 
 
-_RADII = 129
-_SHARES = (0.5, 0.8)
+_RADII = 129  # number of radii of a curve
+_FRACTIONS = (0.5, 0.8)  # fractions of the light whose radii are marked
 
 
 @display.register("encircled energy")
 def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-    """Draw the encircled energy about the axis, with the encircled energy of the unaberrated aperture.
+    """Draw the encircled energy about the axis, for comparison also that of the unaberrated aperture.
 
     Parameters
     ----------
     psf : PSF
-        Single PSF, or a stack, of which at most eight evenly spaced members are drawn.
+        Single PSF or stack. At most eight evenly spaced members of a stack are drawn.
     ax : matplotlib Axes, optional
-        By default a new figure with a title, which gives the radii of 50 and 80 % of a single PSF.
+        By default a new figure, whose title states the radii that contain 50 % and 80 % of the light of a single PSF.
     radius : float, optional
-        Largest radius, metres or units of lambda*N; by default that of the largest circle inside the window.
+        Largest radius, metres or units of lambda*N; by default the radius of the largest circle in the window.
 
     Returns
     -------
@@ -455,19 +462,19 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
 
     Notes
     -----
-    The curve is :func:`lommel.measures.energy.encircled_energy`, with blur and pixels. For a single PSF of a lens a
-    dashed curve shows the same aperture in focus and without aberration.
+    The curve is :func:`lommel.measures.energy.encircled_energy`, with blur and pixels. For a single PSF of a lens, a
+    dashed curve is the encircled energy of the same aperture in focus and without aberrations.
     """
     pupil = checked(psf, "psf").pupil
     validation.axes("ax", ax)
-    far = _fitting(psf) if radius is None else validation.real("radius", radius, above=0.0)
+    far = _window_radius(psf) if radius is None else validation.real("radius", radius, above=0.0)
     at = np.linspace(0.0, far, _RADII)
     factor, unit = drawing.lengths(psf.unit)
     title = "encircled energy"
     axes = drawing.new_axes(ax)
     if pupil.shape:
         titles = drawing.of_pupils(pupil)
-        for place, index in drawing.evenly_spaced_members(pupil.shape, _MOST).items():
+        for place, index in drawing.evenly_spaced_members(pupil.shape, _MAX_MEMBERS).items():
             axes.plot(factor * at, within(psf[index], at), label=titles[place])
     else:
         curve = np.asarray(within(psf, at))
@@ -475,19 +482,19 @@ def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | No
         if isinstance(pupil, Pupil):
             ideal = within(replace(psf, pupil=pupil.unaberrated(), derivatives={}), at)
             axes.plot(factor * at, ideal, "--", color="0.5", label="without aberration")
-        radii = {share: float(np.interp(share, curve, at)) for share in _SHARES if curve[-1] > share}
-        notes = [f"{percent(share)} within {half * factor:.3g} {unit}" for share, half in radii.items()]
+        radii = {part: factor * float(np.interp(part, curve, at)) for part in _FRACTIONS if curve[-1] > part}
+        notes = [f"{percent(part)} within {marked:.3g} {unit}" for part, marked in radii.items()]
         title = ", ".join([title, *notes])
-        for share, half in radii.items():
-            axes.plot([0.0, half * factor, half * factor], [share, share, 0.0], ":", color="0.5", linewidth=0.8)
-    own, limits = title if ax is None else None, (0.0, far * factor)
+        for part, marked in radii.items():
+            axes.plot([0.0, marked, marked], [part, part, 0.0], ":", color="0.5", linewidth=0.8)
+    figure_title, limits = title if ax is None else None, (0.0, far * factor)
     ylabel = "fraction of all light"
-    drawing.complete_curves(axes, own, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
+    drawing.complete_curves(axes, figure_title, limits, "lower right", xlabel=f"radius ({unit})", ylabel=ylabel)
     return axes
 
 
-def _fitting(psf: PSFLike) -> float:
-    """Return the radius of the largest circle about the axis in all windows, or else half of the longer side."""
+def _window_radius(psf: PSFLike) -> float:
+    """Return the radius of the largest circle about the axis in the window; half a side if the axis is outside."""
     ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
     inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
     sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))

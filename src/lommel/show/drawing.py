@@ -1,4 +1,4 @@
-"""Labels, units, brightness scales and axes of all plots."""
+"""Labels, units, brightness scales, figures and axes that all plots share."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ _Item = TypeVar("_Item")
 
 
 def of_pupils(pupil: BasePupil) -> list[str]:
-    """Return a label for each of the flattened stack: the object's distance, or an objective's depth and stage."""
+    """Return a label for each pupil of the flattened stack: object distance, depth and z, or a coefficient."""
     if isinstance(pupil, ObjectivePupil):
         places = {"depth": pupil.depth, "z": pupil.z}
-        told = [_lengths(f"{name} ", at.ravel()) for name, at in places.items() if np.ptp(at)]
-        if told:
-            return [", ".join(parts) for parts in zip(*told, strict=True)]
+        varied = [_lengths(f"{name} ", at.ravel()) for name, at in places.items() if np.ptp(at)]
+        if varied:
+            return [", ".join(parts) for parts in zip(*varied, strict=True)]
     if isinstance(pupil, Pupil):
         distances = () if pupil.geometry is None else pupil.geometry.object_distance
         if len(set(distances)) > 1:
@@ -47,37 +47,38 @@ def of_pupils(pupil: BasePupil) -> list[str]:
 
 
 def of_wavefronts(wavefront: Wavefront) -> list[str]:
-    """Return a label for each of the flattened stack: the coefficient, if only one differs."""
+    """Return a label for each wavefront of the flattened stack: a coefficient if only one varies, else an index."""
     flat = wavefront.flattened()
     powers = flat.coefficients
     others = flat.edge[:, flat.symmetric :]
-    radial, sideways = (np.flatnonzero(np.ptp(each, axis=0)) for each in (powers, others))
-    if radial.size == 1 and not sideways.size and radial[0] < 2:
+    radial, nonradial = (np.flatnonzero(np.ptp(part, axis=0)) for part in (powers, others))
+    if radial.size == 1 and not nonradial.size and radial[0] < 2:
         name, values = (("defocus", flat.defocus), ("spherical", flat.spherical))[radial[0]]
-    elif sideways.size == 1 and not radial.size:
-        return _terms(flat, flat.symmetric + int(sideways[0]))
+    elif nonradial.size == 1 and not radial.size:
+        return _term_labels(flat, flat.symmetric + int(nonradial[0]))
     else:
         varied = np.flatnonzero(np.ptp(flat.edge, axis=0))
         if varied.size != 1:
             return _indices(wavefront.shape)
-        return _terms(flat, int(varied[0]))
+        return _term_labels(flat, int(varied[0]))
     return [f"{name} {true_minus(f'{value + 0.0:.3g}')} rad" for value in values]
 
 
-def _terms(flat: Wavefront, which: int) -> list[str]:
-    n, m = flat.terms[which]
-    waves = flat.edge[:, which] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
-    return [f"{zernike.name(n, m)} {true_minus(f'{each:.3g}')} waves rms" for each in waves]
+def _term_labels(flat: Wavefront, column: int) -> list[str]:
+    n, m = flat.terms[column]
+    waves = flat.edge[:, column] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
+    return [f"{zernike.name(n, m)} {true_minus(f'{value:.3g}')} waves rms" for value in waves]
 
 
 def _lengths(what: str, at: Array) -> list[str]:
+    """Return lengths as texts in the unit of the largest one, each after the text `what`."""
     finite = np.abs(at[np.isfinite(at)])
     like = float(finite.max()) if finite.size else None
-    return [f"{what}{length_in_words(each + 0.0, like=like)}" for each in at.tolist()]
+    return [f"{what}{length_in_words(length + 0.0, like=like)}" for length in at.tolist()]
 
 
 def length_in_words(metres: float, like: float | None = None) -> str:
-    """Return a length as pictures show it, in a suitable unit or the given one."""
+    """Return a length as a text for figures, in a suitable unit, or in a unit that suits the length `like`."""
     return true_minus(format_length(metres, like=like).replace(" um", " µm").replace("infinity", "∞"))
 
 
@@ -95,12 +96,12 @@ def of_emitter(emitter: Emitter) -> str:
 
 
 def true_minus(text: str) -> str:
-    """Return a text of numbers with minus signs, as axes have them, in place of hyphens."""
+    """Return a text with hyphens replaced by minus signs, as in the tick labels of axes."""
     return text.replace("-", "−")
 
 
 def name_in_words(name: str) -> str:
-    """Return the name of a lens as pictures show it: with µm in place of the um of its file."""
+    """Return the name of a lens for figures, with µm in place of um."""
     return re.sub(r"(?<=\d )um\b", "µm", name)
 
 
@@ -109,61 +110,61 @@ def _indices(shape: tuple[int, ...]) -> list[str]:
 
 
 def evenly_spaced(items: Sequence[_Item], most: int) -> list[_Item]:
-    """Return at most `most` of some items, evenly spread, the first and the last among them."""
+    """Return at most `most` evenly spaced items, including the first and the last item."""
     if len(items) <= most:
         return list(items)
     return [items[round(k * (len(items) - 1) / (most - 1))] for k in range(most)]
 
 
 def evenly_spaced_members(shape: tuple[int, ...], most: int) -> dict[int, tuple[int, ...]]:
-    """Return a :func:`evenly_spaced` of a stack, at most so many: their places in it flattened, and their indices."""
-    chosen = evenly_spaced(range(math.prod(shape)), most)
-    return {place: tuple(int(i) for i in np.unravel_index(place, shape)) for place in chosen}
+    """Return the indices of at most `most` evenly spaced members of a stack, by index into the flattened stack."""
+    members = evenly_spaced(range(math.prod(shape)), most)
+    return {member: tuple(int(i) for i in np.unravel_index(member, shape)) for member in members}
 
 
 MEANING = {
     "energy": "fraction of all light per pixel",
-    "emitted": "light per pixel over all that is collected far from the glass",
+    "emitted": "light per pixel / light collected from an emitter far from the glass",
     "strehl": "1 = unaberrated peak",
     "peak": "1 = largest value",
 }
-"""Name of a value, by the normalisation."""
+"""Meaning of a value, by :attr:`lommel.PSF.normalize`."""
 
 HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
 """Relation of values to their pixels, by :attr:`lommel.PSF.sampling`."""
 
 USER = ("plots need", "plot")
-"""Features that need a library, and the extra that installs it."""
+"""Beginning of the message for a missing library, and the name of the extra that installs it."""
 
 STRETCHES = {
     "sqrt": "the square root of the value",
     "linear": "the value",
     "log": "the logarithm of the value,\ndown to 1e-5 of the largest",
 }
-"""Scales of brightness, and the quantity that is linear on each."""
+"""Brightness scales: the quantity to which brightness is proportional, by the name of the scale."""
 
 _BAR_NOTES = {"sqrt": "\n(colours: square root)", "linear": "", "log": "\n(colours: logarithm)"}
 
 
 def bar_label(meaning: str, stretch: str) -> str:
-    """Return the label of a colour bar of values, with its scale where that is not linear."""
+    """Return the label of a colour bar, with a note if the scale is not linear."""
     return meaning + _BAR_NOTES[stretch]
 
 
 COLOURS = "inferno"
-"""Colour map of light, as on the live page."""
+"""Colour map of light, also used by the live page."""
 
 MOST = 64
-"""Pictures in one figure."""
+"""Largest number of pictures in one figure."""
 
 Drawn: TypeAlias = "Axes | NDArray[np.object_]"
-"""Axes of one picture, or of each of a stack."""
+"""Axes of one picture, or an array with the axes of each picture of a stack."""
 
-_FLOOR = 1e-5  # of the peak: lower end of logarithmic scales
+_FLOOR = 1e-5  # lower end of logarithmic scales, relative to the peak
 
 
 def norm_of(stretch: str, values: Values) -> Normalize:
-    """Return the brightness scale of values, up to the largest of them or to 1."""
+    """Return the brightness scale from 0 (logarithmic: 1e-5) to the largest value, or to 1 if all are 0."""
     library("matplotlib", *USER)
     from matplotlib import colors
 
@@ -174,7 +175,7 @@ def norm_of(stretch: str, values: Values) -> Normalize:
 
 
 def even_norm(largest: float) -> Normalize:
-    """Return a scale symmetric about 0 for signed values; from -1 to 1 if all are 0."""
+    """Return the linear scale from -largest to largest for signed values; from -1 to 1 if `largest` is 0."""
     library("matplotlib", *USER)
     from matplotlib.colors import Normalize
 
@@ -182,7 +183,7 @@ def even_norm(largest: float) -> Normalize:
 
 
 def stretched(light: Values, stretch: str) -> NDArray[np.float64]:
-    """Return levels from 0 to 1 of light from 0 to 1."""
+    """Return brightness from 0 to 1 for light from 0 to 1."""
     if stretch == "log":
         return np.asarray(1.0 - np.log10(np.maximum(light, _FLOOR)) / np.log10(_FLOOR))
     return np.asarray(np.sqrt(light) if stretch == "sqrt" else light, dtype=np.float64)
@@ -194,84 +195,86 @@ def pyplot() -> ModuleType:
 
 
 def with_margins(figure: Figure) -> None:
-    """Keep labels off the edges of a figure, and those of its axes apart."""
+    """Set margins around the labels of a figure and between its axes."""
     figure.get_layout_engine().set(w_pad=0.08, h_pad=0.08)  # type: ignore[union-attr, call-arg]
 
 
 def new_axes(ax: Axes | None, **options: object) -> Axes:
-    """Return the given axes, or those of a new figure with these options."""
+    """Return `ax`, or if it is None the axes of a new figure with these options."""
     if ax is None:
         figure, ax = pyplot().subplots(layout="constrained", **options)
         with_margins(figure)
     return ax
 
 
-_LONG = 3.9  # inches: longer side of a picture
-_BESIDE, _ABOVE = 2.5, 0.9  # inches: width of a colour bar with its labels, height of a title with those of x
+_PICTURE_SIDE = 3.9  # longer side of a picture, inches
+_EXTRA_WIDTH, _EXTRA_HEIGHT = 2.5, 0.9  # room for the colour bar with labels, and for title and x labels, inches
 
 
 def picture_axes(ax: Axes | None, height: float, width: float) -> Axes:
-    """Return the given axes, or those of a new figure for a picture with such sides and a colour bar."""
+    """Return `ax`, or the axes of a new figure for a picture of the aspect ratio height : width with a colour bar."""
     if ax is not None:
         return ax
-    inch = _LONG / max(height, width)
-    size = max(inch * width, 0.5) + _BESIDE, max(inch * height + _ABOVE, 2.6)
+    inch = _PICTURE_SIDE / max(height, width)
+    size = max(inch * width, 0.5) + _EXTRA_WIDTH, max(inch * height + _EXTRA_HEIGHT, 2.6)
     figure = pyplot().figure(figsize=size, layout="compressed")
     with_margins(figure)
     return figure.subplots()  # type: ignore[no-any-return]
 
 
 def lengths(unit: str) -> tuple[float, str]:
-    """Return the factor from lengths in the `unit` of a pupil to those on axes, and the unit there."""
+    """Return the factor that converts lengths in the `unit` of a pupil to the unit of axes, and the latter."""
     return (1e6, "µm") if unit == "m" else (1.0, "λN")
 
 
 def frequencies(unit: str) -> tuple[float, str]:
-    """Return the same for spatial frequencies, cycles per `unit`."""
+    """Return the factor that converts cycles per `unit` to the unit of frequency axes, and the latter."""
     return (1e-3, "cycles/mm") if unit == "m" else (1.0, "cycles/λN")
 
 
 def only_single(ax: Axes | None, shape: tuple[int, ...]) -> None:
-    """Raise ValueError for a single pair of axes and a stack, which needs several."""
+    """Raise ValueError if `ax` is passed for a stack, which needs several axes."""
     if ax is not None and shape != ():
-        raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
+        raise ValueError(f"ax must be None for a stack, which needs several axes, got a stack of shape {shape}")
 
 
 def at_most(shape: tuple[int, ...]) -> None:
     """Raise ValueError for a stack that is too large for one figure."""
     if int(np.prod(shape)) > MOST:
-        raise ValueError(f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, as stack[:8]")
+        raise ValueError(
+            f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, for example stack[:8]"
+        )
 
 
 def round_length(most: float) -> float:
-    """Return the largest of 1, 2 and 5 times a power of ten up to `most`."""
+    """Return the largest number of the form 1, 2 or 5 times a power of ten that is at most `most`."""
     decade = 10.0 ** np.floor(np.log10(most))
     return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
 
 
 def columns_of(count: int) -> int:
-    """Return the number of columns of pictures side by side: one row up to eight, then few empty places."""
+    """Return the number of columns for `count` pictures: one row up to eight, else rows with few empty places."""
     if count <= 8:
         return count
     return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
 
 
 def figure_of(drawn: Figure | Axes) -> Figure:
-    """Return the whole figure of axes, or of a part of it."""
+    """Return the figure that contains axes or a subfigure."""
     figure = drawn.get_figure(root=True)
     assert figure is not None
     return figure
 
 
 def fitted(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
-    """Return a title broken between words into lines no wider than its figure, for letters of so many points."""
+    """Return a title broken between words into lines that fit the figure's width, for a font size in points."""
     figure = figure_of(drawn)
     letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
     return "\n".join(part for line in text.split("\n") for part in _wrapped(line, letters))
 
 
 def _wrapped(line: str, most: int) -> list[str]:
-    """Return a text in as few lines as its letters take, none of which is much shorter than the others."""
+    """Break a text into the smallest number of lines of at most `most` letters, of about equal length."""
     lines = textwrap.wrap(line, most) or [""]
     for width in range(-(-len(line) // len(lines)), most if len(lines) > 1 else 0):
         if len(even := textwrap.wrap(line, width)) == len(lines):
@@ -280,18 +283,18 @@ def _wrapped(line: str, most: int) -> list[str]:
 
 
 def entitle(figure: Figure, text: str) -> None:
-    """Give a figure a title above all of its axes, within its width."""
+    """Set the title of a figure, broken into lines that fit its width."""
     figure.suptitle(fitted(text, figure), fontsize=9)
 
 
-def circle(axes: Axes, radius: float, **how: Any) -> None:
-    """Draw a dashed circle about the origin."""
+def circle(axes: Axes, radius: float, **style: Any) -> None:
+    """Draw a dashed circle about the origin; `style` holds options of `Axes.plot`."""
     angle = np.linspace(0.0, 2.0 * np.pi, 181)
-    axes.plot(radius * np.cos(angle), radius * np.sin(angle), "--", **how)
+    axes.plot(radius * np.cos(angle), radius * np.sin(angle), "--", **style)
 
 
 def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
-    """Keep labels only at the first picture of each row and the last of each column."""
+    """Remove the labels of picture `k` of `count`, except y labels in the first column and x labels at the bottom."""
     if k % columns:
         axes.set(ylabel="", yticklabels=[])
     if k + columns < count:
@@ -299,7 +302,7 @@ def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
 
 
 def caption(axes: Axes, title: str, label: str) -> None:
-    """Give a picture in a figure of its own a title, and a colour bar with a label."""
+    """Set the title of a picture and add a colour bar with a label."""
     axes.set_title(fitted(title, axes), fontsize=9)
     axes.figure.colorbar(axes.images[-1], ax=axes).set_label(label, fontsize=9)
 
@@ -311,7 +314,7 @@ def complete_curves(
     loc: Literal["best", "lower right"] = "best",
     **labels: str,
 ) -> None:
-    """Give curves of fractions labels, limits, a grid, a legend, and a title where the figure is their own."""
+    """Add labels, limits, a grid, a legend and a title (unless None) to curves of values from 0 to 1."""
     axes.set(xlim=xlim, ylim=(0.0, 1.05), **labels)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, loc=loc)
@@ -326,7 +329,7 @@ def tiles(
     title: str,
     label: str,
 ) -> NDArray[np.object_]:
-    """Draw a stack side by side in a new figure with one colour bar; `draw` takes an index and axes."""
+    """Draw the members of a stack in a new figure with one colour bar; ``draw(index, axes)`` draws one member."""
     at_most(shape)
     count = int(np.prod(shape))
     columns = shape[1] if len(shape) == 2 else columns_of(count)

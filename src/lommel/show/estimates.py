@@ -1,4 +1,4 @@
-"""Plots of estimates: depth maps, their precision, fitted wavefronts and field maps, molecules, restored stacks."""
+"""Plots of estimates: depth maps and their precision, fitted wavefronts, field maps, molecules, restored stacks."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
 Colours = NDArray[np.uint8]
 
-_GREY, _BACK, _INK = 128, 24, 235  # grey levels
-_BAR, _TEXT = 24, 12  # pixels: height of the bar, and of its letters
-_LEAST_GRADIENT = 100  # pixels: least length of a gradient beside which grey is explained as well
+_GREY, _BACK, _INK = 128, 24, 235  # grey levels of unknown depth, of the background and of letters, 0 to 255
+_BAR, _TEXT = 24, 12  # height of the colour bar and of its letters, pixels
+_MIN_GRADIENT = 100  # smallest length of the gradient, pixels, if the bar also explains grey
 
 
 class DepthColours:
-    """Colours of depths, yellow for the nearest to violet for the farthest, in equal steps of 1 / distance.
+    """Picture of depth maps in colour, from yellow (nearest) to violet (farthest), linear in 1 / distance.
 
     Parameters
     ----------
@@ -38,9 +38,9 @@ class DepthColours:
     shape : (int, int)
         Height and width of the frames, pixels.
     block : int
-        Pixels a side of the blocks.
+        Side, in pixels of the frames, of a value of the depth map.
     beside : bool
-        Whether an image will stand to the right.
+        True if a grey image is drawn to the right of the depth map.
     """
 
     def __init__(self, between: tuple[float, float], shape: tuple[int, int], block: int, beside: bool) -> None:
@@ -48,7 +48,7 @@ class DepthColours:
         colours = library("matplotlib", *user).colormaps["viridis_r"](np.linspace(0.0, 1.0, 255))
         grey = [[_GREY] * 3]
         self._table: Colours = np.concatenate([grey, np.rint(255.0 * colours[:, :3])]).astype(np.uint8)
-        self._near, self._far = (1.0 / each for each in between)
+        self._near, self._far = (1.0 / distance for distance in between)
         self._shape, self._block = shape, block
         height, width = shape[0], shape[1] * (1 + beside)
         self._picture = np.full((height + _BAR, width, 3), _BACK, np.uint8)
@@ -56,40 +56,40 @@ class DepthColours:
         self._picture[height:] = self._bar(between, width)
 
     def _bar(self, between: tuple[float, float], width: int) -> Colours:
-        """Return the gradient with its ends in words, and the grey of unknown depth where there is room."""
+        """Return the colour bar, labelled with both distances, and if there is room the grey of unknown depth."""
         image, drawing = (
             library(f"PIL.{name}", "the bar of colours needs", "images") for name in ("Image", "ImageDraw")
         )
-        made = image.new("RGB", (width, _BAR), (_BACK,) * 3)
-        draw = drawing.Draw(made)
+        canvas = image.new("RGB", (width, _BAR), (_BACK,) * 3)
+        draw = drawing.Draw(canvas)
         draw.fontmode = "L"
         font = library("PIL.ImageFont", "the bar of colours needs", "images").load_default(_TEXT)
-        ends = [format_length(each) if math.isfinite(each) else "infinity" for each in between]
+        ends = [format_length(distance) if math.isfinite(distance) else "infinity" for distance in between]
         words = [*ends, "not known"]
-        left, right, unknown = (math.ceil(draw.textlength(each, font=font)) for each in words)
+        left, right, unknown = (math.ceil(draw.textlength(text, font=font)) for text in words)
         start = left + 10
         stop = width - right - 10
-        wide = stop - start - unknown - _BAR - 12 >= _LEAST_GRADIENT
+        wide = stop - start - unknown - _BAR - 12 >= _MIN_GRADIENT
         if wide:
             stop -= unknown + _BAR + 12
             draw.rectangle((stop + right + 18, 6, stop + right + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3)
             draw.text((width - unknown - 4, _BAR // 2), words[2], fill=(_INK,) * 3, font=font, anchor="lm")
         draw.text((4, _BAR // 2), words[0], fill=(_INK,) * 3, font=font, anchor="lm")
         draw.text((stop + 6, _BAR // 2), words[1], fill=(_INK,) * 3, font=font, anchor="lm")
-        bar = np.array(made)
+        bar = np.array(canvas)
         if stop - start > 8:
             places = 1 + np.rint(np.linspace(0.0, 254.0, stop - start)).astype(int)
             bar[6:-6, start:stop] = self._table[places]
         return bar
 
     def __call__(self, depth: NDArray[np.float32], image: Colours | None = None) -> Colours:
-        """Return the picture of a depth map, NaN where not known, with a grey image beside it if there is one.
+        """Return the picture of a depth map (NaN: unknown depth), with a grey image beside it unless `image` is None.
 
-        The next call overwrites it.
+        The next call overwrites the picture.
         """
         with np.errstate(invalid="ignore"):
-            share = (self._near - 1.0 / depth) / (self._near - self._far)
-            level = np.where(np.isfinite(depth), 1.0 + 254.0 * np.clip(share, 0.0, 1.0), 0.0).astype(np.uint8)
+            fraction = (self._near - 1.0 / depth) / (self._near - self._far)
+            level = np.where(np.isfinite(depth), 1.0 + 254.0 * np.clip(fraction, 0.0, 1.0), 0.0).astype(np.uint8)
         blocks = self._table[level]
         spread = np.repeat(np.repeat(blocks, self._block, axis=0), self._block, axis=1)
         height, width = spread.shape[:2]
@@ -99,8 +99,8 @@ class DepthColours:
         return self._picture
 
 
-_ACROSS = 5
-_SIGMAS = 4.0  # range of residuals
+_ACROSS = 5  # largest number of panels in a row
+_SIGMAS = 4.0  # colour scale of residuals: from -4 to 4 standard deviations
 
 
 def field(
@@ -111,7 +111,11 @@ def field(
     unit: str,
     title: str,
 ) -> Figure:
-    """Draw terms (name, values and standard errors over the sensor), the stars on it, and some images with models."""
+    """Draw maps of Zernike terms over the sensor, the fitted stars, and the images and models of five stars.
+
+    A map is (name, values, standard errors); `axes` are x, y and their unit; `stars` are x, y, chi^2 and True for the
+    stars that the fit used; `images` are measured images and models.
+    """
     x, y, length = axes
     across, down, chi2, used = stars
     factor, name = (1e3, "mm") if length == "m" else (1.0, "λN")
@@ -141,8 +145,8 @@ def field(
     panel.tick_params(labelsize=7)
     panel.set_title("stars, chi2" + ("" if used.all() else "\ncrosses: rejected"), fontsize=8)
     upper.colorbar(shown, ax=panel, shrink=0.75).ax.tick_params(labelsize=7)
-    for rest in panels.flat[len(maps) + 1 :]:
-        rest.remove()
+    for empty in panels.flat[len(maps) + 1 :]:
+        empty.remove()
     upper.suptitle(f"Zernike terms over the sensor ({unit} rms), ± median standard error", fontsize=10)
     _stars(lower, images, (across, down, used))
     figure.suptitle(textwrap.fill(title, 130), fontsize=9)
@@ -150,8 +154,8 @@ def field(
 
 
 def _stars(part: SubFigure, images: tuple[Array, Array], stars: tuple[Array, Array, NDArray[np.bool_]]) -> None:
-    """Draw images, models and residuals of a star in the middle and of those nearest to the corners."""
-    seen, model = images
+    """Draw images, models and residuals of the stars nearest to the middle and to the corners of the field."""
+    measured, model = images
     across, down, used = stars
     at = np.flatnonzero(used)
     wide, high = max(float(np.ptp(across)), 1e-300), max(float(np.ptp(down)), 1e-300)
@@ -165,45 +169,45 @@ def _stars(part: SubFigure, images: tuple[Array, Array], stars: tuple[Array, Arr
     columns = []
     for name, (u, v) in spots.items():
         k = at[np.argmin(((across[at] - u) / wide) ** 2 + ((down[at] - v) / high) ** 2)]
-        image, fit = seen[k, 0], model[k, 0]
+        image, fit = measured[k, 0], model[k, 0]
         columns.append((name, image, fit, (image - fit) / np.sqrt(np.maximum(fit, 1.0))))
-    panels, left = _residual_rows(part, columns, letters=8)
-    part.colorbar(left, ax=panels.ravel().tolist(), label="residual over photon noise", shrink=0.6)
+    panels, residual = _residual_rows(part, columns, letters=8)
+    part.colorbar(residual, ax=panels.ravel().tolist(), label="residual / photon noise", shrink=0.6)
 
 
 def _residual_rows(
     part: FigureBase, columns: Sequence[tuple[str, Array, Array, Array]], letters: float
 ) -> tuple[NDArray[np.object_], AxesImage]:
-    """Draw title, image, model and residual of each column; return the panels, and a drawn residual."""
+    """Draw image, model and residual below the title of each column; return the panels and the last residual."""
     panels = part.subplots(3, len(columns), squeeze=False)
     norm = library("matplotlib.colors", *drawing.USER).PowerNorm
     for column, (title, image, model, residual) in zip(panels.T, columns, strict=True):
         scale = norm(0.5, np.nanmin(image), np.nanmax(image))
         for panel, values in zip(column[:2], (image, model), strict=True):
             panel.imshow(values, cmap=drawing.COLOURS, norm=scale, interpolation="nearest")
-        left = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
+        drawn = column[2].imshow(residual, cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
         column[0].set_title(title, fontsize=8)
     rows = "measured\n(square root)", "model\n(square root)", "residual"
     for row, text in zip(panels, rows, strict=True):
         row[0].set_ylabel(text, fontsize=letters)
     for panel in panels.flat:
-        panel.set(xticks=[], yticks=[], facecolor="0.5")  # of what was left out
-    return panels, left
+        panel.set(xticks=[], yticks=[], facecolor="0.5")  # colour of NaN pixels
+    return panels, drawn
 
 
-_COLOURS = "turbo"
-_MOST_PIXELS, _USUAL = 4096, 800  # largest and usual side, pixels
-_LEAST_WIDTH = 5e-9
-_WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # pixels: widths of the Gaussians that are drawn together
+_COLOURS = "turbo"  # colour map of z or depth
+_MAX_PIXELS, _DEFAULT_PIXELS = 4096, 800  # largest and default number of pixels along the longer side
+_MIN_PIXEL = 5e-9  # smallest default pixel, metres
+_WIDTHS = 2.0 ** (0.5 * np.arange(-1, 13))  # rounded standard deviations of molecules, pixels
 _AXES = {"z": "stage position z (µm)", "depth": "depth (µm)"}
 
 
 def picture(
     rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
 ) -> Axes:
-    """Draw molecules in a field of a height and width (metres in the sample), with about this pixel pitch."""
+    """Draw molecules in a field of `size` (height, width; metres in the sample) with about this pixel pitch."""
     axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
-    side = max(_LEAST_WIDTH, max(size) / _USUAL) if pixel is None else max(pixel, max(size) / _MOST_PIXELS)
+    side = max(_MIN_PIXEL, max(size) / _DEFAULT_PIXELS) if pixel is None else max(pixel, max(size) / _MAX_PIXELS)
     flat = along == "none"
     heights = np.zeros(rows.size) if flat else 1e6 * rows["z"]
     low, high = np.percentile(heights, [1.0, 99.0]) if rows.size else (0.0, 1.0)
@@ -220,7 +224,7 @@ def picture(
 
 
 def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, colours: Array) -> Array:
-    """Return red, green and blue, 0 to 1, of molecules in these colours, on black."""
+    """Return an RGB image, 0 to 1, of molecules as Gaussians of their localisation error, on black."""
     height, width = (max(1, math.ceil(one / side - 1e-9)) for one in size)
     light = np.zeros((4, height, width))
     down, across = (np.floor(rows[name] / side).astype(int) for name in ("y", "x"))
@@ -228,39 +232,39 @@ def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, col
     spread = np.sqrt(0.5 * (rows["x_error"] ** 2 + rows["y_error"] ** 2)) / side
     nearest = np.abs(np.log(_WIDTHS) - np.log(np.maximum(spread, 1e-6))[:, None]).argmin(axis=1)
     for k in np.unique(nearest[inside]):
-        mine = inside & (nearest == k)
-        place = down[mine] * width + across[mine]
-        for channel, weights in enumerate((None, *colours[mine].T)):
+        group = inside & (nearest == k)
+        place = down[group] * width + across[group]
+        for channel, weights in enumerate((None, *colours[group].T)):
             sums = np.bincount(place, weights, height * width).astype(float).reshape(height, width)
             light[channel] += ndimage.gaussian_filter(sums, _WIDTHS[k], mode="constant")
     amount = light[0]
-    lit = amount[amount > 1e-3 * amount.max(initial=0.0)]
-    top = float(np.percentile(lit, 99.0)) if lit.size else 1.0
+    bright = amount[amount > 1e-3 * amount.max(initial=0.0)]
+    top = float(np.percentile(bright, 99.0)) if bright.size else 1.0
     brightness = np.clip(amount / top, 0.0, 1.0) ** 0.5
     colour = np.divide(light[1:], amount, out=np.zeros_like(light[1:]), where=amount > 0.0)
     return np.ascontiguousarray(np.moveaxis(np.clip(colour * brightness, 0.0, 1.0), 0, -1))
 
 
 _UNKNOWN = "0.55"  # colour of unknown values
-_SIDE = 3.3  # inches of the longest side
-_STACK_SIGMAS = 5.0  # range of the residual
-_LEAST_SHARE = 0.18  # least height of xz over that of xy
+_SIDE = 3.3  # longer side of xy, inches
+_STACK_SIGMAS = 5.0  # colour scale of residuals: from -5 to 5 standard deviations
+_MIN_XZ_HEIGHT = 0.18  # smallest height of xz, as a fraction of the height of xy
 
 
 def projections(
     channels: Sequence[tuple[str, Sequence[tuple[Values, Values]]]], voxel: tuple[float, float], title: str
 ) -> Figure:
-    """Draw projections of channels: recorded, restored, residual, each along z and, below that, along y.
+    """Draw recorded, restored and residual stacks of each channel, projected along z (above) and along y (below).
 
     `voxel` is the step along z and the pixel, metres. Brightness is the square root of the values, from 0 to the
-    largest of each; the residual is in standard deviations.
+    largest value of each projection along z; the residual is in standard deviations.
     """
     height, width = channels[0][1][0][0].shape
     planes = len(channels[0][1][0][1])
     step, pixel = voxel
     wide, high, deep = width * pixel, height * pixel, planes * step
     inch = _SIDE / max(wide, high)
-    below = max(deep, _LEAST_SHARE * high)
+    below = max(deep, _MIN_XZ_HEIGHT * high)
     size = 3 * (inch * wide + 0.25) + 1.1, len(channels) * (inch * (high + below) + 0.75) + 0.5
     figure: Figure = drawing.pyplot().figure(figsize=size, layout="compressed")
     drawing.with_margins(figure)
@@ -270,31 +274,31 @@ def projections(
             for panel, values, extent in zip(
                 rows[:, column], pair, ((0.0, wide, high, 0.0), (0.0, wide, deep, 0.0)), strict=True
             ):
-                how: dict[str, Any] = {"cmap": "RdBu_r", "vmin": -_STACK_SIGMAS, "vmax": _STACK_SIGMAS}
+                style: dict[str, Any] = {"cmap": "RdBu_r", "vmin": -_STACK_SIGMAS, "vmax": _STACK_SIGMAS}
                 if words != "residual":
-                    how = {
+                    style = {
                         "cmap": drawing.COLOURS,
                         "vmin": 0.0,
                         "vmax": math.sqrt(float(np.nanmax(pair[0], initial=1e-30))),
                     }
                     values = np.sqrt(np.maximum(values, 0.0))
-                drawn = panel.imshow(values, extent=extent, interpolation="nearest", **how)
+                drawn = panel.imshow(values, extent=extent, interpolation="nearest", **style)
                 panel.set(xticks=[], yticks=[], facecolor=_UNKNOWN)
                 panel.set_aspect("equal" if below == deep or extent[2] == high else "auto")
             scale = "" if words == "residual" else " (square root)"
             rows[0, column].set_title(f"{name}{words}{scale}", fontsize=9)
         rows[0, 0].set_ylabel("xy", fontsize=9)
         rows[1, 0].set_ylabel("xz", fontsize=9)
-        figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual over noise", shrink=0.9, extend="both")
+        figure.colorbar(drawn, ax=rows[:, 2].tolist(), label="residual / noise", shrink=0.9, extend="both")
         _scale_bar(rows[1, 0], wide)
     drawing.entitle(figure, title)
     return figure
 
 
 def _scale_bar(axes: Axes, width: float) -> None:
-    """Draw a bar below axes whose width is in metres, with its length beside it."""
+    """Draw a scale bar with its length below axes of this `width`, metres."""
     length = drawing.round_length(0.3 * width)
-    color = axes.yaxis.label.get_color()  # which is white in dark styles
+    color = axes.yaxis.label.get_color()  # white in dark styles
     place = axes.get_xaxis_transform()
     axes.plot([0.0, length], [-0.09, -0.09], color=color, linewidth=2.5, transform=place, clip_on=False)
     words = f" {1e6 * length:g} µm; z is that of the stage"
@@ -302,7 +306,7 @@ def _scale_bar(axes: Axes, width: float) -> None:
 
 
 def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
-    """Draw depth and its standard error (metres, NaN grey), and the light of the sharp image, side by side."""
+    """Draw depth and its standard error (metres; NaN is grey) and, unless None, the all-in-focus image."""
     height, width = depth.shape
     count = 2 if light is None else 3
     high = _MAP * min(max(height / width, 0.4), 2.0)
@@ -332,19 +336,19 @@ def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
         within = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
         axes[2].imshow(within, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
         axes[2].set_title("all-in-focus image", fontsize=9)
-    for each in axes:
-        each.set(facecolor=_UNKNOWN)
-        each.set_xlabel("x (pixels)", fontsize=8)
-        each.tick_params(labelsize=7, labelleft=each is axes[0])
+    for panel in axes:
+        panel.set(facecolor=_UNKNOWN)
+        panel.set_xlabel("x (pixels)", fontsize=8)
+        panel.tick_params(labelsize=7, labelleft=panel is axes[0])
     axes[0].set_ylabel("y (pixels)", fontsize=8)
     return figure
 
 
-_MAP, _BAR_WIDTH = 3.6, 0.9  # inches: width of a depth map, and of a colour bar with its numbers and label
+_MAP, _BAR_WIDTH = 3.6, 0.9  # width of a depth map, and of a colour bar with numbers and label, inches
 
 
 def _bar(figure: Figure, shown: AxesImage, axes: Axes, label: str) -> Any:
-    """Add a colour bar beside axes, for values beyond its ends as well."""
+    """Add a colour bar beside axes, with arrows for values beyond its ends."""
     bar = figure.colorbar(shown, ax=axes, extend="both", aspect=25)
     bar.set_label(label, fontsize=8)
     bar.ax.tick_params(labelsize=7, which="both")
@@ -352,7 +356,7 @@ def _bar(figure: Figure, shown: AxesImage, axes: Axes, label: str) -> Any:
 
 
 def _plain_log_ticks(axis: Any, low: float, high: float) -> None:
-    """Write numbers on a logarithmic axis without powers of ten, and between these where it is short."""
+    """Write plain numbers on a logarithmic axis, at powers of ten and on short axes also between them."""
     ticker = library("matplotlib.ticker", *drawing.USER)
     plain = ticker.FuncFormatter(lambda value, _: f"{value:g}")
     axis.set_major_formatter(plain)
@@ -364,16 +368,16 @@ def _plain_log_ticks(axis: Any, low: float, high: float) -> None:
 
 
 def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Sequence[float] = ()) -> Axes:
-    """Draw standard errors of depth over the distance (metres, logarithmic); infinite ones are gaps.
+    """Draw standard errors of depth (logarithmic axis) against distance, metres; infinite errors are gaps.
 
-    Dotted lines mark the focus distances `foci` that are within the range.
+    Dotted lines mark the focus distances `foci` within the range.
     """
     axes = drawing.new_axes(None, figsize=(7.0, 4.4))
     finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
     for name, curve in curves.items():
         axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
     if finite.size:
-        # Poles would leave no room for what matters.
+        # Limit the axis at poles, near which errors are very large.
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
     axes.set(xlabel="distance (m)", ylabel="standard error of depth (mm)")
@@ -398,12 +402,15 @@ def fit(
     images: Array,
     model: Array,
     residual: Array,
-    found: tuple[list[str], list[float], list[float], str],
+    terms: tuple[list[str], list[float], list[float], str],
     title: str,
     titles: Sequence[str],
 ) -> Figure:
-    """Draw images (n, height, width), their model, the residual over the noise, and the fitted terms in a unit."""
-    names, values, errors, unit = found
+    """Draw images (n, height, width), models, residual / noise, and fitted coefficients with standard errors.
+
+    `terms` are names, coefficients, standard errors and their unit.
+    """
+    names, values, errors, unit = terms
     count = min(len(images), _MOST)
     high = max(6.2, 0.2 * len(names) + 1.4)
     figure: Figure = drawing.pyplot().figure(figsize=(1.9 * count + 1.2 + _TERMS, high), layout="constrained")
@@ -411,8 +418,8 @@ def fit(
     pictures, graph = figure.subfigures(1, 2, squeeze=False, width_ratios=(1.9 * count + 1.2, _TERMS))[0]
     short = [title if len(title) < 22 else f"…{title[-20:]}" for title in titles[:count]]
     columns = list(zip(short, images[:count], model[:count], residual[:count], strict=True))
-    panels, left = _residual_rows(pictures, columns, letters=9)
-    pictures.colorbar(left, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
+    panels, last = _residual_rows(pictures, columns, letters=9)
+    pictures.colorbar(last, ax=panels[2].tolist(), label="residual / noise", shrink=0.9)
     drawn = graph.subplots()
     unit = "µm" if unit == "um" else unit
     at = np.arange(len(names))
@@ -424,7 +431,7 @@ def fit(
     drawn.axvline(0.0, color="0.5", linewidth=0.8)
     drawn.set_yticks(at, names, fontsize=8)
     drawn.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
-    # Error bars are often shorter than a line is wide.
+    # Error bars may be too short to be visible, so that numbers are written beside them.
     beside = drawn.get_yaxis_transform()
     for k, pair in enumerate(map(with_error, values, errors)):
         number, error = map(drawing.true_minus, pair)
@@ -433,7 +440,7 @@ def fit(
     return figure
 
 
-_TERMS = 5.4  # inches: width of the graph of fitted terms with their names and numbers
+_TERMS = 5.4  # width of the graph of fitted terms with names and numbers, inches
 
 
 _REASONS = {
@@ -445,7 +452,7 @@ _REASONS = {
 }
 
 
-_LEFT_OUT = "#f7cdbb"  # colour of NaN and masked pixels
+_MASKED = "#f7cdbb"  # colour of NaN and masked pixels
 
 
 def spots(
@@ -456,12 +463,12 @@ def spots(
     title: str,
     ax: Axes | None,
 ) -> Axes:
-    """Draw an image with the windows around spots, and those refused by reason."""
+    """Draw an image with windows around accepted spots, and markers at rejected spots (row, column, reason)."""
     axes = drawing.new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
     low, high = np.nanpercentile(image, [1.0, 99.8])
     norm = library("matplotlib.colors", *drawing.USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
     axes.imshow(image, cmap="gray_r", norm=norm, interpolation="nearest")
-    axes.set_facecolor(_LEFT_OUT)
+    axes.set_facecolor(_MASKED)
     rectangle = library("matplotlib.patches", *drawing.USER).Rectangle
     for k, (row, column) in enumerate(places.tolist()):
         corner = column - box[1] // 2 - 0.5, row - box[0] // 2 - 0.5

@@ -1,6 +1,6 @@
-"""Notebook display: a table of numbers, beside a small picture where matplotlib is installed.
+"""Notebook display of objects: a table of numbers and, if matplotlib is installed, a small picture.
 
-A display must neither take long nor raise: large stacks and windows are shown in part, and an error as its message.
+A display must be fast and must not raise: large stacks and windows are shown in part, and errors as messages.
 """
 
 from __future__ import annotations
@@ -31,33 +31,33 @@ from lommel.show.pupils import pupil_maps
 from lommel.special import zernike
 
 _TILES = 4  # largest number of images of a stack that are shown
-_WINDOW = 1024  # largest side, pixels, that is used
-_MANY = 2**21  # largest number of values that are used
-_TERMS = 8
+_WINDOW = 1024  # largest side of the central part of a window that is used, pixels
+_MAX_VALUES = 2**21  # largest number of values of which the whole stack is used
+_TERMS = 8  # largest number of Zernike terms in the table
 _SIDE = 160  # side of a picture, pixels
-_RASTER = 80
+_RASTER = 80  # largest number of samples along a side of a phase map
 _ROOT = "the square root of the values"
-_SUMS = 100 * _RASTER**2  # largest number of values of terms that are added up
+_SUMS = 100 * _RASTER**2  # approximate largest number of terms times samples of phase maps
 
 Row = tuple[str, str | Callable[[], str] | None]
 
 
 @display.html.register(PSFLike)
 def psf(psf: PSFLike) -> str:
-    """Return the values of a PSF, or of some of a stack, and how they were computed."""
-    stack, all_of = psf.pupil.shape, math.prod(psf.pupil.shape)
-    seen = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
-    whole = psf.values.size <= _MANY
-    values = psf.values if whole else np.stack(seen)
-    of = "" if whole else ", where looked at"
-    told = drawing.of_pupils(psf.pupil) if 1 < all_of <= 64 else []
-    wide = "pixels are wider than λN: samples do not sum to the light"
+    """Return a picture of a PSF, or of some PSFs of a stack, and a table of values and method."""
+    stack, count = psf.pupil.shape, math.prod(psf.pupil.shape)
+    windows = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
+    whole = psf.values.size <= _MAX_VALUES
+    values = psf.values if whole else np.stack(windows)
+    of = "" if whole else " of some PSFs"
+    labels = drawing.of_pupils(psf.pupil) if 1 < count <= 64 else []
+    wide = "pixels are wider than λN: the sum of the values is not the light"
 
     def light() -> str:
         return _span(energy_per_pixel(psf).sum(axis=(-2, -1)), ".4g")
 
     rows: list[Row] = [
-        ("stack", f"{told[0]} to {told[-1]}" if told else None),
+        ("stack", f"{labels[0]} to {labels[-1]}" if labels else None),
         ("pixels", _pixels(psf)),
         ("values", f"{psf.values.dtype}, {drawing.MEANING[psf.normalize]}"),
         (f"largest value{of}", lambda: f"{float(values.max()):.4g}"),
@@ -69,29 +69,29 @@ def psf(psf: PSFLike) -> str:
     ]
 
     def picture() -> str:
-        most = 160 if len(seen) == 1 else 110
-        parts = [_smaller(part, most) for part in seen]
-        pitch = _pitch(psf, seen[0], parts[0])
+        most = 160 if len(windows) == 1 else 110
+        parts = [_smaller(part, most) for part in windows]
+        pitch = _pitch(psf, windows[0], parts[0])
         return _joined_pictures([_brightness(part) for part in parts], drawing.COLOURS, _ROOT, pitch, psf.unit)
 
-    caption = "square root" + (", each over its largest" if len(seen) > 1 else "")
+    caption = "square root" + (", each / its largest value" if len(windows) > 1 else "")
     return _html(_count("PSF", stack), rows, picture, caption)
 
 
 def device(title: str, rows: Sequence[Row], image: Callable[[], PSFLike]) -> str:
-    """Return the rows that describe a lens or a microscope with its sensor, and its PSF."""
+    """Return a table of `rows`, and a picture of the PSF that `image` computes."""
 
     def picture() -> str:
-        made = image()
+        psf = image()
         return _joined_pictures(
-            [_brightness(made.values)], drawing.COLOURS, _ROOT, _pitch(made, made.values, made.values), made.unit
+            [_brightness(psf.values)], drawing.COLOURS, _ROOT, _pitch(psf, psf.values, psf.values), psf.unit
         )
 
     return _html(title, rows, picture, "its PSF, square root")
 
 
 def grid(thing: PSFGridLike) -> str:
-    """Return a grid of PSFs, each over its largest value."""
+    """Return a picture of a grid of PSFs, each divided by its largest value, and a table of its properties."""
     rows, columns = thing.values.shape[:2]
     one: PSFLike = thing.psf.psfs[len(thing.psf.psfs) // 2] if isinstance(thing.psf, ColourPSFLike) else thing.psf
     first = () if thing.depths is None else (0,)
@@ -101,18 +101,18 @@ def grid(thing: PSFGridLike) -> str:
             drawing.evenly_spaced(list(range(rows)), 5),
             drawing.evenly_spaced(list(range(columns)), 7),
         )
-        seen = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
-        parts = [[_brightness(_smaller(part, 48)) for part in line] for line in seen]
+        windows = [[_window(one, (i, j, *first)) for j in at_columns] for i in at_rows]
+        parts = [[_brightness(_smaller(part, 48)) for part in line] for line in windows]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
-        pitch = _pitch(one, seen[0][0], parts[0][0])
-        words = "square roots of the values over the largest of each"
+        pitch = _pitch(one, windows[0][0], parts[0][0])
+        words = "square roots of the values, each PSF divided by its largest value"
         return _image(values, drawing.COLOURS, words, 280) + _bar(
             pitch, parts[0][0].shape[1], 280 / max(values.shape), one.unit
         )
 
     high, wide = (_length(side, thing.unit) for side in thing.sensor)
     channels = ", ".join(thing.psf.channels.names) if isinstance(thing.psf, ColourPSFLike) else None
-    told: list[Row] = [
+    table: list[Row] = [
         ("sensor", f"{high} × {wide}"),
         ("distances", None if thing.depths is None else _places(thing.depths)),
         ("channels", channels),
@@ -121,19 +121,19 @@ def grid(thing: PSFGridLike) -> str:
         ("method", type(one.method).__name__),
         ("pupil", _light(thing.psf.pupil)),
     ]
-    return _html(f"PSFGrid, {rows} × {columns}", told, picture, "square root, each over its largest value")
+    return _html(f"PSFGrid, {rows} × {columns}", table, picture, "square root, each / its largest value")
 
 
 @display.html.register(Wavefront)
 def wavefront(thing: Wavefront) -> str:
-    """Return the phase of a wavefront over the full disc, and its terms."""
+    """Return a picture of the phase over the full disc, and a table of the rms and the largest terms."""
     rows: list[Row] = [*_rms(Pupil(thing)), *_terms(thing)]
     return _html(_count("Wavefront", thing.shape), rows, lambda: _phase(Pupil(thing)), _PHASE)
 
 
 @display.html.register(BasePupil)
 def pupil(thing: Pupil | ObjectivePupil) -> str:
-    """Return the phase across a pupil, and a description of its light."""
+    """Return a picture of the phase across a pupil, and a table of its parameters."""
     rows: list[Row] = [("light", _light(thing))]
     if isinstance(thing, ObjectivePupil):
         rows += [("depth", _places(thing.depth)), ("stage", _places(thing.z)), ("emitter", emitter(thing.emitter))]
@@ -146,7 +146,7 @@ def pupil(thing: Pupil | ObjectivePupil) -> str:
 
 @display.html.register(Lens)
 def lens(thing: Lens) -> str:
-    """Return the phase across the pupil of a lens for an object in focus, and its distances."""
+    """Return a picture of the phase across the pupil for an object in focus, and a table of the lens's parameters."""
     rows: list[Row] = [
         ("focal length", _length(thing.focal_length, "m")),
         ("f-number", f"{thing.f_number:.4g}, working {thing.working_f_number:.4g}"),
@@ -161,7 +161,7 @@ def lens(thing: Lens) -> str:
 
 
 def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
-    """Return the first of the images, shape (n, height, width), its model, and rows of results."""
+    """Return a picture of the first image and its model, arrays (n, height, width), and a table of results."""
 
     def picture() -> str:
         low, high = np.nanmin(images[0]), np.nanmax(images[0])
@@ -177,17 +177,17 @@ _PHASE = "phase, blue to red"
 
 
 def _phase(pupil: BasePupil) -> str:
-    chosen = list(drawing.evenly_spaced_members(pupil.shape, _TILES).values())
-    # A wavefront of very many terms takes as long for each point as one of few for all.
+    members = list(drawing.evenly_spaced_members(pupil.shape, _TILES).values())
+    # The time is proportional to terms times samples: use fewer samples for many terms.
     terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
-    side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
-    seen = [pupil_maps(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
-    top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
-    return _joined_pictures([0.5 + 0.5 * part / top for part in seen], "RdBu_r", "the phase across the pupil")
+    side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(members)))))
+    phases = [pupil_maps(pupil[index] if pupil.shape else pupil, side).phase[0] for index in members]
+    top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in phases) or 1.0
+    return _joined_pictures([0.5 + 0.5 * part / top for part in phases], "RdBu_r", "the phase across the pupil")
 
 
 def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: str) -> str:
-    """Return a table, beside a picture with its caption; an error is shown in its place."""
+    """Return HTML of a table and a picture with a caption; an error in either is shown as its message."""
     cells = "".join(
         f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{_cell(work)}</td></tr>'
         for name, work in rows
@@ -206,13 +206,13 @@ def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: 
 def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
     try:
         text = work if isinstance(work, str) else work()
-    except Exception as error:  # whatever it is: the rest is still to be seen
+    except Exception as error:  # any error: show its message, and the other cells
         return f"<i>{escape(brief(' '.join(str(error).split()) or type(error).__name__))}</i>"
     return text if markup else escape(brief(text, 160))
 
 
 def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
-    """Return the values of one of a stack; for large windows those about the axis."""
+    """Return the values of one PSF of a stack; of a large window the part about the axis."""
     values = psf.values[index]
     center = psf.grid[index].axis if psf.grid.stack else psf.grid.axis
     parts = []
@@ -223,53 +223,53 @@ def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
 
 
 def _brightness(values: Array) -> Array:
-    """Return the square root of values over the largest."""
+    """Return the square root of (values / largest value)."""
     return np.asarray(np.sqrt(np.clip(values / (float(values.max()) or 1.0), 0.0, 1.0)))
 
 
 def emitter(thing: Emitter) -> str:
-    """Return a description of an emitter, with the sign of degrees."""
+    """Return a description of an emitter, with the degree sign."""
     return drawing.of_emitter(thing).replace(" deg", "°")
 
 
-def _sample(psf: PSFLike) -> float:
-    """Return the factor of lengths on the sensor: for a microscope, to those in the sample."""
+def _sample_scale(psf: PSFLike) -> float:
+    """Return the factor that converts lengths on a microscope's camera to the sample; 1 for lenses."""
     return 1.0 / psf.pupil.magnification if isinstance(psf.pupil, ObjectivePupil) else 1.0
 
 
 def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
-    """Return the pitch of columns after values were averaged to fewer."""
-    return float(psf.grid.pitch[1] * _sample(psf)) * int(values.shape[1] // smaller.shape[1])
+    """Return the pitch of the columns of `smaller`, to which `values` were averaged."""
+    return float(psf.grid.pitch[1] * _sample_scale(psf)) * int(values.shape[1] // smaller.shape[1])
 
 
 def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
-    """Return a scale bar of up to half of so many columns, each of a pitch and enlarged to so many pixels."""
+    """Return a scale bar of at most half of the columns; a column has a pitch and is `enlarged` pixels wide."""
     length = drawing.round_length(0.5 * columns * pitch)
     style = f"width:{length / pitch * enlarged:.1f}px;border-top:3px solid currentColor;margin:4px auto 0"
     return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
 
 
 def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float = 0.0, unit: str = "m") -> str:
-    """Return pictures side by side, in two rows from four on, with clear pixels between them.
+    """Return pictures side by side (four pictures in two rows), separated by transparent pixels.
 
-    With the `pitch` of their columns they have a scale bar.
+    A scale bar is added if `pitch`, the pitch of their columns, is not 0.
     """
 
-    def barred(values: Array, side: int) -> str:
+    def with_scale_bar(values: Array, side: int) -> str:
         bar = _bar(pitch, parts[0].shape[1], side / max(values.shape), unit) if pitch else ""
         return _image(values, cmap, words, side) + bar
 
     if len(parts) == 1:
-        return barred(parts[0], _SIDE)
+        return with_scale_bar(parts[0], _SIDE)
     gap = max(1, max(parts[0].shape) // 40)
     edge = ((0, gap), (0, gap))
     lines = [parts[:2], parts[2:]] if len(parts) == _TILES else [parts]
     rows = [np.concatenate([np.pad(part, edge, constant_values=np.inf) for part in line], axis=1) for line in lines]
-    return barred(np.concatenate(rows), 110 * len(lines[0]))
+    return with_scale_bar(np.concatenate(rows), 110 * len(lines[0]))
 
 
 def _smaller(values: Array, most: int = _SIDE) -> Array:
-    """Return values averaged over squares of pixels, so that no side is longer than `most`."""
+    """Return averages over squares of pixels, of the smallest size that makes all sides at most `most`."""
     times = -(-max(values.shape) // most)
     height, width = (max(side // times, 1) for side in values.shape)
     parts = values[: height * times, : width * times]
@@ -278,11 +278,14 @@ def _smaller(values: Array, most: int = _SIDE) -> Array:
 
 
 def _image(values: Array, cmap: str, words: str, side: int) -> str:
-    """Return an HTML picture of values from 0 to 1, `side` pixels long; NaN is grey, infinity transparent."""
+    """Return an HTML picture of values from 0 to 1 with a longer side of `side` pixels.
+
+    NaN is grey, infinity transparent, and `words` describe the picture for screen readers.
+    """
     import matplotlib as mpl
     from matplotlib.image import imsave
 
-    # A half transparent grey is seen on light and on dark pages.
+    # Translucent grey is visible on light and on dark pages.
     colours = mpl.colormaps[cmap].with_extremes(bad=(0.5, 0.5, 0.5, 0.275), over=(0.0, 0.0, 0.0, 0.0))
     data = io.BytesIO()
     imsave(data, colours(values), format="png")
@@ -293,7 +296,7 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
 
 
 def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
-    """Return the largest Zernike terms, waves rms, at most eight; for a stack the largest of each term."""
+    """Return rows of the eight largest Zernike terms, waves rms, with the range of values in a stack."""
     edge = wavefront.edge_terms()
     sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
     largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
@@ -307,7 +310,7 @@ def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
 
 
 def _rms(thing: Pupil) -> list[Row]:
-    """Return the rms where it is fast: over full discs, whose terms are orthogonal, or of few terms."""
+    """Return a row of the rms if it is fast to compute: for uniform full discs, or for small stacks of few terms."""
     wave = thing.wavefront
     if thing.circular and not thing.obscuration and thing.illumination.uniform:
         factors = np.array([zernike.rms_factor(*term) for term in wave.terms])
@@ -320,7 +323,7 @@ def _rms(thing: Pupil) -> list[Row]:
 
 def _pixels(psf: PSFLike) -> str:
     height, width = psf.shape[-2:]
-    size = " × ".join(dict.fromkeys(_length(side * _sample(psf), psf.unit) for side in psf.grid.pitch))
+    size = " × ".join(dict.fromkeys(_length(side * _sample_scale(psf), psf.unit) for side in psf.grid.pitch))
     size += " in the sample" if isinstance(psf.pupil, ObjectivePupil) else ""
     spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
     return f"{height} × {width} of {size}, {drawing.HOW[psf.sampling]}{spread}"

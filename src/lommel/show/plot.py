@@ -1,4 +1,4 @@
-"""Plots of PSFs, of z stacks, of grids over the field, and of differences."""
+"""Plots of PSFs, z stacks, PSF grids, spot diagrams and differences between PSFs."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 __all__ = ["difference", "encircled_energy", "focus_curves", "mtf", "spots", "through_focus"]
 
-_LONGEST = 3.0  # largest ratio of two axes at the same scale
-_SIDE = 3.4  # inches of the longest axis
+_MAX_RATIO = 3.0  # largest ratio of the sides of a z stack that are drawn to one scale
+_SIDE = 3.4  # length of the longest drawn side, inches
 
 
 class Voxels(NamedTuple):
-    """Positions of the values of a stack, micrometres: x and y in the sample, z of the stage, increasing."""
+    """Values of a z stack and their positions, micrometres: x and y in the sample, increasing z of the stage."""
 
     x: Array
     y: Array
@@ -44,7 +44,7 @@ class Voxels(NamedTuple):
 
 
 def is_z_stack(psf: PSFLike) -> bool:
-    """Return whether a PSF is a microscope's stack of planes along z, all around one axis."""
+    """Return True for a microscope's PSF in several planes of monotonic z, with the same axis in all planes."""
     pupil = psf.pupil
     if not isinstance(pupil, ObjectivePupil) or len(pupil.shape) != 1 or pupil.z.size < 2 or psf.grid.stack:
         return False
@@ -53,7 +53,7 @@ def is_z_stack(psf: PSFLike) -> bool:
 
 
 def voxels(psf: PSFLike) -> Voxels:
-    """Return the values of a stack with their positions, from the lowest plane to the highest."""
+    """Return the values of a z stack and their positions, in the order of increasing z."""
     pupil: Any = psf.pupil
     order = slice(None, None, 1 if pupil.z[-1] > pupil.z[0] else -1)
     size = 1e6 / pupil.magnification
@@ -61,21 +61,23 @@ def voxels(psf: PSFLike) -> Voxels:
 
 
 def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
-    """Draw the sections through the brightest voxel of a z stack: xy, with yz beside and xz below it.
+    """Draw the sections xy, yz (right of xy) and xz (below xy) through the brightest voxel of a z stack.
 
-    Surroundings that are dark in all sections are cut off. A fourth graph has the values along x, y and z through
-    that voxel.
+    Surroundings that are dark in all sections are cropped. A fourth graph shows the values along x, y and z through
+    the brightest voxel.
 
     Parameters
     ----------
     psf : PSF
-        A stack of a microscope along one axis with increasing or decreasing z.
+        PSF of a microscope, a stack along one axis with increasing or decreasing z.
     stretch : {"sqrt", "linear", "log"}
+        Brightness scale of the values.
 
     Returns
     -------
     ndarray of three matplotlib Axes
-        xy, xz, yz, on one scale of brightness and, unless one side is three times as long as another, of length.
+        xy, xz and yz. All sections share one brightness scale, and one length scale unless their sides differ by more
+        than a factor of three.
 
     Raises
     ------
@@ -89,7 +91,7 @@ def sections(psf: PSFLike, *, stretch: str = "sqrt") -> NDArray[np.object_]:
     lengths = [far - near for near, far in limits]
     cut = any(length < np.ptp(_edges(at)) for length, at in zip(lengths, (x, y, z), strict=True))
     longest = max(lengths)
-    wide, high, deep = (max(length, longest / _LONGEST) for length in lengths)
+    wide, high, deep = (max(length, longest / _MAX_RATIO) for length in lengths)
     inch = _SIDE / longest
     figure = drawing.pyplot().figure(
         figsize=(inch * (wide + deep) + 1.9, inch * (high + deep) + 1.3), layout="compressed"
@@ -133,9 +135,10 @@ def _draw_profiles(
     peak: tuple[int, int],
     lengths: Sequence[float],
 ) -> None:
-    """Draw the values along x, y and z through the brightest voxel, a row and a column of the xy section `levels[0]`.
+    """Draw the values along x, y and z through the brightest voxel.
 
-    `distances` are those from that voxel, micrometres, and `lengths` the sides of the sections.
+    `distances` from this voxel and the side `lengths` of the sections are in micrometres. `levels` are the values of
+    the sections xy, xz, yz, and `peak` is the row and column of the voxel in xy.
     """
     xy, xz, _ = levels
     row, column = peak
@@ -159,26 +162,26 @@ def _draw_profiles(
     )
 
 
-_DARK = 0.05  # share of the brightness scale up to which the surroundings of a stack count as dark
-_RIM = 0.15  # dark rim that is drawn, over the size of what is not dark
+_DARK = 0.05  # largest brightness (0 to 1) of surroundings that are cropped
+_RIM = 0.15  # width of the dark rim that is drawn, as a fraction of the size of the bright region
 
 
 def _limits(places: Sequence[Array], levels: Sequence[Values], stretch: str) -> list[tuple[float, float]]:
-    """Return the limits of x, y and z between which the sections through a stack are not dark, with a rim."""
+    """Return the limits of x, y and z of the bright region in the sections xy, xz, yz, extended by a rim."""
     top = max(float(level.max()) for level in levels) or 1.0
     xy, xz, yz = (drawing.stretched(level / top, stretch) > _DARK for level in levels)
-    lit = xy.any(axis=0) | xz.any(axis=0), xy.any(axis=1) | yz.any(axis=1), xz.any(axis=1) | yz.any(axis=0)
+    bright_along = xy.any(axis=0) | xz.any(axis=0), xy.any(axis=1) | yz.any(axis=1), xz.any(axis=1) | yz.any(axis=0)
     limits = []
-    for at, bright in zip(places, lit, strict=True):
-        edges, found = _edges(at), np.flatnonzero(bright)
-        first, last = (float(edges[found[0]]), float(edges[found[-1] + 1])) if found.size else (edges[0], edges[-1])
+    for at, bright in zip(places, bright_along, strict=True):
+        edges, k = _edges(at), np.flatnonzero(bright)
+        first, last = (float(edges[k[0]]), float(edges[k[-1] + 1])) if k.size else (edges[0], edges[-1])
         rim = _RIM * (last - first)
         limits.append((max(float(edges[0]), first - rim), min(float(edges[-1]), last + rim)))
     return limits
 
 
 def _title_lines(psf: PSFLike, z: Array, cut: bool, to_scale: bool) -> list[str]:
-    """Return a description of the voxels and of the scales, line by line."""
+    """Return notes on planes, pixels, cropping and scales for the title of a z stack."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
     size = 1e6 * psf.grid.side / psf.pupil.magnification  # type: ignore[attr-defined]
@@ -186,13 +189,13 @@ def _title_lines(psf: PSFLike, z: Array, cut: bool, to_scale: bool) -> list[str]
         f"{z.size} planes, {steps.mean():.4g} µm apart" if even else f"{z.size} planes, not evenly spaced",
         f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample",
         drawing.HOW[psf.sampling],
-        *(["dark surroundings are cut off"] if cut else []),
-        *([] if to_scale else ["x, y and z are not to one scale"]),
+        *(["dark surroundings are cropped"] if cut else []),
+        *([] if to_scale else ["x, y and z have different scales"]),
     ]
 
 
 def _edges(at: Array) -> Array:
-    """Return where pixels around these places begin and end, as far out as they reach in."""
+    """Return the edges of pixels centred at these positions; outer pixels are symmetric about their centres."""
     if at.size == 1:
         return np.array([at[0] - 0.5, at[0] + 0.5])
     middles = 0.5 * (at[1:] + at[:-1])
@@ -201,27 +204,28 @@ def _edges(at: Array) -> Array:
 
 @display.plot.register(PSFLike)
 def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> drawing.Drawn:
-    """Draw a PSF, a stack of PSFs side by side on one scale, or three sections of a z stack.
+    """Draw a PSF, a stack of PSFs side by side on one brightness scale, or three sections of a z stack.
 
     Parameters
     ----------
     psf : PSF
-        A stack of at most 64 is drawn: one of shape (rows, columns) in that order, others in rows of at most eight. A
-        z stack of a microscope is drawn as sections xy, xz and yz through its brightest voxel, in the sample:
-        :func:`lommel.show.plot.sections`.
+        A single PSF or a stack of at most 64. A stack of shape (rows, columns) is drawn in this arrangement, another
+        stack in rows of at most eight. A z stack of a microscope is drawn as sections through its brightest voxel
+        (:func:`lommel.show.plot.sections`).
     ax : matplotlib Axes, optional
-        For a single PSF. By default those of a new figure, which has a title and a colour bar.
+        Axes for a single PSF. By default the axes of a new figure with a title and a colour bar.
     stretch : {"sqrt", "linear", "log"}
-        Scale of the values; "log" reaches down to 1e-5 of the peak.
+        Brightness scale of the values; "log" shows values down to 1e-5 of the peak.
 
     Returns
     -------
-    matplotlib Axes, or for a stack an ndarray of Axes of its shape, for a z stack one of three
+    matplotlib Axes, or ndarray of Axes
+        An array of the shape of the stack, or the three axes of a z stack.
 
     Raises
     ------
     ValueError
-        For a stack of more than 64, or if `ax` is given for a stack.
+        For a stack of more than 64 PSFs, or if `ax` is passed for a stack.
     ImportError
         If matplotlib is not installed.
     """
@@ -234,10 +238,10 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> draw
     label = drawing.bar_label(drawing.MEANING[psf.normalize], stretch)
     if psf.pupil.shape != ():
 
-        def one(index: tuple[int, ...], axes: Axes) -> AxesImage:
+        def draw_member(index: tuple[int, ...], axes: Axes) -> AxesImage:
             return _draw(psf[index], axes, norm).images[0]
 
-        return drawing.tiles(psf.pupil.shape, one, drawing.of_pupils(psf.pupil), _title(psf), label)
+        return drawing.tiles(psf.pupil.shape, draw_member, drawing.of_pupils(psf.pupil), _title(psf), label)
     sides = (count * pitch for count, pitch in zip(psf.shape, psf.grid.pitch, strict=True))
     axes = _draw(psf, drawing.picture_axes(ax, *sides), norm)
     if ax is None:
@@ -255,17 +259,17 @@ def _title(psf: PSFLike) -> str:
 
 
 def _draw(psf: PSFLike, axes: Axes, norm: Normalize) -> Axes:
-    """Draw the values of a single PSF on axes with its lengths."""
+    """Draw the values of a single PSF on axes with positions on the sensor."""
     interpolation = "nearest" if max(psf.shape) < 256 else "antialiased"
     return _show(psf.values, psf, axes, cmap=drawing.COLOURS, norm=norm, interpolation=interpolation)
 
 
-def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
-    """Draw a picture of the pixels of a PSF on axes with its lengths."""
+def _show(picture: Values, psf: PSFLike, axes: Axes, **style: Any) -> Axes:
+    """Draw values or colours of the pixels of a PSF on axes with positions on the sensor."""
     factor, unit = drawing.lengths(psf.unit)
     high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
-    axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high), **how)
+    axes.imshow(picture, extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high), **style)
     where = " on the camera" if isinstance(psf.pupil, ObjectivePupil) else ""  # not in the sample
     axes.set(xlabel=f"x{where} ({unit})", ylabel=f"y{where} ({unit})")
     return axes
@@ -273,26 +277,28 @@ def _show(picture: Values, psf: PSFLike, axes: Axes, **how: Any) -> Axes:
 
 @display.plot.register(ColourPSFLike)
 def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> drawing.Drawn:
-    """Draw PSFs of three channels in colour, each scaled to its maximum, or those of other channels side by side.
+    """Draw PSFs of three channels in colour, or the channels of a single PSF side by side.
+
+    In colour each channel is divided by its largest value.
 
     Parameters
     ----------
     psf : ColourPSF
-        A stack of at most 64 is drawn in rows of eight.
+        A single PSF, or with three channels a stack of at most 64, which is drawn in rows of about eight.
     ax : matplotlib Axes, optional
-        Of a single PSF in three channels. By default those of a new figure.
+        Axes for a single picture. By default the axes of a new figure.
     stretch : {"sqrt", "linear", "log"}
-        Scale of the values; "log" reaches down to 1e-5 of the largest value.
+        Brightness scale of the values; "log" shows values down to 1e-5 of the largest value.
 
     Returns
     -------
-    matplotlib Axes, or ndarray of them
-        One for each PSF of the stack; unless there are three channels, one for each channel.
+    matplotlib Axes, or ndarray of Axes
+        One for each PSF of the stack, or one for each channel unless there are three channels.
 
     Raises
     ------
     ValueError
-        If `stretch` is unknown, for a stack of more than 64, or if `ax` is given for several drawings.
+        If `stretch` is unknown, for more than 64 pictures, or if `ax` is passed for several pictures.
     ImportError
         If matplotlib is not installed.
     """
@@ -305,10 +311,10 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
         top = float(psf.values.max()) or 1.0
         pictures, titles = drawing.stretched(np.maximum(psf.values, 0.0) / top, stretch), list(psf.channels.names)
     else:
-        raise ValueError(f"a stack takes three channels, got {len(psf.psfs)}; plot a channel, as psf[0].plot()")
+        raise ValueError(f"a stack must have three channels, got {len(psf.psfs)}; plot a channel: psf[0].plot()")
     if len(pictures) > drawing.MOST or (ax is not None and len(pictures) > 1):
         most = 1 if ax is not None else drawing.MOST
-        raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; take part(index) of a stack")
+        raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; use part(index) of a stack")
     first = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
     columns = drawing.columns_of(len(pictures))
     rows = -(-len(pictures) // columns)
@@ -318,8 +324,8 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
         figure, grid = drawing.pyplot().subplots(rows, columns, squeeze=False, layout="constrained", figsize=size)
         drawing.with_margins(figure)
         drawn = grid.ravel()
-        each = "each channel over its largest value" if len(psf.psfs) == 3 else "all over the largest value"
-        drawing.entitle(figure, f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {each}")
+        scale = "each channel / its largest value" if len(psf.psfs) == 3 else "all channels / the largest value"
+        drawing.entitle(figure, f"brightness: {' '.join(drawing.STRETCHES[stretch].split())}, {scale}")
     grey = {} if pictures.ndim == 4 else {"cmap": "gray", "vmin": 0.0, "vmax": 1.0}
     for k, (picture, title) in enumerate(zip(pictures, titles, strict=True)):
         _show(picture, first, drawn[k], interpolation="nearest", **grey)
@@ -328,23 +334,23 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
             drawn[k].set_title(title, fontsize=9)
     for spare in drawn[len(pictures) :]:
         spare.set_axis_off()
-    found = drawn[: len(pictures)]
-    return found[0] if not titles[0] else found.reshape(stack or -1)
+    used = drawn[: len(pictures)]
+    return used[0] if not titles[0] else used.reshape(stack or -1)
 
 
 def compare(
     answers: Mapping[str, PSFLike], reference: str, left_out: Mapping[str, Sequence[str]] | None = None
 ) -> Figure:
-    """Draw a PSF by one method, the errors of others as maps, and both as slices through their centres.
+    """Draw a reference PSF, maps of the errors of other PSFs, and slices of both through the central pixel.
 
     Parameters
     ----------
     answers : mapping of str to PSF
-        Each with the same grid; drawn in their order, the reference first.
+        PSFs on the same grid by the name of their method. The reference is drawn first, the others in this order.
     reference : str
-        Name of the PSF that errors are relative to.
+        Name of the reference PSF.
     left_out : mapping of str to sequence of str, optional
-        Reasons why methods are not drawn, each with the names of these, as written below the maps.
+        Reasons why methods are not drawn, each with the names of the methods; written below the maps.
 
     Returns
     -------
@@ -353,7 +359,7 @@ def compare(
     Raises
     ------
     ValueError
-        If `reference` is not among them.
+        If `reference` is not a name in `answers`.
     ImportError
         If matplotlib is not installed.
     """
@@ -362,7 +368,7 @@ def compare(
     truth = answers[reference]
     others = {name: psf for name, psf in answers.items() if name != reference}
     count = 1 + len(others)
-    rows = -(-count // _MOST_COLUMNS)
+    rows = -(-count // _MAX_COLUMNS)
     columns = -(-count // rows)
     width = 2.0 * max(columns, 3) + 1.6
     note = "; ".join(f"{', '.join(names)} ({reason})" for reason, names in (left_out or {}).items())
@@ -387,7 +393,7 @@ def compare(
             _show(away, truth, axes, cmap="viridis", norm=scale, interpolation="nearest")
             drawn.append(axes)
         title = f"{name}, the reference (square root)" if name == reference else name
-        axes.set_title("\n".join(textwrap.wrap(title, _LETTERS)), fontsize=8)
+        axes.set_title("\n".join(textwrap.wrap(title, _MAX_LETTERS)), fontsize=8)
         axes.tick_params(labelsize=7)
         axes.xaxis.label.set_fontsize(8)
         axes.yaxis.label.set_fontsize(8)
@@ -403,11 +409,11 @@ def compare(
     radius, expected = truth.profile()
     far = max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor
     ends: list[tuple[float, str, str]] = []
-    # Values of pixels are means, not points of a curve.
-    how: dict[str, Any] = (
+    # Pixel averages are drawn as steps, point samples as markers.
+    style: dict[str, Any] = (
         {"drawstyle": "steps-mid"} if truth.sampling == "pixel" else {"marker": ".", "markersize": 4}
     )
-    slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.4, **how)
+    slices.plot(radius * factor, expected / peak, color=slices.xaxis.label.get_color(), linewidth=1.4, **style)
     slices.set_title("the reference along x, pixel by pixel", fontsize=9)
     slices.set(ylabel="intensity / peak", xlabel=f"distance from the centre ({unit})", xlim=(0.0, far))
     for k, (name, psf) in enumerate(others.items()):
@@ -422,13 +428,13 @@ def compare(
     return figure
 
 
-_MOST_COLUMNS = 6  # pictures of a comparison side by side
-_LETTERS = 27  # largest number of letters of a title above a picture of a comparison
-_ERRORS = (1e-12, 1.0)  # range of the colours of errors
+_MAX_COLUMNS = 6  # largest number of pictures in a row of a comparison
+_MAX_LETTERS = 27  # largest number of letters in a line of the title above a picture of a comparison
+_ERRORS = (1e-12, 1.0)  # range of the colour scale of errors, relative to the peak
 
 
 def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
-    """Write names beside the right ends of curves on a logarithmic scale, apart from each other."""
+    """Write names beside the right ends of curves (value, name, colour) on a logarithmic axis without overlap."""
     low, high = np.log10(axes.get_ylim())
     at = [float((np.log10(value) - low) / (high - low)) for value, _, _ in ends]
     order = np.argsort(at)
@@ -437,13 +443,13 @@ def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
     for k in order:
         last = max(at[k], last + gap)
         places[int(k)] = last
-    # Pushed down again from above the top.
+    # Names above the top of the axes are moved down, and the names below them if necessary.
     top = 1.0
     for k in order[::-1]:
         places[int(k)] = min(places[int(k)], top)
         top = places[int(k)] - gap
     for k, (_, name, colour) in enumerate(ends):
-        # From the left end of the name, so that the line crosses no letters.
+        # The line starts at the left end of the name, so that it crosses no letters.
         line = {
             "arrowstyle": "-",
             "color": colour,
@@ -459,18 +465,18 @@ def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
 
 
 def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-    """Draw a grid of PSFs over the sensor, each enlarged at its position and scaled to its own maximum.
+    """Draw a grid of PSFs, each enlarged at its position on the sensor and divided by its largest value.
 
-    The axes are positions on the sensor, with a tick at each row and column of the grid; the scale bar above applies
-    to the enlarged PSFs. Rows increase downwards, as in an image.
+    The axes are positions on the sensor, with a tick at each row and column of the grid. The scale bar above the axes
+    applies to the enlarged PSFs. y increases downwards, as in an image.
 
     Parameters
     ----------
     grid : PSFGrid
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a title and, unless in colour, a colour bar.
+        By default the axes of a new figure with a title and, unless in colour, a colour bar.
     stretch : {"sqrt", "linear", "log"}
-        Scale of the values; "log" reaches down to 1e-5 of the largest value.
+        Brightness scale of the values; "log" shows values down to 1e-5 of the largest value.
 
     Returns
     -------
@@ -479,14 +485,14 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     Raises
     ------
     ValueError
-        If `stretch` is unknown, if the grid has several distances, or channels that are neither one nor three.
+        If `stretch` is unknown, if the grid has several distances, or if it has two or more than three channels.
     ImportError
         If matplotlib is not installed.
     """
     mpl = library("matplotlib", *drawing.USER)
     validation.choice("stretch", stretch, drawing.STRETCHES)
     if grid.depths is not None:
-        raise ValueError("a grid of several distances has no one picture: draw one of them, grid.at_depth(0).plot()")
+        raise ValueError("grid must have a single distance, got several: draw one of them, grid.at_depth(0).plot()")
     coloured = isinstance(grid.psf, ColourPSFLike)
     pictures = drawing.stretched(colours(grid.psf), stretch) if isinstance(grid.psf, ColourPSFLike) else grid.values
     (rows, columns), (height, width) = grid.values.shape[:2], grid.values.shape[-2:]
@@ -510,16 +516,16 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
     axes.set_xticks(grid.x * factor, [drawing.true_minus(f"{value:.3g}") for value in grid.x * factor + 0.0])
     axes.set_yticks(grid.y * factor, [drawing.true_minus(f"{value:.3g}") for value in grid.y * factor + 0.0])
     if ax is None:
-        title = f"{rows} × {columns} PSFs, each over its largest value"
-        # A bar of one colour map says nothing of colours.
+        title = f"{rows} × {columns} PSFs, each divided by its largest value"
+        # Pictures in colour have no colour bar, so that the title states their brightness scale.
         title += f"\nbrightness: {' '.join(drawing.STRETCHES[stretch].split())}" if coloured else ""
         axes.set_title(title, fontsize=9, loc="left", pad=22)
     if ax is None and not coloured:
         scale = library("matplotlib.cm", *drawing.USER).ScalarMappable(drawing.norm_of(stretch, np.ones(1)), colors)
-        label = drawing.bar_label("value over the largest of each PSF", stretch)
+        label = drawing.bar_label("value / largest value of each PSF", stretch)
         axes.figure.colorbar(scale, ax=axes, shrink=0.75, label=label)
     axes.set(xlabel=f"x on the sensor ({unit})", ylabel=f"y on the sensor ({unit})")
-    # Within the PSFs lengths are `larger`.
+    # Lengths within the PSFs are enlarged by `larger`.
     inner, inner_unit = drawing.lengths(grid.unit)
     length = drawing.round_length(0.8 * wide * inner)
     _scale_bar(axes, length / inner * larger / sensor[1], f"{length:g} {inner_unit} in the PSFs")
@@ -527,10 +533,10 @@ def field(grid: PSFGridLike, ax: Axes | None = None, *, stretch: str = "sqrt") -
 
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:
-    """Draw a scale bar above the right end of the axes, its length a fraction of their width, with a label."""
+    """Draw a labelled scale bar above the right end of the axes; `length` is a fraction of the axes' width."""
     shifted = library("matplotlib.transforms", *drawing.USER).offset_copy
     place = shifted(axes.transAxes, fig=axes.figure, y=9.0, units="points")
-    color = axes.xaxis.label.get_color()  # which is white in dark styles
+    color = axes.xaxis.label.get_color()  # white in dark styles
     axes.plot([1.0 - length, 1.0], [1.0, 1.0], color=color, linewidth=2.5, transform=place, clip_on=False)
     axes.text(0.99 - length, 1.0, label, transform=place, ha="right", va="center", fontsize=8)
 
@@ -543,17 +549,17 @@ def _field_axes(grid: PSFGridLike) -> Axes:
 
 
 def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Axes:
-    """Draw ``a - b`` relative to the peak of `b`, red where `a` is larger and blue where it is smaller.
+    """Draw ``(a - b) / max(b)``, in red if `a` is larger and in blue if `a` is smaller.
 
     Parameters
     ----------
     a : PSF or array_like
-        Array of the shape of `b`, from any source, or a PSF of the same pixel and normalisation.
+        Array of the shape of `b`, or a PSF with the pixel and the normalisation of `b`.
     b : PSF
-        A single one.
+        A single PSF.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a colour bar and a title with :func:`lommel.peak_error` and the
-        square root of :func:`lommel.mse`.
+        By default the axes of a new figure with a colour bar and a title, which states :func:`lommel.peak_error` and
+        the square root of :func:`lommel.mse`.
 
     Returns
     -------
@@ -591,41 +597,39 @@ def difference(a: PSFLike | ArrayLike, b: PSFLike, ax: Axes | None = None) -> Ax
     norm = drawing.even_norm(float(np.abs(away).max()))
     axes = _show(away, b, drawing.new_axes(ax), cmap="RdBu_r", norm=norm, interpolation="nearest")
     if ax is None:
-        drawing.caption(
-            axes, f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", "difference over the peak"
-        )
+        drawing.caption(axes, f"largest difference {largest:.2g} of the peak, rms {mean:.2g}", "difference / peak")
     return axes
 
 
 def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
-    """Return the positions at which rays from rings of points of the clear aperture meet the sensor.
+    """Return the positions at which rays from concentric circles of pupil points meet the sensor.
 
     Parameters
     ----------
     pupil : Pupil
-        A single one.
+        A single pupil.
     rings : int, default 12
-        Number of rings of points about the axis, 1 to 100, at equal distances and with six more points on each:
-        ``3 rings (rings + 1) + 1`` for a full disc. The last is the rim, of the marginal rays; an obscuration adds
-        one along its edge.
+        Number of equally spaced circles of points in the pupil, 1 to 100. The k-th circle has 6 k points, the last
+        circle is the rim, and an obscuration adds a circle along its edge. A full disc has
+        ``3 rings (rings + 1) + 1`` points.
 
     Returns
     -------
     ndarray, shape (rays, 2)
-        x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
-        Exact but for rounding; their rms about their centroid approaches :func:`lommel.spot_radius` of a uniform
-        amplitude as `rings` grows.
+        x (columns) and y (rows) relative to the axis, metres if the pupil has a wavelength, else units of lambda*N;
+        exact up to rounding. As `rings` grows, the rms distance of the positions from their centroid approaches
+        :func:`lommel.spot_radius` for uniform amplitude.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or the pupil is a stack.
+        If an argument is out of range, or if the pupil is a stack.
     """
     if checked_pupil(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     count = validation.integer("rings", rings, least=1, most=100)
     points = [1, *(6 * k for k in range(1, count + 1))]
-    # A hair inside the rim, whose own points may be rounded to outside.
+    # Slightly inside the rim, because points on the rim may be rounded to the outside.
     radius = np.arange(count + 1) / count * (1.0 - 1e-12)
     if pupil.obscuration > 0.0:
         points.append(6 * math.ceil(count * pupil.obscuration))
@@ -633,7 +637,7 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
     rho = np.repeat(radius, points)
     theta = np.concatenate([2.0 * math.pi * np.arange(n) / n for n in points])
     x, y = rho * np.cos(theta), rho * np.sin(theta)
-    rho = np.maximum(rho, 1e-9)  # in the middle slopes over rho have a limit only
+    rho = np.maximum(rho, 1e-9)  # slopes() divides by rho
     clear = pupil.opening.margin(x, y) >= 0.0
     if pupil.mask is not None:
         clear &= np.abs(pupil.mask.at(x, y)) > 0.0
@@ -642,19 +646,19 @@ def ray_positions(pupil: Pupil, rings: int = 12) -> Array:
 
 @display.register("spots")
 def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str = "sqrt") -> Axes:
-    """Draw a spot diagram over a PSF, with the Airy circle of the aperture about the axis.
+    """Draw a PSF with the spot diagram of its rays and the Airy circle of the aperture about the axis.
 
     Parameters
     ----------
     psf : PSF
-        A single one, of a lens.
+        A single PSF of a lens.
     ax : matplotlib Axes, optional
-        By default those of a new figure, which has a colour bar and a title with the rms radius of the rays,
-        :func:`lommel.spot_radius`.
+        By default the axes of a new figure with a colour bar and a title, which states the rms radius of the rays
+        (:func:`lommel.spot_radius`).
     rings : int, default 12
-        Number of rings of rays; see :func:`lommel.show.plot.ray_positions`.
+        Number of circles of pupil points; see :func:`lommel.show.plot.ray_positions`.
     stretch : {"sqrt", "linear", "log"}
-        Scale of the PSF.
+        Brightness scale of the PSF.
 
     Returns
     -------
@@ -663,13 +667,13 @@ def spots(psf: PSFLike, ax: Axes | None = None, *, rings: int = 12, stretch: str
     Raises
     ------
     TypeError, ValueError
-        If `psf` is a stack or of an objective, or an argument is out of range.
+        If `psf` is a stack or the PSF of an objective, or if an argument is out of range.
     ImportError
         If matplotlib is not installed.
     """
     pupil = checked(psf, "psf").pupil
     if not isinstance(pupil, Pupil):
-        raise ValueError("psf must be that of a lens for a spot diagram, got that of an Objective")
+        raise ValueError("psf must be the PSF of a lens for a spot diagram, got the PSF of an Objective")
     if pupil.shape != ():
         raise ValueError(f"psf must be a single one for a spot diagram, got a stack of shape {pupil.shape}; index it")
     validation.axes("ax", ax)

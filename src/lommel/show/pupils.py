@@ -37,14 +37,14 @@ class PupilMaps(NamedTuple):
 
 @display.plot.register(Wavefront)
 def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> drawing.Drawn:
-    """Draw the phase of a wavefront over the full disc, less its mean; a stack side by side on one scale.
+    """Draw the phase of a wavefront over the full disc minus its mean; a stack side by side on one colour scale.
 
     Parameters
     ----------
     thing : Wavefront
         One wavefront, or a stack of at most 64.
     ax : matplotlib Axes, optional
-        Axes to draw a single wavefront in. By default those of a new figure, with a title and a colour bar.
+        Axes for a single wavefront. By default the axes of a new figure with a title and a colour bar.
     unit : {"waves", "radians"}
         Unit of the phase.
 
@@ -66,22 +66,22 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
 
 @display.plot.register(BasePupil)
 def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> drawing.Drawn:
-    """Draw the phase across a pupil, less its mean, or the amplitude; a stack side by side on one scale.
+    """Draw the phase across a pupil minus its mean, or the amplitude; a stack side by side on one colour scale.
 
     Parameters
     ----------
     thing : Pupil or ObjectivePupil
-        One pupil, or a stack of at most 64. The phase of an objective is that of its layers for the plane in focus
-        and the depth of the emitter, with the aberrations; a dashed circle marks the critical angle of the sample,
-        beyond which light decays with depth.
+        One pupil, or a stack of at most 64. The phase of an objective is the sum of its aberrations and of the phase
+        of its layers, for the depth of the emitter and the focus of the stage. A dashed circle marks the critical
+        angle of the sample, beyond which light decays with depth.
     ax : matplotlib Axes, optional
-        Axes to draw a single pupil in. By default those of a new figure, with a title and a colour bar.
+        Axes for a single pupil. By default the axes of a new figure with a title and a colour bar.
     what : {"phase", "amplitude"}
-        Quantity to draw. The amplitude is 1 where the aperture is clear, unless it is apodized; for an objective it
-        is the rms over both polarisations of the amplitude transmitted by the layers, relative to its maximum.
-        Blocked regions are grey.
+        Quantity to draw. The amplitude of a lens is 1 in clear parts of an aperture without apodization. The
+        amplitude of an objective is the rms, over both polarisations, of the amplitude that the layers transmit,
+        divided by the maximum. Blocked regions are grey.
     unit : {"waves", "radians", "nm"}
-        Unit of the phase; nm of optical path for a pupil with a wavelength.
+        Unit of the phase. "nm" is nanometres of optical path and needs a pupil with a wavelength.
 
     Returns
     -------
@@ -100,9 +100,9 @@ def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit
         return _phase(imaged(thing), ax, unit, drawing.of_pupils(thing))
     amplitude = _drawable_maps(imaged(thing), ax).amplitude
     if thing.layered:
-        amplitude, note = amplitude / amplitude.max(), "of both polarisations, over the largest"
+        amplitude, note = amplitude / amplitude.max(), "of both polarisations, relative to the largest"
     else:
-        note = f"(1 = clear); {100.0 * thing.transmission:.3g} % of a clear disc's light pass"
+        note = f"(1 = clear); transmits {100.0 * thing.transmission:.3g} % of the light of a clear disc"
     values, largest = np.where(amplitude > 0.0, amplitude, np.nan), max(1.0, float(amplitude.max()))
     labels = f"amplitude {note}", "amplitude"
     return _draw(thing, values, ax, labels, drawing.of_pupils(thing), cmap="viridis", vmin=0.0, vmax=largest)
@@ -122,7 +122,7 @@ def pupil_maps(pupil: BasePupil, side: int = _SIDE) -> PupilMaps:
             common = common * np.abs(pupil.mask.at(x, y))
         clear = common > 0.0
         amplitude[:] = common
-        # Phases of segments and masks, beside that of the wavefront.
+        # Segments and masks have phases in addition to the wavefront.
         aperture_phase = pupil.opening.phase(x[clear], y[clear])
         if pupil.mask is not None:
             aperture_phase = aperture_phase + np.angle(pupil.mask.at(x[clear], y[clear]))
@@ -136,9 +136,9 @@ def pupil_maps(pupil: BasePupil, side: int = _SIDE) -> PupilMaps:
 
 
 def _objective_maps(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Array, Array]:
-    """Return phase and amplitude at points of an objective's pupil, shape (n, points) for n planes of the stack."""
+    """Return phase and amplitude at points of an objective's pupil, shape (n, points) for the flattened stack."""
     layers = pupil.layers
-    # Complex phase psi, linear in depth and focus; its imaginary part is the decay of evanescent light.
+    # The complex phase psi is linear in depth and focus; its imaginary part describes the decay of evanescent light.
     fixed, per_depth, per_focus = layers.rates(layers.cosine(rho))
     psi = (
         fixed + np.multiply.outer(pupil.depth.ravel(), per_depth) + np.multiply.outer(pupil.focus.ravel(), per_focus)
@@ -153,39 +153,40 @@ def _objective_maps(pupil: ObjectivePupil, rho: Array, theta: Array) -> tuple[Ar
 
 
 def _drawable_maps(pupil: BasePupil, ax: Axes | None) -> PupilMaps:
-    """Return the maps of a pupil or stack to be drawn; ValueError for more than 64, or for `ax` with a stack."""
+    """Return the maps of the pupils to be drawn; ValueError for more than 64 pupils, or for a stack with `ax`."""
     validation.axes("ax", ax)
     drawing.only_single(ax, pupil.shape)
     count = math.prod(pupil.shape)
     drawing.at_most(pupil.shape)
-    # Larger images show narrow vanes and gaps.
+    # Other apertures have narrow vanes and gaps, which need larger images.
     side = _SIDE if pupil.circular else 2 * _SIDE
     return pupil_maps(pupil, side if count < 9 else side // 2)
 
 
 def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> drawing.Drawn:
-    """Draw the phase of a pupil, or of a stack of pupils with one title each."""
+    """Draw the phase of a pupil, or of a stack of pupils with `titles`."""
     if unit == "nm" and pupil.wavelength is None:
-        raise ValueError('unit="nm" needs a pupil with a wavelength, got one without; take "waves" or "radians"')
+        raise ValueError('unit="nm" needs a pupil with a wavelength, got one without; use "waves" or "radians"')
     radians_per_unit = 1.0 if unit == "radians" else 2.0 * math.pi
     if unit == "nm":
         radians_per_unit /= 1e9 * (pupil.wavelength or math.nan)
     values = _drawable_maps(pupil, ax).phase / radians_per_unit
-    title = "phase, less its mean"
+    title = "phase minus its mean"
     if not pupil.shape and isinstance(pupil, Pupil) and not pupil.phase_mask:
         peak_to_valley = float(np.nanmax(values) - np.nanmin(values))
         rms_phase = float(rms(pupil)) / radians_per_unit
         title = f"rms {rms_phase:.3g} {unit}, peak to valley {peak_to_valley:.3g} {unit}"
-    labels, norm = (title, f"phase, less its mean ({unit})"), drawing.even_norm(float(np.nanmax(np.abs(values))))
+    labels, norm = (title, f"phase minus its mean ({unit})"), drawing.even_norm(float(np.nanmax(np.abs(values))))
     return _draw(pupil, values, ax, labels, titles, cmap="RdBu_r", norm=norm)
 
 
 def _draw(
     pupil: BasePupil, values: Array, ax: Axes | None, labels: tuple[str, str], titles: list[str], **imshow: Any
 ) -> drawing.Drawn:
-    """Draw values across a pupil, shape (n, side, side); `labels` are the title of the figure and of the colour bar.
+    """Draw values across pupils, shape (n, side, side).
 
-    `titles` are those of the pupils of a stack; other options are for `Axes.imshow`.
+    `labels` are the title of the figure and the label of the colour bar; `titles` are those of the pupils in a stack.
+    Other options are passed to `Axes.imshow`.
     """
 
     def draw_one(index: tuple[int, ...], axes: Axes) -> AxesImage:

@@ -1,11 +1,14 @@
-r"""Debye-Wolf integrals over the angles of a microscope's light, by Gauss-Legendre quadrature with proven bounds.
+r"""Debye-Wolf integrals over the pupil of a microscope, by Gauss-Legendre quadrature with proven error bounds.
 
-The bounds come from ellipses on which the integrands are analytic. [0, 1] is cut at the critical angle of the sample,
-``rho = n_s / NA``. Below, the variable is 1 - c, with the cosine c in the layer of the lowest index and
-``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. The error of Gauss's rule falls like ``exp(-2 n eta)``
-for each ellipse without branch points of other cosines and zeros of denominators. Integrands that are odd in rho
-(radial, azimuthal, vortex) are integrated over rho itself near the centre. Discs that cover an ellipse bound the
-integrand on it: certificate, section 14.
+The range [0, 1] of the pupil radius rho is divided at the critical angle of the sample, ``rho = n_s / NA``. The
+variable of the section below the critical angle is x = 1 - c, where c is the cosine in the layer of the lowest index
+n and ``rho d rho = -(n / NA)^2 c dc``. The variable of the section above is ``abs(c_s)``, with the cosine c_s in the
+sample. An integrand odd in rho (radial, azimuthal and vortex beams) also has a central section with the variable rho.
+
+Error bounds follow from Bernstein ellipses around each section. If the integrand is analytic on the ellipse of
+parameter eta (no branch points of cosines, no zeros of denominators), the error of n Gauss nodes is at most
+``constant exp(growth - 2 n eta)``, where exp(growth) bounds the integrand on the ellipse. This bound is computed in
+disc arithmetic, on discs that cover the ellipse: docs/certificate.md, section 14.
 
 References
 ----------
@@ -31,11 +34,12 @@ from lommel.special.disc_arithmetic import Disc, disc, windings
 from lommel.special.legendre import gauss_legendre
 
 ETA = np.geomspace(4e-3, 2.5, 28)
-_ARCS = 1024
-_GLANCE = 24  # points of an ellipse for an estimate
+"""Parameters of the ellipses: semi-axes are cosh(eta) and sinh(eta) times half the length of the section."""
+_ARCS = 1024  # number of discs that cover an ellipse
+_ESTIMATE_POINTS = 24  # points of an ellipse for an estimate of the growth
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
 _ODD = ("radial", "azimuthal", "vortex")
-# End of the centre, in 1 - c and in rho over n / NA: there both sections are equally far from their singularities.
+# End of the central section, in 1 - c and in rho / (n / NA), equally far from the singularities of both sections.
 _CENTRE = 0.3
 _CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
 Complex = NDArray[np.complex128]
@@ -45,10 +49,10 @@ Rows = tuple[int, ...] | None
 
 @dataclass(frozen=True)
 class Model:
-    """The field integrals: vectorial K0, K1, K2; scalar U; or those of radial, azimuthal and vortex beams.
+    """Kind of field integrals (parts): vectorial K0, K1, K2; scalar U; or those of radial, azimuthal, vortex beams.
 
-    `aplanatic` is the amplitude ``c_i^(-1/2)`` of the sine condition instead of 1; `supercritical` includes light
-    beyond the critical angle of the sample.
+    With `aplanatic` the amplitude is ``c_i^(-1/2)``, by the sine condition, else 1. With `supercritical` the
+    integrals include light beyond the critical angle of the sample.
     """
 
     kind: str = "vectorial"
@@ -62,28 +66,28 @@ class Model:
 
     @property
     def transmits(self) -> bool:
-        """Whether surfaces and films count."""
+        """True if the integrals include the transmission of surfaces and films."""
         return self.kind != "scalar"
 
 
 class At:
-    """Points of a section, or discs along ellipses around it, with quantities of the integrands, computed once."""
+    """Factors of the integrands, cached, at points x of a section or on discs along ellipses around the section."""
 
     def __init__(self, piece: Piece, x: Values) -> None:
         self.piece, self.x, self.square = piece, x, piece.square(x)
-        self._known: dict[float, Values] = {}
+        self._cosines: dict[float, Values] = {}
 
     def __call__(self, index: float) -> Values:
-        """Return c_m of a layer."""
-        if index not in self._known:
-            # Above the critical angle the cosine of the lowest index is imaginary by definition of the variable.
+        """Return the cosine c_m in the layer of this index."""
+        if index not in self._cosines:
+            # The cosine of the lowest index is linear in the variable, without a square root.
             if self.piece.is_root(index):
-                of = 1.0 - self.square * index**-2
-                found = of.sqrt() if isinstance(of, Disc) else np.sqrt(of + 0.0j)
+                square = 1.0 - self.square * index**-2
+                cosine = square.sqrt() if isinstance(square, Disc) else np.sqrt(square + 0.0j)
             else:
-                found = 1j * self.x if self.piece.above else 1.0 + 0.0j - self.x
-            self._known[index] = found
-        return self._known[index]
+                cosine = 1j * self.x if self.piece.above else 1.0 + 0.0j - self.x
+            self._cosines[index] = cosine
+        return self._cosines[index]
 
     @cached_property
     def amplitudes(self) -> Amplitudes:
@@ -92,15 +96,15 @@ class At:
 
     @cached_property
     def rates(self) -> tuple[Values, Values, Values]:
-        """Phase at depth 0 and focus 0, and its derivatives by both."""
+        """Phase at depth 0 and focus 0, and its derivatives by depth and by focus."""
         return self.piece.layers.rates(self)
 
     @cached_property
     def height(self) -> Array:
-        """Bound on ``abs(Im rho)`` of discs."""
+        """Bound on ``abs(Im rho)`` on each disc."""
         if isinstance(self.piece, Centre):
             return np.asarray(np.abs(self.x.centre.imag) + self.x.radius)
-        # The lesser of two bounds on Im of the root of a disc: certificate, section 14, "Discs".
+        # The smaller of two bounds on abs(Im sqrt(z)), z in a disc: docs/certificate.md, section 14, "Discs".
         square = self.square * self.piece.layers.NA**-2
         root = np.sqrt(square.centre)
         near = np.abs(root.imag) + square.radius / np.maximum(np.abs(root), 1e-300)
@@ -108,21 +112,21 @@ class At:
 
     @cached_property
     def fit(self) -> NDArray[np.bool_]:
-        """Whether each ellipse contains no singularity: proven for discs, probable for points."""
-        found = self._in_sheet()
-        # A denominator analytic inside has as many zeros there as its values wind around 0.
-        for around in (*self.amplitudes.denominators, *([self.square] if self.piece.odd else [])):
-            found &= windings(disc(around)) == 0
-        return found
+        """True for each ellipse that contains no singularity: a proof for discs, an estimate for points."""
+        analytic = self._cosines_analytic()
+        # By the argument principle, an analytic denominator has no zero in an ellipse if its winding number is 0.
+        for function in (*self.amplitudes.denominators, *([self.square] if self.piece.odd else [])):
+            analytic &= windings(disc(function)) == 0
+        return analytic
 
-    def _in_sheet(self) -> NDArray[np.bool_]:
-        """Return whether cosines are known on each ellipse, and those with branch points have none inside."""
+    def _cosines_analytic(self) -> NDArray[np.bool_]:
+        """Return True for each ellipse on which cosines are finite and that contains no branch point of cosines."""
         fit, rooted = np.ones(disc(self.x).radius.shape[:-1], np.bool_), self.piece.rooted
         for index in {*rooted, self.piece.layers.sample}:
             c = self(index)
             if isinstance(c, Disc):
                 fit &= np.isfinite(c.radius).all(axis=-1)
-                # Re c > 0 on all discs keeps c^(-1/2) analytic: certificate, section 14, "Which ellipses".
+                # If Re c > 0 on all discs, c^(-1/2) is analytic: docs/certificate.md, section 14, "Which ellipses".
                 if index in rooted:
                     fit &= (c.centre.real > c.radius).all(axis=-1)
             elif self.piece.is_root(index):
@@ -134,7 +138,7 @@ class At:
 
 @dataclass(frozen=True)
 class Piece:
-    """Section of the pupil in its analytic variable; `odd` integrands need ellipses that exclude rho = 0."""
+    """Section of the pupil, `low` to `high` in its variable; for `odd` integrands ellipses must exclude rho = 0."""
 
     layers: Layers
     low: float
@@ -152,7 +156,7 @@ class Piece:
         return self.lowest**2 * (x * x + 1.0 if self.above else x * (2.0 - x))
 
     def is_root(self, index: float) -> bool:
-        """Return whether the cosine of a layer may have branch points."""
+        """Return True if the cosine in a layer is a square root, with branch points, in the variable."""
         return index != self.lowest
 
     def jacobian(self, x: Values) -> Values:
@@ -160,17 +164,17 @@ class Piece:
         return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
 
     def parts(self, at: At, model: Model) -> tuple[Complex, ...]:
-        """Return the factors of ``exp(i psi) J_m``, Jacobian included, in the order of `model`."""
-        return self._composed(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
+        """Return the factor of ``exp(i psi) J_m`` in each integrand, with the Jacobian, one for each order m."""
+        return self._factors(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
 
     def changes(self, at: At, model: Model) -> tuple[Complex, ...]:
-        """Return the derivatives of :meth:`parts` by ln k, which films cause."""
+        """Return the derivatives of :meth:`parts` by ln k, with the wavenumber k; only films contribute."""
         of_s, of_p = self.layers.log_slopes(at, at.square)
         t_s, t_p, _ = at.amplitudes
-        return self._composed(at, model, t_s * of_s, t_p * of_p)
+        return self._factors(at, model, t_s * of_s, t_p * of_p)
 
-    def _composed(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
-        # The parts of radial, azimuthal and vortex beams: certificate, section 14, "What is odd in rho".
+    def _factors(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
+        # Radial, azimuthal and vortex beams: docs/certificate.md, section 14, "What is odd in rho".
         c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
         light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if self.layers.exponent:
@@ -185,13 +189,13 @@ class Piece:
         return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
 
     def _ellipses(self, eta: Array, theta: Array) -> Complex:
-        """Return points on the ellipses around the piece, one for each eta, shape ``(eta, theta)``."""
+        """Return points on the ellipses around the section, shape ``(eta, theta)``."""
         half = 0.5 * (self.high - self.low)
         return np.asarray(self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None])))
 
     @cached_property
     def covered(self) -> At:
-        """All ellipses, covered with discs."""
+        """Discs that cover all ellipses."""
         return self._cover(ETA)
 
     def _cover(self, eta: Array) -> At:
@@ -199,7 +203,7 @@ class Piece:
         theta = (np.arange(float(_ARCS)) + 0.5) * step
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta; its maximum along an arc is the radius of its disc.
         slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
-        # A little more than exact for rounding of centres and radii.
+        # Slightly enlarged to cover the rounding errors of centres and radii.
         radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
         return At(self, Disc(self._ellipses(eta, theta), radius))
 
@@ -211,46 +215,49 @@ class Piece:
     def growth(
         self, model: Model, depth: Array, focus: Array, v: float, rows: Rows = None, factor: Array | float = 0.0
     ) -> Array:
-        """Return the log of a bound on the integrands on each ellipse (or `rows` of them), infinite where singular.
+        """Return the log of a bound on the integrands on each ellipse with an index in `rows` (None: all).
 
-        `factor` is the log of a bound on a further factor on each disc of all ellipses.
+        It is infinite for other ellipses and for ellipses with singularities. v is the largest ``k NA r``. `factor`
+        is the log of a bound on an additional factor of the integrands, on each disc.
         """
         covered, amplitude = enclosed(self, model, rows)
         fixed, by_depth, by_focus = covered.rates
         worst = np.full(covered.height.shape, -np.inf)
         with np.errstate(all="ignore"):
             for d, f in extremes(depth, focus):
-                # abs(exp(i psi)) = exp(-Im psi), with the radii of the discs.
+                # The largest abs(exp(i psi)) = exp(-Im psi) on each disc.
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
             grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
-        found = np.full(ETA.shape, np.inf)
-        found[list(rows or range(ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
-        return found
+        logs = np.full(ETA.shape, np.inf)
+        logs[list(rows or range(ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
+        return logs
 
-    def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
-        """Estimate :meth:`growth` from some points of each ellipse: not a bound, at a tenth of the cost."""
-        at = At(self, self._ellipses(ETA, (np.arange(float(_GLANCE)) + 0.5) * (2.0 * math.pi / _GLANCE)))
+    def _estimated_growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
+        """Estimate :meth:`growth` from a few points of each ellipse, without proof, at a tenth of the cost."""
+        at = At(
+            self, self._ellipses(ETA, (np.arange(float(_ESTIMATE_POINTS)) + 0.5) * (2.0 * math.pi / _ESTIMATE_POINTS))
+        )
         fixed, by_depth, by_focus = at.rates
         with np.errstate(all="ignore"):
             light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
-            fading = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
-            found = (light - fading + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
-        return np.where(at.fit & np.isfinite(found), found, np.inf)
+            decay = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
+            growth = (light - decay + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
+        return np.where(at.fit & np.isfinite(growth), growth, np.inf)
 
     def enough(
         self, model: Model, depth: Array, focus: Array, v: float, error: float, factor: Factor | None = None
     ) -> int:
-        """Return a number of nodes proven to err by at most `error`; `factor` as of :func:`debye.rule`."""
+        """Return a number of nodes with a proven error of at most `error`; `factor` is as in :func:`debye.rule`."""
         if factor is None:
             return self.nodes(self.serving(model, depth, focus, v, error), error)
         return self.nodes(self.growth(model, depth, focus, v, factor=factor(self)), error)
 
     def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
-        """Return :meth:`growth` on the few ellipses that are best by an estimate."""
-        glance = self._needed(self._glance(model, depth, focus, v), error)
-        best = int(glance.argmin())
-        # One ellipse is nearly always enough; each further one costs as much.
+        """Return :meth:`growth` on one or two ellipses that need the fewest nodes according to an estimate."""
+        estimate = self._needed(self._estimated_growth(model, depth, focus, v), error)
+        best = int(estimate.argmin())
+        # The best ellipse nearly always suffices; if its bound is infinite, try its neighbours, then all ellipses.
         for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < ETA.size)):
             growth = self.growth(model, depth, focus, v, rows)
             if np.isfinite(growth).any():
@@ -258,15 +265,16 @@ class Piece:
         return self.growth(model, depth, focus, v)
 
     def constant(self) -> Array:
-        """Return the log of the factor of the growth in the bound, without the number of nodes."""
+        """Return the log of the constant in the error bound ``constant exp(growth - 2 n eta)`` for each ellipse."""
         return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * ETA)))
 
     def _needed(self, growth: Array, error: float) -> Array:
+        """Return the number of nodes, not rounded, by the error bound of each ellipse."""
         with np.errstate(over="ignore"):
             return np.asarray((growth + self.constant() - math.log(error)) / (2.0 * ETA))
 
     def nodes(self, growth: Array, error: float) -> int:
-        """Return the fewest nodes proven to err by at most `error`; ValueError if no number suffices."""
+        """Return the smallest number of nodes with a proven error of at most `error`; ValueError if there is none."""
         needed = float(self._needed(growth, error).min())
         if not math.isfinite(needed):
             thinner = "films must be thinner, or " if self.layers.films else ""
@@ -278,14 +286,14 @@ class Piece:
 
 
 class Centre(Piece):
-    """The centre of the pupil in the variable rho, in which odd integrands are analytic."""
+    """Central section of the pupil, whose variable is rho, in which odd integrands are analytic."""
 
     def square(self, x: Values) -> Values:
         """Return ``(NA rho)^2``."""
         return x * x * self.layers.NA**2
 
     def is_root(self, index: float) -> bool:
-        """Return True: no cosine is the variable itself."""
+        """Return True: all cosines are square roots in rho."""
         return True
 
     def jacobian(self, x: Values) -> Values:
@@ -294,17 +302,17 @@ class Centre(Piece):
 
     @property
     def rooted(self) -> tuple[float, ...]:
-        """All layers."""
+        """Indices of immersion, glass and sample, whose cosines must stay in the right half plane."""
         return self.layers.immersion, self.layers.glass, self.layers.sample
 
 
 Factor = Callable[[Piece], Array]
-"""Log of a bound on a further analytic factor of the integrands, on each disc around a section."""
+"""Function that returns the log of a bound on an additional factor of the integrands, on each disc of a section."""
 
 
 @lru_cache(maxsize=32)
 def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
-    """Return ellipses as discs, and the log of a bound on each part without exponential and Bessel function."""
+    """Return the discs of ellipses, and on each disc the log of a bound on the factors :meth:`Piece.parts`."""
     at = piece.covered if rows is None else piece._cover(ETA[list(rows)])
     t_s, t_p, _ = at.amplitudes
     with np.errstate(all="ignore"):
@@ -326,21 +334,21 @@ def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
 
 
 def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
-    """Return the pairs of depth and focus that bound all others, since the phase is linear in both."""
-    # The exponent is convex: for each depth the first and the last focus bound the others.
-    found = []
+    """Return the pairs (depth, focus) at which the integrand can be largest: each depth with its extreme foci."""
+    # The phase is linear in the focus, so that for each depth the maximum is at the smallest or the largest focus.
+    pairs = []
     for d in np.unique(depth):
-        here = focus[depth == d]
-        found += [(float(d), float(f)) for f in {here.min(), here.max()}]
-    return found
+        foci = focus[depth == d]
+        pairs += [(float(d), float(f)) for f in {foci.min(), foci.max()}]
+    return pairs
 
 
 @lru_cache(maxsize=8)
 def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
-    """Return the sections of the pupil; that beyond the critical angle comes last, if its light counts."""
+    """Return the sections of the pupil; a section beyond the critical angle, if included, is the last."""
     odd = model.kind in _ODD
     lowest = min(layers.immersion, layers.glass, layers.sample)
-    # 1 - cos of the largest angle as sin^2 / (1 + cos), without cancellation.
+    # 1 - cos of the largest angle, as sin^2 / (1 + cos) without cancellation.
     sine = min(1.0, layers.NA / lowest)
     edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
     found: list[Piece] = []
@@ -349,21 +357,22 @@ def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     if not odd or edge > _CENTRE:
         found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
     if layers.sample < layers.NA and model.supercritical:
-        # kappa = abs(c_s) at the rim, as a product, without cancellation near the critical angle.
-        reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
-        found.append(Piece(layers, 0.0, reach, above=True, odd=odd))
+        # abs(c_s) at the rim, as a product without cancellation near the critical angle.
+        end = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
+        found.append(Piece(layers, 0.0, end, above=True, odd=odd))
     return tuple(found)
 
 
-# Allowed for, not proven: certificate, section 14, "Rounding".
+# Unit of an allowance for rounding errors, which are not proven: docs/certificate.md, section 14, "Rounding".
 _ROUNDOFF = 2.0**-53
-_RADII = 2048  # radii at once
+_RADII = 2048  # number of radii computed together, to limit the memory
 
 
 class Rule(NamedTuple):
-    """A quadrature over angles: rho, the weighted parts of the model, and the phase with its depth and focus rates.
+    """Quadrature rule: rho of the nodes, weighted parts, and the phase with its rates by depth and focus.
 
-    `error` is the proven bound with an allowance for rounding, which is `rounding`; counts are nodes per section.
+    `error` is the proven error bound plus `rounding`, an allowance for rounding errors; `counts` are the numbers of
+    nodes of the sections.
     """
 
     rho: Array
@@ -374,7 +383,7 @@ class Rule(NamedTuple):
     counts: tuple[int, ...]
 
     def waves(self, depth: Array, focus: Array) -> Complex:
-        """Return ``exp(i psi)`` for each plane and angle, shape ``(planes, q)``."""
+        """Return ``exp(i psi)`` for each plane and node, shape ``(planes, nodes)``."""
         fixed, by_depth, by_focus = self.rates
         phases = depth[:, None] * by_depth
         phases += focus[:, None] * by_focus
@@ -386,14 +395,15 @@ class Rule(NamedTuple):
 def rule(
     layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float, factor: Factor | None = None
 ) -> Rule:
-    """Return a rule within `tol` for every part, plane and radius up to `v` = k NA r.
+    """Return a rule with an error of at most `tol` for every part, plane and radius r with ``k NA r <= v``.
 
-    `factor` bounds, as a log on each disc around a section, a further analytic factor of the integrands.
+    `factor` returns, for a section, the log of a bound on an additional analytic factor of the integrands on each
+    disc.
     """
-    cut = pieces(layers, model)
-    counts = tuple(piece.enough(model, depth, focus, v, tol / len(cut), factor) for piece in cut)
-    rho, joined, rates = tabulated(cut, model, counts)
-    # Section 14, "Rounding": phases lose digits in proportion to the optical paths that they sum.
+    sections = pieces(layers, model)
+    counts = tuple(piece.enough(model, depth, focus, v, tol / len(sections), factor) for piece in sections)
+    rho, joined, rates = tabulated(sections, model, counts)
+    # The rounding error of phases is proportional to the sum of optical paths: certificate, section 14, "Rounding".
     paths = sum(index * abs(thickness) for index, thickness in layers.paths)
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
     size = max(float(np.abs(part).sum()) for part in joined)
@@ -402,18 +412,18 @@ def rule(
 
 
 def tabulated(
-    cut: tuple[Piece, ...], model: Model, counts: tuple[int, ...]
+    sections: tuple[Piece, ...], model: Model, counts: tuple[int, ...]
 ) -> tuple[Array, tuple[Complex, ...], tuple[Complex, Complex, Complex]]:
     """Return rho, the weighted parts and the rates of the phase at `counts` Gauss nodes of each section."""
     rhos, parts, rates = [], [], []
-    for piece, n in zip(cut, counts, strict=True):
+    for piece, n in zip(sections, counts, strict=True):
         x, w = gauss_legendre(n, piece.low, piece.high)
         at = At(piece, x)
         rhos.append(np.sqrt(at.square) / piece.layers.NA)
         parts.append([w * part for part in piece.parts(at, model)])
         rates.append(at.rates)
-    fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
-    joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
+    fixed, by_depth, by_focus = (np.concatenate(rate) for rate in zip(*rates, strict=True))
+    joined = tuple(np.concatenate(part) for part in zip(*parts, strict=True))
     return np.concatenate(rhos), joined, (fixed, by_depth, by_focus)
 
 
@@ -422,36 +432,36 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
     from scipy.special import jv
 
     waves = rule.waves(depth, focus)
-    found = tuple(np.empty((depth.size, v.size), np.complex128) for _ in model.orders)
+    integrals = tuple(np.empty((depth.size, v.size), np.complex128) for _ in model.orders)
     for start in range(0, v.size, _RADII):
         arguments = np.multiply.outer(rule.rho, v[start : start + _RADII])
-        for order, part, values in zip(model.orders, rule.parts, found, strict=True):
+        for order, part, values in zip(model.orders, rule.parts, integrals, strict=True):
             values[:, start : start + _RADII] = (waves * part) @ jv(order, arguments)
-    return found
+    return integrals
 
 
 def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str | None = None) -> tuple[Array, Array]:
-    """Return the light of each part, near and far from the glass, over ``4 pi / (k NA)^2``, or a derivative.
+    """Return the power of each part, near and far from the glass, in units of ``4 pi / (k NA)^2``, or a derivative.
 
-    Rules of twice as many angles until two agree to 1e-13; `by` is "depth" or "wavenumber" (ln k).
+    `by` is None, "depth" for the derivative by depth, or "wavenumber" for the derivative by ln k.
     """
     model = model or Model()
-    # Quadrature converges geometrically: two results that agree are exact to about rounding.
+    # Double the number of nodes until two results agree to 1e-13; convergence is geometric.
     before = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
-        steady, fading, faint, steady_change, faint_change = _collected(layers, model, n)
-        left = np.exp(np.outer(depth, fading))
-        all_light = left @ faint + steady
-        near, far = all_light, steady
+        propagating, decay_rates, evanescent, propagating_change, evanescent_change = _collected(layers, model, n)
+        decay = np.exp(np.outer(depth, decay_rates))
+        total = decay @ evanescent + propagating
+        near, far = total, propagating
         if by is not None:
-            # Far from the glass nothing changes with the depth.
-            near, far = left @ (faint * fading[:, None]), 0.0 * far
+            # Propagating light does not depend on depth.
+            near, far = decay @ (evanescent * decay_rates[:, None]), 0.0 * far
         if by == "wavenumber":
-            near = depth[:, None] * near + left @ faint_change + steady_change
-            far = steady_change
-        # A derivative needs no smaller error than the quantity it is derived from.
-        # By ln k, at fixed v, waves also fade faster in proportion to k: depth times the derivative by depth.
-        size = all_light if by is None else all_light + np.abs(near)
+            # Decay rates are proportional to k, which adds depth times the derivative by depth.
+            near = depth[:, None] * near + decay @ evanescent_change + propagating_change
+            far = propagating_change
+        # The error of a derivative is relative to the sum of the power and the derivative.
+        size = total if by is None else total + np.abs(near)
         if (np.abs(near - before) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
             break
         before = near
@@ -460,14 +470,18 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str |
 
 @lru_cache(maxsize=64)
 def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array, Array, Array]:
-    """Return the light of each part from n angles: steady, decay rates, decaying, and derivatives by ln k."""
+    """Return the power of each part by n nodes per section.
+
+    The result is the propagating power, the decay rates and the powers at depth 0 of evanescent waves at each node,
+    and the derivatives of both powers by ln k.
+    """
     parts = len(model.orders)
-    steady, steady_change = np.zeros(parts), np.zeros(parts)
-    fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
+    propagating, propagating_change = np.zeros(parts), np.zeros(parts)
+    decay_rates, evanescent, evanescent_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
         at = At(piece, x)
-        # Light per unit of rho d rho: the parts contain the Jacobian, which is divided out once of its square.
+        # The squared parts include the square of the Jacobian: divide by it once.
         measure = (w / (2.0 * piece.jacobian(x)))[:, None]
         of = np.stack(piece.parts(at, model), axis=1)
         light: Array = measure * np.abs(of) ** 2
@@ -475,32 +489,33 @@ def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Arra
         if films(layers, model):
             change = measure * 2.0 * (of.conj() * np.stack(piece.changes(at, model), axis=1)).real
         if piece.above:
-            fading, faint, faint_change = -2.0 * at.rates[1].imag, light, change
+            decay_rates, evanescent, evanescent_change = -2.0 * at.rates[1].imag, light, change
         else:
-            steady += light.sum(axis=0)
-            steady_change += change.sum(axis=0)
-    return steady, fading, faint, steady_change, faint_change
+            propagating += light.sum(axis=0)
+            propagating_change += change.sum(axis=0)
+    return propagating, decay_rates, evanescent, propagating_change, evanescent_change
 
 
 def films(layers: Layers, model: Model) -> bool:
-    """Return whether amplitudes depend on the wavelength (films that transmit)."""
+    """Return True if the amplitudes depend on the wavelength, due to films."""
     return bool(layers.films) and model.transmits
 
 
-# Derivatives by depth, focus and v have the factors ``i d psi / dx`` and ``rho J_m'(v rho)``. Phases are proportional
-# to the wavenumber k, so that by ln k the factor is ``i psi``; a real constant in psi turns all fields alike and is
-# left out. With films the amplitudes of s and p waves depend on k, too.
+# Derivatives by depth and focus multiply the integrand by ``i d psi / d(depth)`` or ``i d psi / d(focus)``. The
+# derivative by v replaces J_m(v rho) by ``rho J_m'(v rho)``. The phase psi is proportional to the wavenumber k, so
+# that the derivative by ln k multiplies by ``i psi``; a real constant in psi changes no intensity and is subtracted.
+# With films, the amplitudes of s and p waves also depend on k.
 
 
 class Turning(NamedTuple):
-    """Factors of derivatives by ln k at fixed v: rates of the phase less a constant, changes of the parts."""
+    """Derivatives by ln k at fixed v: rates of the phase minus constants, and derivatives of the weighted parts."""
 
     rates: Complex
     changes: Complex | None
 
 
 def turning(found: Rule, layers: Layers, model: Model) -> Turning:
-    """Return the factors of the derivatives of a rule by ln k."""
+    """Return the quantities of :class:`Turning` at the nodes of a rule."""
     rates = np.stack(found.rates) - np.array(layers.middle_rates())[:, None]
     if not films(layers, model):
         return Turning(rates, None)
@@ -514,19 +529,19 @@ def turning(found: Rule, layers: Layers, model: Model) -> Turning:
 def slope_errors(
     found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float, float]:
-    """Bound the errors of a rule in derivatives by depth, focus, v, and ln k at fixed v."""
+    """Return bounds on the errors of a rule for derivatives by depth, by focus, by v, and by ln k at fixed v."""
     each = []
     for piece, n in zip(pieces(layers, model), found.counts, strict=True):
         growth = piece.serving(model, depth, focus, v, tol / len(found.counts))
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
         covered, _ = enclosed(piece, model, rows)
         _, by_depth, by_focus = covered.rates
-        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
+        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)); the other factors are derivatives of the phase.
         rho = np.sqrt(covered.square.largest) / layers.NA
         factors = by_depth.largest, by_focus.largest, rho, phases(covered, model, depth, focus)
         proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
         each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
-    # Section 15, "The wavelength".
+    # docs/certificate.md, section 15, "The wavelength".
     by_k = turning(found, layers, model)
     phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
     if by_k.changes is not None:
@@ -539,11 +554,11 @@ def slope_errors(
 
 
 def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
-    """Bound the factors of derivatives by depth, focus and ln k in the pupil, on ellipses around it."""
+    """Return bounds, over the pupil, on the factors of the derivatives by depth, by focus and by ln k."""
     found = np.zeros(3)
     middle = layers.middle_rates()
     for piece in pieces(layers, model):
-        # The narrowest ellipse without a singularity; by the maximum principle its bound holds inside.
+        # By the maximum principle a bound on the narrowest ellipse without singularity holds inside.
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
         covered, _ = enclosed(piece, model, (row,))
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
@@ -552,7 +567,7 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
 
 
 def phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:
-    """Bound the derivatives by ln k over the integrands on each disc."""
+    """Return bounds on ``abs(d(integrand)/d(ln k) / integrand)`` on each disc."""
     layers, psi = covered.piece.layers, np.zeros(covered.square.radius.shape)
     for d, f in extremes(depth, focus):
         centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)

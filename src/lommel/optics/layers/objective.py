@@ -37,7 +37,7 @@ from lommel.optics.wavefront.wavefront import Wavefront
 
 @dataclass(frozen=True, eq=False)
 class FocalField:
-    """The vectorial field of a microscope, as three integrals.
+    """Vectorial field of a microscope, expressed by three integrals K0, K1, K2.
 
     A fixed dipole p, with z towards the objective and phi the azimuth on the camera, has the field
     ``Ex = p_x (K0 + K2 cos 2 phi) + p_y K2 sin 2 phi - 2i p_z K1 cos phi`` and
@@ -47,8 +47,9 @@ class FocalField:
     Parameters
     ----------
     K0, K1, K2 : ndarray of complex, shape planes + radii
+        Integrals with Bessel functions of order 0, 1 and 2.
     error : float
-        Bound on each: proven for the quadrature, with an allowance for rounding.
+        Bound on the error of each value: proven for the quadrature, with an allowance for rounding.
     """
 
     K0: NDArray[np.complex128]
@@ -58,24 +59,25 @@ class FocalField:
 
     @property
     def intensity(self) -> Array:
-        """``abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2``: a freely rotating dipole, or unpolarized light."""
+        """Intensity of a freely rotating dipole or of unpolarized light, abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2."""
         return np.asarray(np.abs(self.K0) ** 2 + 2.0 * np.abs(self.K1) ** 2 + np.abs(self.K2) ** 2)
 
     @property
     def intensity_error(self) -> Array:
-        """Bound on the error of `intensity`: ``4 error sqrt(intensity) + 4 error^2`` each."""
+        """Bound on the error of each `intensity`, ``4 error sqrt(intensity) + 4 error^2``."""
         return np.asarray(4.0 * self.error * (np.sqrt(self.intensity) + self.error))
 
 
 @dataclass(frozen=True, eq=False)
 class ScalarField:
-    """The field of the scalar model of Gibson and Lanni.
+    """Field of the scalar model of Gibson and Lanni.
 
     Parameters
     ----------
     U : ndarray of complex, shape planes + radii
+        Integral with the Bessel function of order 0.
     error : float
-        Bound on each: proven for the quadrature, with an allowance for rounding.
+        Bound on the error of each value: proven for the quadrature, with an allowance for rounding.
     """
 
     U: NDArray[np.complex128]
@@ -83,30 +85,30 @@ class ScalarField:
 
     @property
     def intensity(self) -> Array:
-        """``abs(U)^2``."""
+        """Intensity abs(U)^2."""
         return np.asarray(np.abs(self.U) ** 2)
 
     @property
     def intensity_error(self) -> Array:
-        """Bound on the error of `intensity`: ``2 error sqrt(intensity) + error^2`` each."""
+        """Bound on the error of each `intensity`, ``2 error sqrt(intensity) + error^2``."""
         return np.asarray(self.error * (2.0 * np.abs(self.U) + self.error))
 
 
 @dataclass(frozen=True, eq=False)
 class Focus:
-    """The focus of an emitter at each depth.
+    """Focus of an emitter at one or several depths.
 
     Parameters
     ----------
     depth : float or ndarray
-        Metres from the glass.
+        Distance of the emitter from the glass, metres.
     paraxial, brightest : float or ndarray
-        Stage positions of the paraxial focus and of the maximum intensity on the axis: metres towards the sample from
-        paraxial focus on its surface.
+        Stage positions of the paraxial focus and of the maximum intensity on the axis, metres towards the sample,
+        relative to the paraxial focus on the surface of the glass.
     peak : float or ndarray
-        Intensity at the brightest focus, relative to a scalar aperture of the same light without layers.
+        Intensity at the brightest focus, relative to the peak of an ideal scalar pupil of the same power.
     axial_fwhm, lateral_fwhm : float or ndarray
-        Full widths at half maximum there, metres of the stage and metres in the sample.
+        Full widths at half maximum at the brightest focus, metres of stage travel and metres in the sample.
     """
 
     depth: Numbers
@@ -118,22 +120,22 @@ class Focus:
 
     @property
     def ratio(self) -> Numbers:
-        """Depth over the position of the brightest focus (axial scaling factor); NaN at depth 0."""
+        """Axial scaling factor, depth / (stage position of the brightest focus); NaN at depth 0."""
         with np.errstate(invalid="ignore", divide="ignore"):
-            found: Numbers = np.where(np.asarray(self.depth) > 0.0, np.divide(self.depth, self.brightest), np.nan)[()]
-        return found
+            ratio: Numbers = np.where(np.asarray(self.depth) > 0.0, np.divide(self.depth, self.brightest), np.nan)[()]
+        return ratio
 
 
 @dataclass(frozen=True)
 class Nyquist:
-    """Nyquist sampling, metres.
+    """Nyquist sampling intervals, metres.
 
     Parameters
     ----------
     lateral, axial : float
-        Steps in the sample and of the stage.
+        Largest pixel in the sample, and largest step of the stage.
     pixel : float
-        `lateral` on the camera.
+        Largest pixel on the camera, `lateral` times the magnification.
     """
 
     lateral: float
@@ -153,43 +155,43 @@ _ORIGINS = ("coverslip", "paraxial", "brightest")
 
 @dataclass(frozen=True, init=False)
 class Objective:
-    r"""A microscope objective with its immersion, cover glass and sample; metres everywhere.
+    r"""Microscope objective with its immersion, cover glass and sample; all lengths are in metres.
 
-    Plane layers: sample | films | cover glass | immersion | objective, with the same ``NA rho = n sin(theta)`` in
-    each, rho from 0 to 1 across the pupil. `depth` is the distance of an emitter from the glass (or the last film),
-    metres. `focus` is the stage position: motion of the objective towards the sample from paraxial focus on the cover
-    glass.
+    The plane layers are sample | films | cover glass | immersion | objective. Every ray has the same ``NA rho = n
+    sin(theta)`` in all layers, with rho from 0 to 1 across the pupil. In methods, `depth` is the distance of an
+    emitter from the glass (or from the last film). `focus` is the stage position: the travel of the objective towards
+    the sample, relative to the paraxial focus on the cover glass.
 
     Parameters
     ----------
     NA : float
-        Numerical aperture, below the indices of immersion and cover glass. Above the index of the sample,
-        supercritical light counts, and decays with the depth.
+        Numerical aperture, below the indices of immersion and cover glass. If it exceeds the index of the sample, the
+        PSF includes supercritical light, which decays with the depth.
     magnification : float, default 1
-        From the sample to the camera. With 1, pixels are given in the sample.
+        Lateral magnification from the sample to the camera. With 1, pixel sizes refer to the sample.
     immersion : float
         Refractive index of the immersion medium.
     working_distance : float, optional
-        Metres from the objective to the cover glass, in focus on the surface of the glass and used as designed.
-        Needed with a cover glass or a `design`; without it the stage moves up to 0.01 metres.
+        Distance from the objective to the cover glass for design conditions and a focus on the surface of the glass.
+        Required with a cover glass or a `design`; without it the stage travel is limited to 0.01 metres.
     coverslip : Layer, optional
-        The cover glass; by default none (dipping objective).
+        Cover glass; by default none (dipping objective).
     sample : float, optional
-        Refractive index of the sample. Needed with a cover glass; by default that of the immersion.
+        Refractive index of the sample. Required with a cover glass; by default the index of the immersion.
     films : sequence of Layer, default none
-        Coherent thin films between cover glass and sample, in this order, each of at most 2 um. Multiple reflections
-        in the thick glass are left out.
+        Coherent thin films from the cover glass to the sample, each of at most 2 um. Multiple reflections in the
+        thick glass are ignored.
     design : Design, optional
         Media that the objective was corrected for; by default the actual immersion and cover glass.
     apodization : float or Apodization, default 0
-        Amplitude that the objective passes at the pupil radius rho, beside what its surfaces, films and the sine
-        condition do: a number g means ``exp(-g rho^2)``. Intensities are relative to the light collected, so that
-        only its shape counts.
+        Amplitude transmission of the objective at the pupil radius rho, in addition to the effects of surfaces, films
+        and the sine condition. A number g means ``exp(-g rho^2)``. A constant factor has no effect, because
+        intensities are relative to the collected light.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is missing, not finite or out of range, or the layers do not transmit this aperture.
+        If an argument is missing, not finite or out of range.
 
     References
     ----------
@@ -280,24 +282,24 @@ class Objective:
 
     @property
     def _clearance(self) -> float:
-        """Thickness of the immersion with the surface of the cover glass in focus, metres."""
-        if self.working_distance is None:  # and no other layer that it depends on
+        """Thickness of the immersion for a paraxial focus on the surface of the cover glass, metres."""
+        if self.working_distance is None:  # there is neither a cover glass nor a design
             return DEPTH_MOST
-        # Paraxial rays keep the sum of thickness over index from the design to the glass in use.
+        # In paraxial optics the sum of thickness / index is the same for the design and for the layers in use.
         length = self.working_distance / self.design.immersion
         for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
             length += sign * glass.thickness / glass.index if glass else 0.0
         return self.immersion * length
 
     def _layers(self, wavelength: float) -> Layers:
-        """Return the layers at a wavelength."""
+        """Return the layers at a wavelength, with paths of the layers in use minus paths of the design."""
         metres = validation.wavelength(wavelength)
-        used, meant = Design(self.immersion, self.coverslip), self.design
+        used, design = Design(self.immersion, self.coverslip), self.design
         paths = []
-        for side, room, sign in ((used, self._clearance, 1.0), (meant, self.working_distance, -1.0)):
-            if used != meant and room is not None:  # as there is with a design
-                paths.append((side.immersion, sign * room))
-                paths += [(side.coverslip.index, sign * side.coverslip.thickness)] if side.coverslip else []
+        for media, thickness, sign in ((used, self._clearance, 1.0), (design, self.working_distance, -1.0)):
+            if used != design and thickness is not None:
+                paths.append((media.immersion, sign * thickness))
+                paths += [(media.coverslip.index, sign * media.coverslip.thickness)] if media.coverslip else []
         glass = self.coverslip.index if self.coverslip else self.immersion
         films = tuple((film.index, film.thickness) for film in self.films)
         light = illumination(self.apodization)
@@ -305,21 +307,21 @@ class Objective:
         return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres, exponent)
 
     def _paraxial(self, depth: Array) -> Array:
-        """Return the paraxial focus of emitters, metres of the stage."""
+        """Return the stage positions of the paraxial focus for emitters at these depths, metres."""
         films = sum(film.thickness / film.index for film in self.films)
         return np.asarray(self.immersion * (depth / self.sample + films))
 
     def _planes(self, depth: ArrayLike, focus: ArrayLike) -> tuple[Array, Array, tuple[int, ...]]:
-        """Return checked depths and stage positions as flat arrays, with their shape."""
+        """Validate depths and stage positions; return both as flat arrays, and their common shape."""
         f = validation.real_array("focus", focus)
         d, f = validation.broadcast("depth and focus", depths(depth), f)
-        # A position of the stage may be named by the focus or by depth and z.
+        # The caller passed either `focus`, or `depth` and `z`, from which the stage position follows.
         name = "focus, or where depth and z lead,"
         if f.size and f.max() > self._clearance:
-            known = self.working_distance is not None
-            where = ", where the objective touches the cover glass," if known else " without a working_distance,"
-            most, given = format_length(self._clearance), format_length(float(f.max()))
-            raise ValueError(f"{name} must be at most {most}{where} got {given}")
+            touches = self.working_distance is not None
+            where = ", where the objective touches the cover glass," if touches else " without a working_distance,"
+            most, largest = format_length(self._clearance), format_length(float(f.max()))
+            raise ValueError(f"{name} must be at most {most}{where} got {largest}")
         if f.size and f.min() < -DEPTH_MOST:
             raise ValueError(
                 f"{name} must be at least {format_length(-DEPTH_MOST)}, got {format_length(float(f.min()))}"
@@ -340,36 +342,41 @@ class Objective:
         emitter: str | Dipole | Beam | Scalar = "isotropic",
         aberrations: Wavefront | None = None,
     ) -> ObjectivePupil:
-        """Return the pupil with an emitter at a depth and the stage at a position, for :func:`lommel.psf`.
+        """Return the pupil for an emitter at a depth and a stage position z, for :func:`lommel.psf`.
 
         Parameters
         ----------
         depth, z : array_like
-            Metres: depth of the emitter below the glass, stage position from the origin, positive towards the sample.
-            They broadcast; arrays make a stack.
+            Depth of the emitter below the glass, and stage position relative to `origin`, positive towards the
+            sample, metres. The arrays broadcast and describe a stack.
         wavelength : float
-            Metres, in vacuum.
+            Wavelength in vacuum, metres.
         origin : {"brightest", "paraxial", "coverslip"}, default "brightest"
-            Where z is 0: the brightest or the paraxial focus of the emitter (see :meth:`focus`), or paraxial focus on
-            the surface of the cover glass.
+            Stage position with z = 0: the brightest or the paraxial focus of the emitter (see :meth:`focus`), or the
+            paraxial focus on the surface of the cover glass.
         emitter : {"isotropic", "scalar"}, Dipole, Beam or Scalar, default "isotropic"
             A freely rotating dipole, the scalar model of Gibson and Lanni, a :class:`lommel.Dipole`, or the
             excitation by a :class:`lommel.Beam`.
         aberrations : Wavefront, optional
-            A measured phase added to that of the layers, without piston; a stack broadcasts with depth and z. The
-            origin depends neither on it nor on the orientation of a dipole.
+            Aberrations added to the phase of the layers, without piston; a stack broadcasts with depth and z. The
+            origin depends neither on aberrations nor on the orientation of a dipole.
+
+        Returns
+        -------
+        ObjectivePupil
+            One pupil, or a stack of the common shape of `depth`, `z` and `aberrations`.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or a position beyond the working distance.
+            If an argument is out of range, or if a stage position is beyond the working distance.
         """
-        # The origin is that of a freely rotating dipole, so that stacks of other emitters have the same planes.
+        # The origin is computed for a freely rotating dipole, so that all emitters have the same stage positions.
         layers, light = self._layers(wavelength), emitter_of(emitter)
         measured = projection.checked(aberrations)
         stack = np.empty(measured.shape if measured else ())
-        given = depths(depth), validation.real_array("z", z), stack
-        d, offset, _ = validation.broadcast("depth, z and aberrations", *given)
+        arrays = depths(depth), validation.real_array("z", z), stack
+        d, offset, _ = validation.broadcast("depth, z and aberrations", *arrays)
         if measured and measured.shape:
             measured = measured.broadcast(d.shape)
         if not d.size:
@@ -378,39 +385,39 @@ class Objective:
         if validation.choice("origin", origin, _ORIGINS) == "paraxial":
             start = self._paraxial(d)
         elif origin == "brightest":
-            each, place = np.unique(d, return_inverse=True)
-            # Searched once for each depth, and kept for stacks of the same depths.
-            best = np.array([brightest(layers, float(one)).brightest for one in each])
-            start = best[place].reshape(d.shape)
+            distinct, index = np.unique(d, return_inverse=True)
+            # One search for each distinct depth; brightest() caches the results.
+            best = np.array([brightest(layers, float(one)).brightest for one in distinct])
+            start = best[index].reshape(d.shape)
         focus = start + offset
         self._planes(d, focus)
         return ObjectivePupil(layers, self.magnification, d, focus, offset, light, measured)
 
     @property
     def critical_angle(self) -> float | None:
-        """Critical angle of the sample in the immersion, radians; None where all light propagates."""
+        """Critical angle of the sample in the immersion, radians; None if all light propagates in the sample."""
         return math.asin(self.sample / self.immersion) if self.sample < self.NA else None
 
     def phase(self, rho: ArrayLike, *, depth: float, focus: float, wavelength: float) -> NDArray[np.complex128]:
-        """Return psi, the phase of each plane wave from the emitter, in ``exp(i psi)`` with ``exp(-i omega t)``.
+        """Return the phase psi of each plane wave from the emitter, ``exp(i psi - i omega t)``.
 
         ``psi = k (d n_s c_s + t_g n_g c_g - t_g0 n_g0 c_g0 + t_i n_i c_i - t_i0 n_i0 c_i0)``, with
-        ``t_i = n_i (t_g0 / n_g0 + t_i0 / n_i0 - t_g / n_g) - f``; index 0 is the design. What films add is in
-        :meth:`transmission`.
+        ``t_i = n_i (t_g0 / n_g0 + t_i0 / n_i0 - t_g / n_g) - f``, where d is the depth, f the focus, t a thickness
+        and 0 marks the design. The phase due to films is part of :meth:`transmission`.
 
         Parameters
         ----------
         rho : array_like
-            0 to 1.
+            Pupil radius, 0 to 1.
         depth, focus : float
-            Metres.
+            Depth of the emitter and stage position, metres.
         wavelength : float
-            Metres, in vacuum.
+            Wavelength in vacuum, metres.
 
         Returns
         -------
         ndarray of complex
-            Radians, with a positive imaginary part beyond the critical angle of the sample.
+            Phase, radians; the imaginary part is positive beyond the critical angle of the sample.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""The pupil of a microscope objective, for one depth of the emitter and one position of the stage or a stack."""
+"""Pupil of a microscope objective, for one or several depths of the emitter and positions of the stage."""
 
 from __future__ import annotations
 
@@ -21,21 +21,24 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 
 @dataclass(frozen=True, eq=False)
 class ObjectivePupil(BasePupil):
-    """The pupil of a microscope objective, made by :meth:`lommel.Objective.pupil`.
+    """Pupil of a microscope objective, as built by :meth:`lommel.Objective.pupil`.
 
-    Intensities are relative to the light collected in each plane: an aperture that passes the same power, uniform,
-    scalar and unaberrated, has a peak of 1.
+    The intensity unit depends on the power collected in each plane: a uniform, unaberrated scalar pupil of the same
+    power has a peak of 1.
 
     Parameters
     ----------
     layers : Layers
+        Refractive indices and thicknesses, with NA and wavelength.
     magnification : float
+        Lateral magnification M.
     depth, focus, z : ndarray, all of the shape of the stack
-        Depth of the emitter below the glass, and stage position from paraxial focus on the cover glass and from the
-        chosen origin, metres.
+        Depth of the emitter below the glass, stage position relative to the paraxial focus on the cover glass, and
+        stage position relative to the origin that the caller chose, metres.
     emitter : Dipole, Beam or Scalar
+        Emitter or excitation beam.
     aberrations : Wavefront, optional
-        Aberrations added to the phase of the layers: one wavefront, or a stack of the shape of the planes.
+        Aberrations added to the phase of the layers: one wavefront, or a stack with the shape of `depth`.
     """
 
     pupil_hint = "that of an Objective, which has no single wavefront; lommel.psf takes it, and measures its PSF"
@@ -70,33 +73,33 @@ class ObjectivePupil(BasePupil):
 
     @cached_property
     def light(self) -> Light:
-        """Diffraction integrals, and the quadratic forms that turn them into intensities."""
+        """Diffraction integrals of the emitter, and the quadratic forms that convert them to intensities."""
         return light_of(self.emitter)
 
     @property
     def radial(self) -> bool:
-        """Whether the PSF is rotationally symmetric."""
+        """True if the PSF is rotationally symmetric."""
         return self.light.radial and not self.aberrated
 
     @property
     def aberrated(self) -> bool:
-        """Whether a wavefront of aberrations is added to the phase of the layers."""
+        """True if aberrations are added to the phase of the layers."""
         return self.aberrations is not None
 
     @property
     def left_out(self) -> tuple[float, float]:
-        """Bounds on the truncation errors of the expansions of phase (radians) and amplitude."""
+        """Bounds on the errors of the phase (radians) and of the amplitude due to truncated expansions."""
         return 0.0 if self.aberrations is None else self.aberrations.left_out, 0.0
 
     @cached_property
     def aperture(self) -> tuple[object, ...]:
-        """Key of the aperture: everything that limits or weights the light, and whether aberrations are added."""
+        """Hashable key of all parameters but `focus`, `z` and the coefficients of the aberrations."""
         return self.layers, self.magnification, self.emitter, self.depth.tobytes(), self.aberrated
 
     @cached_property
     def power(self) -> Array:
-        """Power collected in each plane of the flattened stack; unit ``4 pi / (k NA)^2``, k = 2 pi / wavelength."""
-        # Single planes recur in searches, so that their power is cached.
+        """Power collected in each plane of the flattened stack, unit ``4 pi / (k NA)^2``, k = 2 pi / wavelength."""
+        # Parameter searches evaluate the same single plane repeatedly: cache its power.
         if self.depth.size == 1:
             return _power_at(self.layers, self.emitter, self.depth.item()).copy()
         depth, index = np.unique(self.depth.ravel(), return_inverse=True)
@@ -105,14 +108,14 @@ class ObjectivePupil(BasePupil):
 
     @property
     def collected(self) -> Array:
-        """:attr:`power` divided by the power of the same emitter far from the glass, as a stack."""
-        # The power far from the glass does not depend on the depth, so that no depth is given.
+        """Ratio of :attr:`power` to the power of the same emitter far from the glass, shape `shape`."""
+        # The power far from the glass does not depend on depth, so that no depths are passed.
         _, far = debye.power(self.layers, np.zeros(0), self.light.model)
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
-        """Return the largest distance from the axis, metres on the camera, of rays in 0.98 of the usable pupil."""
-        # The usable radius ends at the edge of the pupil or at the critical angle, where slopes of the phase diverge.
+        """Return the largest distance of rays from the axis on the camera, metres, for 0.98 of the usable radius."""
+        # The usable radius ends at the pupil's edge or at the critical angle, where the phase slope diverges.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
@@ -132,7 +135,7 @@ class ObjectivePupil(BasePupil):
         return replace(self, layers=layers, aberrations=aberrations)
 
     def to_dict(self) -> Json:
-        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        """Return all parameters as plain data; :meth:`from_dict` is the inverse."""
         planes = {name: getattr(self, name).tolist() for name in PLANES}
         emitter = asdict(self.emitter) | {"kind": type(self.emitter).__name__}
         if isinstance(jones := emitter.get("polarization"), tuple):
@@ -146,7 +149,7 @@ class ObjectivePupil(BasePupil):
 
     @classmethod
     def from_dict(cls, description: Json) -> ObjectivePupil:
-        """Return the pupil of a `description` from :meth:`to_dict`; TypeError or ValueError if it is not valid."""
+        """Rebuild a pupil from the result of :meth:`to_dict`; TypeError or ValueError for invalid data."""
         plain = dict(description["emitter"])
         kind = {each.__name__: each for each in (Dipole, Beam, Scalar)}[plain.pop("kind")]
         if isinstance(jones := plain.get("polarization"), list):
@@ -163,7 +166,7 @@ class ObjectivePupil(BasePupil):
         return cls(stack, magnification, depth, focus, z, kind(**plain), aberrations)
 
     def __eq__(self, other: object) -> bool:
-        """Return whether two pupils have equal parameters."""
+        """Return True if all parameters are equal."""
         return self.to_dict() == other.to_dict() if isinstance(other, ObjectivePupil) else NotImplemented
 
     __hash__ = None  # type: ignore[assignment]

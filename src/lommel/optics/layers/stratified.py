@@ -1,9 +1,9 @@
 """Plane layers between a microscope's objective and its sample, and the phase and amplitude of plane waves.
 
-A wave has ``NA rho = n sin(theta)`` in every layer, with ``c_m = cos(theta_m) = sqrt(1 - (NA rho / n_m)^2)``, whose
-imaginary part is not negative: beyond the critical angle, with ``exp(-i omega t)``, light fades with the distance
-from the glass. All formulas take arrays as well as :class:`lommel.special.disc_arithmetic.Disc`,
-of which bounds are made.
+A plane wave has ``NA rho = n sin(theta)`` in every layer and ``c_m = cos(theta_m) = sqrt(1 - (NA rho / n_m)^2)`` in
+layer m. The imaginary part of c_m is not negative: with the time factor ``exp(-i omega t)``, light beyond the
+critical angle decays with the distance from the glass. All formulas accept arrays and, for error bounds,
+:class:`lommel.special.disc_arithmetic.Disc`.
 
 References
 ----------
@@ -27,7 +27,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.special import disc_arithmetic
 
-# Array of complex numbers, or Disc.
+# An array of complex numbers or a Disc.
 Values = Any
 
 
@@ -37,15 +37,16 @@ class Amplitudes(NamedTuple):
     s: Values
     p: Values
     denominators: tuple[Values, ...]
-    """The amplitudes are analytic where none of these is 0."""
+    """The amplitudes are analytic at all points at which no denominator is 0."""
 
 
 @dataclass(frozen=True)
 class Layers:
-    """Refractive indices, films and fixed paths (index, thickness in metres; negative in the design), wavelength.
+    """NA, refractive indices, films and paths of a microscope, at a wavelength in vacuum (metres).
 
-    Films are listed from the glass to the sample; the wavelength is in vacuum. The objective itself has the amplitude
-    ``exp(-(g_0 + g_1 rho^2 + ...))``, g being the `exponent`; 1 where it is empty.
+    Films and paths are pairs (index, thickness in metres). Films are listed from the glass to the sample. Paths do
+    not depend on depth and focus; the thicknesses of the objective's design are negative. The objective has the
+    amplitude ``exp(-(g_0 + g_1 rho^2 + ...))`` with the coefficients g in `exponent`.
     """
 
     NA: float
@@ -63,7 +64,7 @@ class Layers:
         return 2.0 * math.pi / self.wavelength
 
     def cosine(self, rho: NDArray[np.float64]) -> Callable[[float], NDArray[np.complex128]]:
-        """Return the function from an index to the cosine c_m of a layer at rho."""
+        """Return the function that computes the cosine c_m at rho from the index of a layer."""
         return lambda index: cosines(self.NA, rho, index)
 
     def rates(self, cosine: Callable[[float], Values]) -> tuple[Values, Values, Values]:
@@ -76,16 +77,17 @@ class Layers:
         return fixed, cosine(self.sample) * (k * self.sample), by_focus
 
     def middle_rates(self) -> tuple[float, float, float]:
-        """Return the means of :meth:`rates` at both ends of the pupil, as constants that no intensity depends on."""
+        """Return the means of :meth:`rates` between rho = 0 and rho = 1, constants that change no intensity."""
         of = self.rates(self.cosine(np.array([0.0, 1.0])))
         fixed, by_depth, by_focus = (0.5 * float(each.real.sum()) for each in of)
-        # The middle of the range: what is bounded becomes smaller (certificate, section 15, "The wavelength").
+        # Subtracting the middle of the range makes bounds smaller (docs/certificate.md, section 15, "The
+        # wavelength").
         return fixed, by_depth, by_focus
 
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
-        """Return the transmission at `square` = ``(NA rho)^2``; films are coherent, the thick glass is not."""
+        """Return the amplitudes at `square` = ``(NA rho)^2``; only films cause interference, not the thick glass."""
         indices = (self.immersion, self.glass, self.sample)
-        # Fresnel amplitudes at each surface; equal indices of glass and immersion make no surface.
+        # Fresnel amplitudes; glass and immersion of equal index have no surface between them.
         c_i, c_g, c_s = (cosine(index) for index in indices)
         n_i, n_g, n_s = indices
         if n_g == n_i:
@@ -93,50 +95,50 @@ class Layers:
             below: tuple[Values, ...] = ()
         else:
             below = (c_i * n_i + c_g * n_g, c_i * n_g + c_g * n_i)
-            t_s, t_p = (c_i * (2.0 * n_i) / each for each in below)
+            t_s, t_p = (c_i * (2.0 * n_i) / denominator for denominator in below)
         at_s = self._denominator(square, c_g * n_g, c_s * n_s, "s")
         at_p = self._denominator(square, c_g / n_g, c_s / n_s, "p")
         entering = c_g * (2.0 * n_g)
-        # The matrices of p waves are those of H; E is H divided by the index.
+        # The matrices of p waves apply to the magnetic field H; the electric field E is H divided by the index.
         return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
 
     def apodization(self, square: Values) -> Values:
-        """Return minus the logarithm of the amplitude of the objective at `square`; 0 where it has none."""
-        # Horner's rule, in circular arithmetic too: certificate, section 14, "Apodization".
+        """Return minus the logarithm of the amplitude of the objective at `square`; 0 without `exponent`."""
+        # Horner's rule, also in disc arithmetic: docs/certificate.md, section 14, "Apodization".
         t, total = square * self.NA**-2, square * 0.0
         for g in reversed(self.exponent):
             total = total * t + g
         return total
 
     def log_slopes(self, cosine: Callable[[float], Values], square: Values) -> tuple[Values, Values]:
-        """Return the log derivatives of the transmission of s and p waves by ln k, due to films."""
+        """Return ``d ln(t) / d ln(k)`` of the amplitudes t of s and p waves, which only films cause."""
         n_g, n_s = self.glass, self.sample
         c_g, c_s = cosine(n_g), cosine(n_s)
         found = []
         for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
-            # Product rule along the chain of matrices, from the sample outwards.
+            # Product rule for the product of matrices, from the sample to the glass.
             of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
             for matrix, by_k in self._matrices(square, polarisation):
-                changed, kept = _applied(by_k, of), _applied(matrix, slope)
-                slope = changed[0] + kept[0], changed[1] + kept[1]
-                of = _applied(matrix, of)
+                from_matrix, from_slope = _apply(by_k, of), _apply(matrix, slope)
+                slope = from_matrix[0] + from_slope[0], from_matrix[1] + from_slope[1]
+                of = _apply(matrix, of)
             found.append((slope[0] * first + slope[1]) * -1.0 / (of[0] * first + of[1]))
         return found[0], found[1]
 
     def _denominator(self, square: Values, first: Values, last: Values, polarisation: str) -> Values:
-        """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, M being the product of the matrices of the films."""
-        # (B, C) = M (1, p_l), multiplied from the sample outwards (Born and Wolf, section 1.6).
+        """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, where M is the product of the matrices of the films."""
+        # M (1, p_l), multiplied from the sample to the glass (Born and Wolf, section 1.6).
         of = (last * 0.0 + 1.0, last)
         for matrix, _ in self._matrices(square, polarisation):
-            of = _applied(matrix, of)
+            of = _apply(matrix, of)
         return of[0] * first + of[1]
 
     def _matrices(self, square: Values, polarisation: str) -> Iterator[tuple[_Matrix, _Matrix]]:
-        """Yield the matrix of each film and its derivative by ln k, the one at the sample first."""
+        """Yield the matrix of each film and its derivative by ln k, from the sample to the glass."""
         k = self.wavenumber
         for index, thickness in reversed(self.films):
-            # c^2 of the film: cos and sinc are even in c, so that films have no branch point (section 14,
-            # "Variables").
+            # c^2 in the film. cos and sinc are even functions, so that films cause no branch points (certificate,
+            # section 14, "Variables").
             within = 1.0 - square * index**-2
             turned = within * (k * index * thickness) ** 2
             cosine, sinc = cosine_and_sinc(turned)
@@ -150,15 +152,15 @@ class Layers:
 
 
 class _Matrix(NamedTuple):
-    """``((same, along), (back, same))``."""
+    """Characteristic matrix of a film, ``((same, along), (back, same))``."""
 
     same: Values
     along: Values
     back: Values
 
 
-def _applied(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
-    # Born and Wolf, section 1.6: the fields on one side of a film from those on the other.
+def _apply(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
+    """Return the fields on one side of a film from the fields on the other side (Born and Wolf, section 1.6)."""
     top, bottom = to
     return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
 
@@ -172,16 +174,17 @@ def cosine_and_sinc(square: Values) -> tuple[Values, Values]:
 
 
 def cosines(NA: float, rho: NDArray[np.float64], index: float) -> NDArray[np.complex128]:
-    """Return c_m of a layer at rho, its imaginary part not negative."""
-    # A product instead of 1 - sine^2, which cancels near the critical angle.
+    """Return the cosine c_m at rho in a layer; the imaginary part is not negative."""
+    # A product, because 1 - sine^2 would cancel near the critical angle.
     sine = NA * rho / index
     return np.sqrt(((1.0 - sine) * (1.0 + sine)).astype(np.complex128))
 
 
 INDEX_MOST = 4.0
+"""Largest refractive index."""
 DEPTH_MOST = 1e-2
-_GLASS_MOST = 1e-2
-_FILM_MOST = 2e-6
+"""Largest depth of an emitter, metres."""
+_GLASS_MOST, _FILM_MOST = 1e-2, 2e-6  # largest thickness of a layer and of a film, metres
 
 
 @dataclass(frozen=True)
@@ -193,7 +196,7 @@ class Layer:
     index : float
         Refractive index, 1 to 4, without absorption.
     thickness : float
-        Metres, up to 0.01.
+        Thickness, metres, up to 0.01.
 
     Raises
     ------
@@ -223,7 +226,7 @@ class Design:
     immersion : float
         Refractive index of the immersion medium.
     coverslip : Layer or None
-        The cover glass; None for an objective that dips into the sample.
+        Cover glass; None for a dipping objective.
 
     Raises
     ------
@@ -248,18 +251,18 @@ def refractive_index(name: str, value: object) -> float:
 
 
 def length(name: str, value: object, most: float, *, positive: bool = False) -> float:
-    """Return metres from 0 to `most`; refuse lengths in um or mm with a hint."""
+    """Return a length from 0 to `most`, metres; ValueError, with a hint if it seems to be in um or mm."""
     metres = validation.real(name, value)
     if not (0.0 <= metres <= most) or (positive and metres == 0.0):
-        meant = metres > max(most, 1e-3)  # in another unit: no such length is smaller
-        hint = f"; for {metres:g} um give {metres:g}e-6, for {metres:g} mm {metres:g}e-3" if meant else ""
+        other_unit = metres > max(most, 1e-3)  # probably a number in um or mm
+        hint = f"; for {metres:g} um give {metres:g}e-6, for {metres:g} mm {metres:g}e-3" if other_unit else ""
         least = "above 0" if positive else "at least 0"
         raise ValueError(f"{name} is in metres and must be {least} and at most {most:g}, got {metres:g}{hint}")
     return metres
 
 
 def film_stack(value: object) -> tuple[Layer, ...]:
-    """Return films as a tuple; TypeError or ValueError if they are not layers, or too thick."""
+    """Return films as a tuple; TypeError or ValueError if an item is not a Layer or is too thick."""
     if isinstance(value, Layer) or not isinstance(value, Iterable):
         raise TypeError(f"films must be a sequence of Layer, got {validation.shown(value)}")
     films = tuple(value)
@@ -270,10 +273,10 @@ def film_stack(value: object) -> tuple[Layer, ...]:
 
 
 def depths(value: ArrayLike) -> Array:
-    """Return depths from the glass, 0 to 0.01 metres; TypeError or ValueError otherwise."""
-    found = validation.real_array("depth", value)
-    if not found.size:
-        raise ValueError(f"depth must not be empty, got shape {found.shape}")
-    for extreme in (found.min(), found.max()):
+    """Return depths below the glass, 0 to 0.01 metres; TypeError or ValueError for other values."""
+    metres = validation.real_array("depth", value)
+    if not metres.size:
+        raise ValueError(f"depth must not be empty, got shape {metres.shape}")
+    for extreme in (metres.min(), metres.max()):
         length("depth", float(extreme), DEPTH_MOST)
-    return found
+    return metres

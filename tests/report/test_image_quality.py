@@ -121,7 +121,7 @@ def test_what_differs_from_the_design_is_told():
     ("changes", "said"),
     [
         ({"planes": 0}, "planes must be from 1 to 4096, got 0"),
-        ({"planes": 2}, "step must be of the stage, not 0 and below 10 mm, got 0 m"),
+        ({"planes": 2}, "step must be a stage step, not 0 and below 10 mm, got 0 m"),
         ({"planes": 2, "step": 1.0}, "got 1 m"),
         ({"planes": 2, "step": math.nan}, "step must be finite"),
         ({"planes": 2.5}, "planes must be an integer"),

@@ -31,7 +31,7 @@ from lommel.lensfiles.toml_files import (
 from lommel.optics.wavefront.wavefront import Wavefront
 
 NAME = "the name of an example (lommel examples --find camera) or of a .toml file"
-"""What names a camera, in messages."""
+"""Description of valid entries of `camera`, for messages."""
 
 
 class _Camera(Section):
@@ -89,7 +89,7 @@ def load_camera(path: str | PathLike[str]) -> Camera:
         there = of_kind("camera")
         if source.name not in there:
             found = near(source.name, there)
-            # All of them are too many for a message, which says how to list them.
+            # There are too many examples for a message, which therefore states how to list them.
             meant = f"; {found}" if found.startswith("did") else ""
             raise ValueError(f"camera must be {NAME}, got {validation.shown(source.name)}{meant}")
         source = there[source.name]
@@ -101,28 +101,28 @@ def load_camera(path: str | PathLike[str]) -> Camera:
 
 
 def named(path: Path) -> bool:
-    """Return whether a path is the name of an example, which has neither a folder nor the suffix of a file."""
+    """Return True if a path may be the name of an example, without a folder and without a suffix."""
     return path.suffix.lower() != ".toml" and path.name == str(path)
 
 
 def _camera_of_file(file: _File, *, stem: str) -> Camera:
     stated = dict(file.camera)
     times = stated.pop("em_gain")
-    # A register with gain multiplies the variance of the light by the excess.
+    # Electron multiplication multiplies the variance of the light by the excess noise factor.
     if stated["excess"] is None:
         stated["excess"] = _EXCESS if times is not None and times > 1.0 else 1.0
     for name in ("gain", "read"):
         if times is not None and (name == "gain" or stated[name] is not None):
-            # Electrons before multiplication: gain and read noise over the number of times.
+            # Refer gain and read noise to electrons before multiplication: divide by the multiplication gain.
             stated[name] = (1.0 if stated[name] is None else stated[name]) / times
     return Camera(stem if file.name is None else file.name, file.source, **stated)
 
 
-_EXCESS = 2.0  # excess of a register with many stages of little gain each
+_EXCESS = 2.0  # excess noise factor of a register with many stages of small gain
 
 
 def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the table of [aberrations.zernike], if any, and its errors."""
+    """Return the table of [aberrations.zernike] (None without this section) and its errors."""
     above = raw.get("aberrations")
     section = above.get("zernike") if isinstance(above, dict) else None
     if not isinstance(section, dict):
@@ -141,18 +141,18 @@ def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable |
             raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
         return table, []
     except ValueError as error:
-        # One line for each error of the table.
+        # The message has one line for each error of the table.
         return None, [f"{where(['file'])}: {'; '.join(part.strip() for part in str(error).splitlines())}"]
 
 
 def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
-    """Return the wavefront of a table at a wavelength, which its waves and radians refer to unless it has its own."""
+    """Return the wavefront of a table at a wavelength, metres; a table without a wavelength refers to this one."""
     own = wavelength if table.wavelength is None else table.wavelength
     return replace(table, wavelength=own).wavefront(wavelength)
 
 
 def _read(value: object) -> object:
-    """Return a camera, or raise its error here, so that it is reported with all others."""
+    """Return a camera, or raise its error during validation, so that it is reported with all other errors."""
     if isinstance(value, ValueError):
         raise value
     return value
@@ -169,7 +169,7 @@ class Sensor(Section):
     @model_validator(mode="before")
     @classmethod
     def _of_camera(cls, raw: object, info: ValidationInfo) -> object:
-        """Return the section with its camera read; its pixels are those of the camera unless it states others."""
+        """Return the section with its camera, whose pixel pitch is used unless the section has one."""
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw
         name = raw["camera"]
@@ -179,7 +179,7 @@ class Sensor(Section):
             else:
                 camera = read_beside(info.context, name, NAME, load_camera)
         except ValueError as error:
-            return {"pixel": "1 um"} | raw | {"camera": error}  # whose pixels nobody sees
+            return {"pixel": "1 um"} | raw | {"camera": error}  # a placeholder: the error is reported
         sides = [camera.pixel] if isinstance(camera.pixel, float) else list(camera.pixel)
         texts = [f"{side!r} m" for side in sides]
         return {"pixel": texts if len(texts) > 1 else texts[0]} | raw | {"camera": camera}

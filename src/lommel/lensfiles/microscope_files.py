@@ -1,4 +1,4 @@
-"""Microscope files in TOML; all errors in a file are reported together, and unknown keys are refused."""
+"""Microscope files in TOML: a microscope with its emitter, planes and camera; all errors are reported together."""
 
 from __future__ import annotations
 
@@ -51,30 +51,32 @@ _NOTEBOOK_SIDE = 65  # largest side of the image in notebooks, pixels
 def stage_step(value: float) -> float:
     """Return the stage step between planes, metres; ValueError if it is 0 or as large as 10 mm."""
     if not 0.0 < abs(value) < DEPTH_MOST:
-        raise ValueError(f"step must be of the stage, not 0 and below 10 mm, got {value:g} m")
+        raise ValueError(f"step must be a stage step, not 0 and below 10 mm, got {value:g} m")
     return value
 
 
 @dataclass(frozen=True)
 class Microscope:
-    """A microscope: objective, emitter, planes and camera, as described by a file with a section [objective].
+    """Microscope: objective, emitter, planes and camera, for example from a file with a section [objective].
 
     Attributes
     ----------
     name, source : str
-        Name, and source of the data.
+        Name of the microscope, and source of its numbers.
     objective : Objective
+        Objective with immersion, cover glass and sample.
     wavelength, depth : float
-        Metres: vacuum wavelength, and depth of the emitter below the cover glass.
+        Vacuum wavelength, and depth of the emitter below the cover glass, metres.
     pixel : float
         Pixel pitch on the camera, metres.
     emitter : Dipole, Beam or Scalar
+        Emitter or excitation beam.
     planes : int
         Number of planes; 1 for a single image.
     step : float
         Stage step between planes, metres.
     origin : str
-        Origin of z, the position of plane ``planes // 2``; see :meth:`lommel.Objective.pupil`.
+        Origin of z, at which the plane ``planes // 2`` lies; see :meth:`lommel.Objective.pupil`.
     shape : tuple of int, or None
         Height and width of the window in pixels, if the file states them; see :attr:`window`.
     integrate : bool or None
@@ -90,7 +92,7 @@ class Microscope:
     Raises
     ------
     TypeError, ValueError
-        If planes is not from 1 to 4096, or there are several without a step.
+        If `planes` is not from 1 to 4096, or if there are several planes and `step` is 0 or at least 10 mm.
     """
 
     pupil_hint = "a Microscope; microscope.pupil() is its pupil"
@@ -180,7 +182,7 @@ class Microscope:
         )
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write a microscope file, which :func:`load_microscope` reads and all commands take.
+        """Write a microscope file for :func:`load_microscope` and for the command line.
 
         Parameters
         ----------
@@ -190,7 +192,7 @@ class Microscope:
         Raises
         ------
         ValueError
-            If the suffix is not .toml, the objective has no working distance, or the emitter is a beam whose
+            If the suffix is not .toml, if the objective has no working distance, or if the emitter is a beam whose
             polarization has no name.
         OSError
             If the file cannot be written.

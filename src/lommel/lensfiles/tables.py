@@ -23,11 +23,11 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
-_MOST_COLUMNS = 1000  # largest number of columns: more than there are terms
+_MOST_COLUMNS = 1000  # largest number of columns, above the number of Zernike terms
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
-_SHORTEST, _LONGEST = 1e-7, 2e-5  # metres: wavelengths outside are typing errors
+_SHORTEST, _LONGEST = 1e-7, 2e-5  # range of wavelengths, metres; others are probably in a wrong unit
 _MOST_POINTS = 200_000
 _LEAST = -0.01  # of the largest value: least value, as dark measurements count as 0
 
@@ -72,7 +72,7 @@ class FieldTable:
             raise ValueError(f"positions and terms must be equally long, got shapes {[c.shape for c in columns]}")
 
     def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
-        """Return the map, with the aperture and the scale of `pupil`.
+        """Return the field map, with the aperture and the scale of `pupil`.
 
         Parameters
         ----------
@@ -111,7 +111,7 @@ class FieldTable:
         across, down = np.unique(x), np.unique(y)
         order = np.lexsort((x, y))
         grid = np.meshgrid(across, down)
-        # Bicubic splines need four points along each axis; other positions are scattered.
+        # Bicubic splines need a grid of four points along each axis; other positions count as scattered.
         full = min(across.size, down.size) >= 4 and x.size == grid[0].size
         if full and (x[order] == grid[0].ravel()).all() and (y[order] == grid[1].ravel()).all():
             return FieldMap.on_grid(across, down, wavefront[order.reshape(grid[0].shape)], aperture=aperture)
@@ -190,7 +190,7 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[object]], order: s
 def _table(
     columns: Sequence[str], rows: Iterable[tuple[int, Sequence[object]]], order: str, called: str
 ) -> FieldTable:
-    """Return a table of numbered rows, which error messages name by their number behind `called`."""
+    """Return a table of numbered rows; error messages name a row by the text `called` and its number."""
     places = ("height",) if columns and columns[0] == "height" else ("x", "y")
     if tuple(columns[: len(places)]) != places:
         got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
@@ -226,8 +226,8 @@ def _cells(
     called: str,
     errors: list[str],
 ) -> list[array[float]]:
-    """Return the numbers in each column of numbered rows; ValueError with the `errors` before and those of cells."""
-    # Compact arrays: Python numbers would take thirty times the memory.
+    """Return the numbers in each column of numbered rows; ValueError with earlier `errors` and errors of cells."""
+    # Compact arrays need a thirtieth of the memory of Python numbers.
     read, number = [array("d") for _ in columns], 0
     for number, row in rows:
         if len(errors) > text_files.MANY:
@@ -347,7 +347,7 @@ def load_channels(
         raise ValueError(f"tables must have wavelengths in common, got {spans}")
     every = np.unique(np.concatenate([at for at, _ in tables]))
     every = every[(every >= low) & (every <= high)]
-    # Of two tables in different units the same wavelengths differ by rounding.
+    # Equal wavelengths of tables in different units differ by rounding errors.
     every = every[np.append(True, np.diff(every) > 1e-9 * high)]
 
     def weighted(at: Array) -> Array:
@@ -377,11 +377,11 @@ def _straightened(curves: Callable[[Array], Array], at: Array, allowed: float) -
     while True:
         between = 0.5 * (at[1:] + at[:-1])
         values, step = curves(at), np.diff(at)
-        # Of a parabola the mean deviation from its chord is two thirds of that in the middle.
+        # The mean deviation of a parabola from its chord is 2/3 of the deviation in the middle.
         off = (np.abs(curves(between) - 0.5 * (values[:, 1:] + values[:, :-1])) * step).sum(axis=1)
         light = np.maximum(np.trapezoid(values, at, axis=1), 1e-300)
         left = float((off / light).max()) if values.max(axis=1).all() else 0.0
-        # Twice: in the image, and in the light that it is divided by.
+        # The error counts twice: in the image, and in the light by which it is divided.
         if 2.0 * left <= allowed or at.size > _MOST_POINTS:
             return at, values, 2.0 * left
         at = np.sort(np.concatenate([at, between]))
@@ -397,10 +397,10 @@ def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Arr
         if len(data) > reading.MAX_LIST:
             raise ValueError(f"is larger than {reading.MAX_LIST} bytes")
         text = reading.decoded(data)
-        # Without separators, columns are set apart by blanks.
+        # Without commas or semicolons, blanks separate columns.
         if not any(re.search("[,;\t]", line) for line in text.splitlines() if not line.lstrip().startswith("#")):
             return _of_blanks(text, source.stem, unit)
-        # Semicolons separate where the comma is the decimal sign.
+        # If the comma is the decimal sign, semicolons separate columns.
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
         return _columns(text_files.rows(text.replace("\t", ",")))

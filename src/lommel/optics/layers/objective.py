@@ -143,13 +143,13 @@ class Nyquist:
     pixel: float
 
 
-_TOL = 1e-11
-_STEPS = 16  # of the search, over the distance between the zeros beside an unaberrated focus, halved
-_PLANES = 256
-_DOUBLINGS = 6
-_TURNING = emitter_of("isotropic").light.shares
-_DISTANCE_MOST = 0.1
-_VALUES_MOST = 2**26
+_TOL = 1e-11  # tolerance of field integrals in searches of the focus
+_STEPS = 16  # steps of a search per depth of focus, which is half the distance between the zeros beside a focus
+_PLANES = 256  # number of planes computed together, to limit the memory
+_DOUBLINGS = 6  # number of ranges that a search tries, each with a margin twice as large
+_ISOTROPIC_WEIGHTS = emitter_of("isotropic").light.shares  # weights of K0, K1, K2 for a freely rotating dipole
+_DISTANCE_MOST = 0.1  # largest working distance, metres
+_VALUES_MOST = 2**26  # largest number of radii times planes
 _ORIGINS = ("coverslip", "paraxial", "brightest")
 
 
@@ -433,7 +433,7 @@ class Objective:
     def phase_derivatives(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], Array]:
         """Return the derivatives of :meth:`phase` at `rho` by depth and by focus, radians per metre.
 
-        ``k n_s c_s`` and ``-k n_i c_i``, which depend on neither: the phase is linear in both. `wavelength` is in
+        They are ``k n_s c_s`` and ``-k n_i c_i``, since the phase is linear in depth and focus. `wavelength` is in
         metres.
         """
         _, by_depth, by_focus = self._rates(rho, wavelength)
@@ -442,19 +442,21 @@ class Objective:
     def transmission(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], ...]:
         """Return the transmitted amplitudes ``(t_s, t_p)`` of plane waves from immersion to sample.
 
-        By Fresnel's equations and characteristic matrices of the films, without `apodization`. Emitted light has the
-        same: its amplitude times ``n_i c_i / (n_s c_s)``.
+        They follow from Fresnel's equations and the characteristic matrices of the films, without `apodization`.
+        Emitted light, from sample to immersion, has the amplitudes ``t_s n_i c_i / (n_s c_s)`` and ``t_p n_i c_i /
+        (n_s c_s)``.
 
         Parameters
         ----------
         rho : array_like
-            0 to 1.
+            Pupil radius, 0 to 1.
         wavelength : float
-            Metres, in vacuum.
+            Wavelength in vacuum, metres.
 
         Returns
         -------
         t_s, t_p : ndarray of complex
+            Amplitudes of s and p waves.
 
         Raises
         ------
@@ -462,38 +464,38 @@ class Objective:
             If an argument is out of range.
         """
         at, layers = validation.real_array("rho", rho, least=0.0, most=1.0), self._layers(wavelength)
-        found: Amplitudes = layers.amplitudes(layers.cosine(at), ((self.NA * at) ** 2).astype(np.complex128))
-        return np.asarray(found.s), np.asarray(found.p)
+        result: Amplitudes = layers.amplitudes(layers.cosine(at), ((self.NA * at) ** 2).astype(np.complex128))
+        return np.asarray(result.s), np.asarray(result.p)
 
     def fields(
         self, radius: ArrayLike, *, depth: ArrayLike, focus: ArrayLike, wavelength: float, tol: float = 1e-10
     ) -> FocalField:
-        """Return the vectorial field at radii from the axis, by quadrature over all angles: a slow reference.
+        """Return the vectorial field at radii from the axis by quadrature over the pupil: a slow reference method.
 
         ``K_m = int a T_m exp(i psi) J_m(k NA r rho) rho d rho`` with ``a = c_i^(-1/2)`` times the `apodization` and
-        ``T_0 = t_s + t_p c_s, T_1 = t_p NA rho / n_s, T_2 = t_s - t_p c_s``. K0 is 1 in focus where NA is small,
-        nothing is reflected and nothing is apodized. Excitation and emission have the same field.
+        ``T_0 = t_s + t_p c_s, T_1 = t_p NA rho / n_s, T_2 = t_s - t_p c_s``. K0 is 1 in focus for a small NA without
+        reflection and apodization. The same integrals describe excitation and emission.
 
         Parameters
         ----------
         radius : array_like
-            Metres in the sample: on the camera, over the magnification.
+            Distance from the axis in the sample, metres: the distance on the camera divided by the magnification.
         depth, focus : array_like
-            Metres; they broadcast, to the planes.
+            Depth of the emitter and stage position, metres. The arrays broadcast to the shape of the planes.
         wavelength : float
-            Metres, in vacuum.
+            Wavelength in vacuum, metres.
         tol : float, default 1e-10
-            Of each integral.
+            Absolute tolerance of each integral.
 
         Returns
         -------
         FocalField
-            Values of the shape of the planes and that of `radius`.
+            Integrals of the shape of the planes followed by that of `radius`.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or more than 20 000 angles are needed.
+            If an argument is out of range, or if no number of quadrature nodes is proven to suffice.
 
         References
         ----------
@@ -518,16 +520,21 @@ class Objective:
         Parameters
         ----------
         radius, depth, focus, wavelength, tol
-            As of :meth:`fields`.
+            As in :meth:`fields`.
         apodization : {"uniform", "aplanatic"}, default "uniform"
-            A = 1, as published, or ``c_i^(-1/2)``, of the sine condition.
+            Amplitude A: 1, as published, or ``c_i^(-1/2)``, by the sine condition.
         supercritical : bool, default True
-            Whether to include light beyond the critical angle of the sample, which the published model omits.
+            Include light beyond the critical angle of the sample, which the published model omits.
+
+        Returns
+        -------
+        ScalarField
+            Integrals of the shape of the planes followed by that of `radius`.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or more than 20 000 angles are needed.
+            If an argument is out of range, or if no number of quadrature nodes is proven to suffice.
         """
         model = Scalar(apodization, supercritical).light.model
         (U,), error = self._integrals(model, radius, depth, focus, wavelength, tol)
@@ -536,56 +543,55 @@ class Objective:
     def focus(self, depth: ArrayLike, *, wavelength: float) -> Focus:
         """Return the paraxial and the brightest focus at a depth, for a freely rotating dipole or unpolarized light.
 
-        The brightest focus is the largest of several maxima, found by a search in steps of a sixteenth of the depth
-        of focus over the foci of all rays (up to 0.98 of the critical angle) and two depths of focus beyond, then
-        Newton's method.
+        The search for the brightest focus evaluates the intensity on the axis in steps of a sixteenth of the depth of
+        focus. Its range is that of the foci of all rays (up to 0.98 of the critical angle), extended by two depths of
+        focus at both ends. Newton's method refines the largest value.
 
         Parameters
         ----------
         depth : array_like
-            Metres from the glass.
+            Distance of the emitter from the glass, metres.
         wavelength : float
-            Metres, in vacuum.
+            Wavelength in vacuum, metres.
 
         Returns
         -------
         Focus
-            Arrays of the shape of `depth`, numbers for one.
+            Arrays of the shape of `depth`, or numbers for a single depth.
 
         Raises
         ------
         TypeError, ValueError
-            If an argument is out of range, or a depth beyond the working distance.
+            If an argument is out of range, or if a focus is beyond the working distance.
         """
         layers = self._layers(wavelength)
         d = depths(depth)
         paraxial = self._paraxial(d)
         self._planes(d, paraxial)
-        found = [brightest(layers, float(one)) for one in d.flat]
-        self._planes(d, np.array([one.brightest for one in found]).reshape(d.shape))
-        each = zip(d.flat, found, strict=True)
-        wide = [_lateral_width(layers, float(one), light.brightest) for one, light in each]
-        return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*found, strict=True), wide)))
+        maxima = [brightest(layers, float(one)) for one in d.flat]
+        self._planes(d, np.array([maximum.brightest for maximum in maxima]).reshape(d.shape))
+        pairs = zip(d.flat, maxima, strict=True)
+        widths = [_lateral_width(layers, float(one), maximum.brightest) for one, maximum in pairs]
+        return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*maxima, strict=True), widths)))
 
     def collected(self, depth: ArrayLike, *, wavelength: float) -> Numbers:
-        """Return the light collected from an emitter at `depth` (metres), relative to one far from the glass.
+        """Return (light collected from an emitter at `depth`, metres) / (light from an emitter far from the glass).
 
-        More than 1 near the glass where there is supercritical light, else 1. For a freely rotating dipole of
-        constant moment; `wavelength` is in metres, in vacuum.
+        The ratio exceeds 1 near the glass if the objective collects supercritical light, else it is 1. The emitter is
+        a freely rotating dipole of constant moment; `wavelength` is in vacuum, metres.
         """
         d = depths(depth)
         layers = self._layers(wavelength)
-        # Weights of K0, K1 and K2 in the mean over all directions of a dipole.
         near, far = debye.power(layers, d.ravel())
-        return numbers(near @ _TURNING / (far @ _TURNING), d.shape)
+        return numbers(near @ _ISOTROPIC_WEIGHTS / (far @ _ISOTROPIC_WEIGHTS), d.shape)
 
     def nyquist(self, *, wavelength: float) -> Nyquist:
-        """Return the Nyquist sampling at a `wavelength` (metres, in vacuum).
+        """Return the Nyquist sampling intervals at a `wavelength` (metres, in vacuum).
 
-        ``lambda / (4 NA)`` laterally, ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` axially, of the stage.
+        They are ``lambda / (4 NA)`` laterally and ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` in stage travel.
         """
         layers = self._layers(wavelength)
-        # The intensity has twice the band of the field, NA / lambda.
+        # The highest frequency of the field is NA / lambda, and that of the intensity is twice as high.
         lateral = layers.wavelength / (4.0 * self.NA)
         return Nyquist(lateral, 0.5 * _depth_of_focus(layers), lateral * self.magnification)
 
@@ -603,13 +609,13 @@ class Objective:
         v = layers.wavenumber * self.NA * r.ravel()
         validation.reach("radius", float(v.max()), math.pi / (layers.wavenumber * self.NA), "metres")
         rule = debye.rule(layers, model, d, f, float(v.max()), error)
-        distinct, place = np.unique(v, return_inverse=True)  # of the pixels of an image, an eighth
+        distinct, place = np.unique(v, return_inverse=True)  # about an eighth of the pixels of an image
         parts = debye.fields(rule, model, d, f, distinct)
         return [part[:, place.ravel()].reshape(shape + r.shape) for part in parts], rule.error
 
 
 class _Axial(NamedTuple):
-    """The main maximum on the axis: stage position (metres), intensity, full width at half maximum."""
+    """Largest maximum on the axis: stage position (metres), intensity, full width at half maximum (metres)."""
 
     brightest: float
     intensity: float
@@ -617,7 +623,7 @@ class _Axial(NamedTuple):
 
 
 class _Axis:
-    """The field on the axis between two positions of the stage, at one depth."""
+    """Field on the axis for stage positions in a range, at one depth."""
 
     def __init__(self, layers: Layers, depth: float, low: float, high: float) -> None:
         self.depth = np.array([depth])
@@ -630,41 +636,41 @@ class _Axis:
         light = self.rule.parts[0] * np.exp(1j * (fixed + self.depth * by_depth))
         rate = 1j * by_focus
         terms = np.stack([light, light * rate, light * rate**2], axis=1)
-        found = np.concatenate(
+        values = np.concatenate(
             [np.exp(np.outer(part, rate)) @ terms for part in np.array_split(focus, -(-focus.size // _PLANES))]
         )
-        # abs(E)^2, 2 Re(conj(E) E') and 2 (abs(E')^2 + Re(conj(E) E'')).
-        field, first, second = found.T
+        # The results are abs(E)^2, 2 Re(conj(E) E') and 2 (abs(E')^2 + Re(conj(E) E'')).
+        field, first, second = values.T
         slope = 2.0 * (field.conj() * first).real
         return np.abs(field) ** 2, slope, 2.0 * (np.abs(first) ** 2 + (field.conj() * second).real)
 
     def at(self, focus: float) -> float:
-        """Return the intensity in one plane."""
+        """Return the intensity at one stage position."""
         return float(self.derivatives(np.array([focus]))[0][0])
 
 
 def _depth_of_focus(layers: Layers) -> float:
-    """Return the distance from an unaberrated focus to the zeros beside it, metres of the stage."""
-    # lambda / (n (1 - cos theta)), the difference without cancellation.
+    """Return the distance from an unaberrated focus to the first zero on the axis, metres of stage travel."""
+    # lambda / (n (1 - cos theta)), with 1 - cos theta = sin^2 / (1 + cos) to avoid cancellation.
     n, sine = layers.immersion, layers.NA / layers.immersion
     return layers.wavelength / (n * sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine))))
 
 
 @lru_cache(maxsize=4096)
 def brightest(layers: Layers, depth: float) -> _Axial:
-    """Return the main axial maximum by a search in steps of a 16th of the depth of focus, then Newton's method.
+    """Return the largest maximum on the axis; see :meth:`Objective.focus`.
 
-    The search spans the ray foci and two depths of focus beyond, or more until half of the maximum is reached.
+    The range of the search is enlarged until the intensity falls to half of the maximum on both sides.
     """
     from scipy.optimize import brentq
 
-    # Where rays of rising aperture cross the axis, paraxial first, up to 0.98 of the critical angle.
+    # Stage positions at which rays cross the axis, from paraxial rays up to 0.98 of the critical angle.
     rho = np.linspace(0.0, 0.98, 50) * min(1.0, layers.sample / layers.NA)
     length = np.zeros(rho.shape)
     for index, thickness in (*layers.paths, (layers.sample, depth)):
         length += thickness / (index * cosines(layers.NA, rho, index).real)
     rays = layers.immersion * cosines(layers.NA, rho, layers.immersion).real * length
-    # A maximum lies where some rays cross, or within about a depth of focus of that.
+    # A maximum lies within about a depth of focus of the crossing of some rays.
     scale = _depth_of_focus(layers)
     margin = 2.0 * scale + 4.0 * sum(thickness for _, thickness in layers.films)
     for doubling in range(_DOUBLINGS):
@@ -678,7 +684,9 @@ def brightest(layers: Layers, depth: float) -> _Axial:
         if before.size and after.size:
             break
     else:
-        raise ValueError(f"depth must leave a maximum on the axis that falls to its half, got {depth:g}")
+        raise ValueError(
+            f"depth must be small enough for a focus that falls to half of its maximum on the axis, got {depth:g} m"
+        )
     top = _maximum(axis, focus[best], focus[1] - focus[0])
     peak = axis.at(top)
     low, high = (
@@ -689,7 +697,7 @@ def brightest(layers: Layers, depth: float) -> _Axial:
 
 
 def _maximum(axis: _Axis, start: float, step: float) -> float:
-    """Return the maximum within a step of `start`, by Newton's method where the curve bends down."""
+    """Return the position of the maximum within a step of `start`, by Newton's method for negative curvature."""
     at = start
     for _ in range(20):
         _, slope, bend = (float(part[0]) for part in axis.derivatives(np.array([at])))
@@ -702,20 +710,19 @@ def _maximum(axis: _Axis, start: float, step: float) -> float:
 
 @lru_cache(maxsize=4096)
 def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
-    """Return the lateral full width at half maximum of a freely rotating dipole, metres: the first crossing."""
+    """Return the lateral full width at the first half maximum of a freely rotating dipole, metres in the sample."""
     from scipy.optimize import brentq
 
     model, one = Model(), np.ones(1)
-    unit = 2.0 * math.pi / _STEPS  # v of a step: k NA r
+    unit = 2.0 * math.pi / _STEPS  # step of v = k NA r
     for reach in (32, 256, 2048):
         v = np.asarray(np.arange(reach + 1) * unit)
         rule = debye.rule(layers, model, one * depth, one * focus, float(v[-1]), _TOL)
 
         def excess(at: Array, rule: debye.Rule = rule) -> Array:
-            """Return the intensity less half of that on the axis."""
+            """Return the intensity minus half of the intensity on the axis."""
             parts = debye.fields(rule, model, one * depth, one * focus, np.append(0.0, at))
             first, second, third = (np.abs(part[0]) ** 2 for part in parts)
-            # abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2.
             values = first + 2.0 * second + third
             return np.asarray(values[1:] - 0.5 * values[0])
 
@@ -723,4 +730,6 @@ def _lateral_width(layers: Layers, depth: float, focus: float) -> float:
         if dark.size:
             end = brentq(lambda x: float(excess(one * x)[0]), v[dark[0] - 1], v[dark[0]], xtol=1e-13)
             return float(2.0 * end / (layers.wavenumber * layers.NA))
-    raise ValueError(f"depth must leave a maximum that falls to its half sideways, got {depth:g}")
+    raise ValueError(
+        f"depth must be small enough for a focus that falls to half of its maximum laterally, got {depth:g} m"
+    )

@@ -1,8 +1,9 @@
-r"""Amplitudes of a microscope's pupil as series: Zernike polynomials, and azimuthal Fourier orders with bounds.
+r"""Series of a microscope's pupil function: Zernike series of amplitudes, azimuthal Fourier series of aberrations.
 
-The truncation error of a Zernike series is orthogonal to polynomials up to its degree, and in a small window kernel
-and measured wavefront nearly are such polynomials: the kink of amplitude and phase at the critical angle is
-integrated without nodes near it. Coefficients are integrals over the angles of :mod:`lommel.optics.layers.debye`,
+The truncation error of a Zernike series is orthogonal to polynomials up to its degree D. In a small window the rest
+of the integrand (the Fourier kernel times the aberrations) is nearly such a polynomial, so that the error hardly
+matters, in spite of the kink of the amplitude at the critical angle. Coefficients are integrals by the rules of
+:mod:`lommel.optics.layers.debye`,
 
 .. math:: c_n = 2 (n + 1) \int_0^1 t(\rho) R_n^q(\rho) \rho \, d\rho , \quad n = q, q + 2, \dots, D .
 """
@@ -27,21 +28,21 @@ from lommel.optics.layers.stratified import Layers
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
-DEGREE_MOST = 30  # radial polynomials in powers of rho^2 lose 5.8^(n / 2) roundings
-_ORDERS_MOST = 250
-_HEIGHTS = np.geomspace(1e-2, 6.0, 200)
+DEGREE_MOST = 30  # largest n: rounding errors of radial polynomials in powers of rho^2 grow like 5.8^(n / 2)
+_ORDERS_MOST = 250  # largest azimuthal Fourier order
+_HEIGHTS = np.geomspace(1e-2, 6.0, 200)  # values of b > 0 in the bound on Fourier orders
 Sizes = tuple[tuple[tuple[int, int], float], ...]
-"""n and m >= 0 of terms, and the largest amplitude of cosine and sine together, radians at the edge."""
+"""((n, m), w) of terms with m >= 0; w is the largest ``sqrt(cosine^2 + sine^2)`` in a stack, radians at the edge."""
 
 
-# Azimuthal Fourier orders of a measured wavefront W: ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. At theta + i b
-# a term of order m has an imaginary part of at most ``w sinh(m b)``, w its size at the edge, so that
-# ``abs(P_m(rho)) <= exp(sum_j w_j sinh(m_j b) - abs(m) b)`` for any b > 0 and rho from 0 to 1. At complex rho it is
-# at most ``exp(sum_j w_j abs(Im R_j(rho)))``: certificate, section 16, "Angles of the pupil" and "Nodes".
+# Azimuthal Fourier orders of aberrations W: ``P = exp(i W) = sum_m P_m(rho) exp(i m theta)``. At the complex azimuth
+# theta + i b a term of order m and size w has an imaginary part of at most ``w sinh(m b)``. Hence ``abs(P_m(rho)) <=
+# exp(sum_j w_j sinh(m_j b) - abs(m) b)`` for any b > 0 and rho from 0 to 1. At complex rho ``abs(P) <= exp(sum_j w_j
+# abs(Im R_j(rho)))``: docs/certificate.md, section 16, "Angles of the pupil" and "Nodes".
 
 
 class Orders(NamedTuple):
-    """Orders -most to most from equally spaced angles; `error` bounds the sum of all others and of aliases."""
+    """Fourier orders -most to most from equally spaced angles; `error` bounds omitted orders plus aliases."""
 
     most: int
     angles: int
@@ -49,7 +50,7 @@ class Orders(NamedTuple):
 
 
 def checked(wavefront: Wavefront | None) -> Wavefront | None:
-    """Return a supported wavefront, None for none or a flat one; TypeError or ValueError otherwise."""
+    """Return aberrations if they are supported, None if they are None or zero; else TypeError or ValueError."""
     validation.optional("aberrations", wavefront, Wavefront)
     if wavefront is None or wavefront.flat:
         return None
@@ -61,12 +62,12 @@ def checked(wavefront: Wavefront | None) -> Wavefront | None:
 
 @lru_cache(maxsize=64)
 def orders(terms: Sizes, error: float) -> Orders:
-    """Return the orders needed for an error of at most `error`; ValueError if they are too many."""
-    # S(b) of certificate, section 16, "Angles of the pupil".
+    """Return the orders required for an error of at most `error`; ValueError if there are too many."""
+    # S(b) of docs/certificate.md, section 16, "Angles of the pupil".
     strip = sum((w * np.sinh(m * _HEIGHTS) for (_, m), w in terms), np.zeros(_HEIGHTS.shape))
 
     def beyond(m: int) -> float:
-        """Bound the sum of all orders beyond m, on both sides."""
+        """Return a bound on the sum of abs(P_k) over all orders with abs(k) > m."""
         if not strip.any():
             return 0.0
         exponent = strip - (m + 1) * _HEIGHTS - np.log(-np.expm1(-_HEIGHTS))
@@ -74,7 +75,7 @@ def orders(terms: Sizes, error: float) -> Orders:
 
     for most in range(_ORDERS_MOST + 1):
         if beyond(most) <= 0.5 * error:
-            # Order m is aliased with m + k angles; the first alias of all lies at angles - most = most + 2.
+            # Order m is aliased with the orders m + k angles, of which the lowest is angles - most = most + 2.
             return Orders(most, 2 * most + 2, beyond(most) + beyond(most + 1))
     largest = max(terms, key=lambda term: term[0][1] * term[1])
     raise ValueError(
@@ -84,7 +85,7 @@ def orders(terms: Sizes, error: float) -> Orders:
 
 
 def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.complex128]:
-    """Return P_m at each rho, shape ``(n, 2 most + 1, len(rho))``, m from -most on, of a flattened stack."""
+    """Return P_m(rho) of the flattened stack, shape ``(n, 2 most + 1, len(rho))``, m from -most to most."""
     # A discrete Fourier transform over the azimuth at each rho.
     theta = 2.0 * np.pi / kept.angles * np.arange(kept.angles)
     phases = wavefront.flattened().phase(np.minimum(rho[:, None], 1.0), theta)
@@ -93,12 +94,12 @@ def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.comple
 
 
 def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
-    """Return the fewest P_m that sums by a rule need for `error`, m from -most to most, and their error bound."""
+    """Return P_m at the nodes of a rule, with the smallest `most` for `error`, and the error bound."""
     size = max(float(np.abs(part).sum()) for part in rule.parts)
     kept = orders(terms, 0.01 * error / size)
     found = samples(wavefront, rule.rho, kept)
-    # Largest contributions of orders m and -m over parts and pupils, then of all orders from m on: of the orders
-    # needed at all radii only those that matter at the nodes are kept (section 16).
+    # orders() is valid for all radii; at the nodes of the rule fewer orders may suffice (certificate, section 16).
+    # `each` bounds the contribution of orders m and -m, `beyond` that of all orders above m.
     weights = np.abs(np.stack(rule.parts))
     each = (np.abs(found) @ weights.T).max(axis=-1)
     each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
@@ -122,7 +123,7 @@ def growth(piece: Piece, terms: Sizes) -> Array:
 
 
 def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tuple[NDArray[np.complex128], Array]:
-    """Return ``R_n^m`` (over rho for odd m) at centres of rho^2, and its largest change within the discs."""
+    """Return ``R_n^m`` (``R_n^m / rho`` for odd m) at centres of discs of rho^2, and its largest change in a disc."""
     # Coefficients of the radial polynomial in rho^2, exact up to n = 30.
     half, low = (n + m) // 2, m // 2
     f = math.factorial
@@ -131,7 +132,7 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
         powers[(n - m) // 2 - s + low] = (-1) ** s * f(n - s) // (f(s) * f(half - s) * f((n - m) // 2 - s))
     poly = np.polynomial.Polynomial(powers)
     size = np.polynomial.Polynomial(np.abs(powers))
-    # The Taylor series bounds the change on a disc; first the rounding errors: section 16, "Nodes".
+    # Rounding errors plus the Taylor series, which bounds the change on a disc: certificate, section 16, "Nodes".
     spread = 2.0**-50 * size(np.abs(centre) + radius)
     step = np.ones(radius.shape)
     slope = poly
@@ -142,53 +143,54 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
     return np.asarray(poly(centre)), np.asarray(spread)
 
 
-_LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6
+_LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6  # smallest scale of the ranges of depth and focus of a cached rule, metres
 
 
 WAVENUMBER = engine.BY_WAVENUMBER
 
 
 class Amplitudes(NamedTuple):
-    """Series of the amplitudes of planes, and a bound on the error that they cause in a field."""
+    """Zernike series of the amplitudes in several planes, and a bound on the error that they cause in a field."""
 
-    coefficients: Complex  # (1 + rates, planes, terms), of all parts
-    error: float  # by quadrature of the coefficients and rounding
-    steepest: float  # divisor of the series of the derivative by ln k
+    coefficients: Complex  # shape (1 + derivatives, planes, terms of all parts)
+    error: float  # due to quadrature of the coefficients and rounding
+    steepest: float  # the series of the derivative by ln k are divided by this number
 
 
 class _Integrals(NamedTuple):
-    """Rule for a range of depths and stage positions, and the weights of its angles in coefficients."""
+    """Rule for a range of depths and stage positions, and the weights of its nodes in the coefficients."""
 
     rule: debye.Rule
-    weights: Complex  # (3, angles, terms), the last two of derivatives by depth and focus
-    changes: Complex | None  # (angles, terms), by ln k, if there are films
-    steepest: float  # bound on derivatives by ln k, if requested
+    weights: Complex  # shape (3, nodes, terms): amplitudes, derivatives by depth, derivatives by focus
+    changes: Complex | None  # shape (nodes, terms): derivatives by ln k due to films; None without films
+    steepest: float  # bound on derivatives by ln k; 1 if they were not requested
 
 
 def degrees(order: int, degree: int) -> NDArray[np.int64]:
-    """Return n of the terms of an azimuthal order up to a degree, at least one."""
+    """Return n of the Zernike terms of an azimuthal order with n <= degree; at least the lowest n."""
     return np.arange(order, max(degree, order) + 1, 2, dtype=np.int64)
 
 
 def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[int, ...] = ()) -> Amplitudes:
-    """Return the amplitudes of the flattened planes of a `pupil`, half of the parts of its model times the wave.
+    """Return Zernike series of the amplitudes of the flattened planes of a `pupil`.
 
-    By integrals over the angles, the sum of which is off by `error` at most. Further series are those of derivatives,
-    0 for that by depth, 1 for that by focus and :data:`WAVENUMBER` for that by ln k at fixed v, less a phase that all
-    fields share, over :func:`steepest` or the bound that is returned.
+    An amplitude is half of a part of the pupil's model times ``exp(i psi)``. The sum of the errors of the
+    coefficients is at most `error`. `rates` requests series of derivatives: 0 by depth, 1 by focus,
+    :data:`WAVENUMBER` by ln k at fixed v, without a phase common to all fields. They are divided by :func:`steepest`
+    (0 and 1) or by the `steepest` of the result.
     """
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     layers, model = pupil.layers, pupil.light.model
     by_k = WAVENUMBER in rates
     made = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
     waves = made.rule.waves(depth, focus)
-    # einsum: for a matrix this small, starting the threads of BLAS takes as long as the product.
+    # For such small matrices einsum is faster than BLAS, which would start threads.
     found = np.empty((1 + len(rates), len(waves), made.weights.shape[2]), np.complex128)
     for k, rate in enumerate((-1, *rates)):
         np.einsum("pq,qt->pt", waves, made.weights[1 + rate if rate < 2 else 0], out=found[k])
     if by_k:
         fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
-        # i psi at each angle: certificate, section 15, "The wavelength".
+        # Multiply by i psi at each node: docs/certificate.md, section 15, "The wavelength".
         turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
         total = np.einsum("pq,qt->pt", turned, made.weights[0])
         if made.changes is not None:
@@ -199,18 +201,18 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
 
 @lru_cache(maxsize=32)
 def norm(layers: Layers, model: Model) -> float:
-    """Bound ``(2 int abs(t)^2 rho drho)^(1/2)`` of all parts at any depth; at the glass nothing has decayed."""
+    """Return a bound on ``sqrt(2 int abs(t)^2 rho drho)`` for all parts t and depths: its value at depth 0."""
     return math.sqrt(float(debye.power(layers, np.zeros(1), model)[0].max())) * (1.0 + 1e-12)
 
 
 @lru_cache(maxsize=32)
 def steepest(layers: Layers, model: Model) -> tuple[float, float]:
-    """Bound the derivatives of the phase by depth and focus in the pupil, less their middle."""
+    """Return bounds on the derivatives of the phase by depth and by focus, minus the middle of their ranges."""
     return debye.steepest(layers, model, np.zeros(1), np.zeros(1))[:2]
 
 
 def _each(error: float, degree: int) -> float:
-    """Return the error allowed for each integral: by Bessel's inequality they sum to degree + 2 times that."""
+    """Return the tolerance of an integral; by Bessel's inequality the total error is (degree + 2) times as large."""
     return float(2.0 ** math.floor(math.log2(error / (degree + 2.0))))
 
 
@@ -225,12 +227,12 @@ def _integrals(
     *,
     by_k: bool,
 ) -> _Integrals:
-    """Return a rule for a range of depths, and of focus less that of paraxial rays, and weights of its angles.
+    """Return a rule and weights for ranges of depth and of (focus - paraxial focus of the depth).
 
-    These make coefficients of waves, of all parts side by side, and those of the derivatives by depth and by focus.
+    The weights convert ``exp(i psi)`` at the nodes to the coefficients of all parts and of their derivatives.
     """
     middle, steep = layers.middle_rates()[1:], steepest(layers, model)
-    # The phase is linear in both: the corners of the parallelogram bound all planes.
+    # The phase is linear in depth and focus, so that the corners of the parallelogram bound all planes.
     corners = [(d, f + layers.immersion / layers.sample * d) for d in depth for f in focus]
     d, f = np.array(corners).T
     turns = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
@@ -269,12 +271,13 @@ def _integrals(
 
 
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return a range of depths and one of focus less that of paraxial rays, widened so that others share them."""
+    """Return ranges of depth and of (focus - paraxial focus), rounded outwards: similar planes share a rule."""
     off = focus - layers.immersion / layers.sample * depth
     return _widened(depth, _LEAST_DEPTH), _widened(off, _LEAST_FOCUS)
 
 
 def _widened(values: Array, least: float) -> tuple[float, float]:
+    """Return the range of values rounded outwards to multiples of a power of 2, of at least ``least / 4``."""
     low, high = (values.item(),) * 2 if values.size == 1 else (float(values.min()), float(values.max()))
     step = 0.25 * 2.0 ** math.ceil(math.log2(max(-low, high, least)))
     return step * math.floor(low / step), step * math.ceil(high / step)

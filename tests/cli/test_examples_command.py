@@ -90,5 +90,5 @@ def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):
     monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "lensfiles" / "__init__.py"))
     assert examples.example_files() == {"one": place / "one.toml"}
     (place / "one.toml").unlink()
-    with pytest.raises(FileNotFoundError, match="wheels bring them"):
+    with pytest.raises(FileNotFoundError, match="install a wheel"):
         examples.example_files()

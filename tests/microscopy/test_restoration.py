@@ -423,7 +423,7 @@ def test_depths_in_focus_are_those_of_the_brightest_focus():
         ({"direction": "sideways"}, ValueError, "direction"),
         ({"refine": "depth"}, TypeError, "refine must be a sequence"),
         ({"refine": ("tilt",)}, ValueError, "refine"),
-        ({"step": 200.0}, ValueError, "step must be a stage step, in metres"),
+        ({"step": 200.0}, ValueError, "step must be of the stage, in metres"),
         ({"psf_shape": (4, 9)}, ValueError, r"psf_shape must be \(planes, pixels\), both odd"),
         ({"channel": 1}, ValueError, "channel"),
         ({"noise": 1.0}, TypeError, "noise"),

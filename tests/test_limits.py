@@ -83,7 +83,7 @@ def test_scales_of_other_pupils_are_not_taken_from_a_file():
 def test_a_wavefront_divided_by_nothing_says_so():
     with pytest.raises(ValueError, match="divisor must not be 0"):
         lm.Wavefront(1.0) / 0
-    with pytest.raises(ValueError, match="or so small that 1 . divisor overflows, got"):
+    with pytest.raises(ValueError, match="or so small that 1 / divisor overflows, got"):
         lm.Wavefront(1.0) / 1e-320
     assert (lm.Wavefront(1.0) / 4.0).defocus == 0.25
 

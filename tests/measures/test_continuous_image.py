@@ -366,7 +366,7 @@ def test_what_makes_no_sense_is_refused():
         ValueError, match=r"a distance of 0\.01 m from the axis .* use a smaller distance of at most 0\.0016"
     ):
         psf.encircled_energy(1e-2)
-    with pytest.raises(ValueError, match="pixel must be left out for a PSF, which has its own; give it with"):
+    with pytest.raises(ValueError, match="pixel must be left out for a PSF, which includes it; or pass"):
         lm.mtf(psf, 1e4, pixel=1e-6)
     with pytest.raises(ValueError, match="spectrum must be left out for a PSF"):
         lm.otf(psf, 1e4, spectrum=lm.Polychromatic([5e-7], [1.0]))

@@ -242,7 +242,7 @@ _SAMPLES = 4  # defocus values used in the fit, for each pixel of difference bet
 
 def inner_energy(step: float) -> float:
     """Return the fraction of light in the windows of a bank with a remainder; `step` is the pixel pitch in v."""
-    # 1 / (pi v) approximates the light farther than v = _GAP * step outside the shadow.
+    # The light farther than v = _GAP * step outside the shadow is of the order of 1 / (pi v).
     return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
 
 

@@ -201,8 +201,8 @@ void share_out(std::size_t tasks, int threads, const Work& work);
 #if defined(LOMMEL_DEFINES)
 LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
     // The tasks are cut into `stretches` stretches, each of one range per worker (at most `most` ranges). In each stretch a worker
-    // begins with its own range and then helps others, so that neighbouring tasks, and the same tasks of the next call, find their
-    // data in the cache of one processor. Worker 0, the caller, takes tasks in ascending order: a task may wait for earlier tasks.
+    // begins with its own range and then helps others: it mostly runs neighbouring tasks, and the same ones in the next call, whose
+    // data are in its processor's cache. Worker 0, the caller, takes tasks in ascending order: a task may wait for earlier tasks.
     struct alignas(64) Range {
         std::atomic<std::size_t> next{0};
         std::size_t end = 0;

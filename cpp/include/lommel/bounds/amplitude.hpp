@@ -8,7 +8,7 @@
 
 namespace lommel {
 
-// Amplitude A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)) <= 1, t = rho^2 in [0, 1], rho: pupil radius. Gaussian: g_1; uniform: no g.
+// Amplitude A(t) = exp(-(g_0 + g_1 t + ... + g_K t^K)) <= 1, t = rho^2, rho: pupil radius. Gaussian: only g_1; uniform: all g = 0.
 class Amplitude {
    public:
     static constexpr std::size_t most = 10;  // highest power of t

@@ -23,7 +23,7 @@
 
 namespace lommel {
 
-// Functions of the size eta of an ellipse, for 40 ellipses, of whose bounds the smallest is used; sine, cosine of sampled angles.
+// Functions of eta, the size of an ellipse, for 40 ellipses; the smallest of their bounds is used. sin, cos: of sampled angles.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -147,7 +147,7 @@ class Ellipses {
     // Number of Legendre terms with tail() <= error, close to the smallest, and the tail beyond them.
     std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
-        // First number of terms to try, a lower bound: the sum over n in tail() is taken as a geometric series.
+        // First number of terms to try, a lower bound: without the factors sqrt(2n+1), the sum in tail() is a geometric series.
         const double needed =
             least([&](std::size_t i) { return (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0; });
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
@@ -206,8 +206,8 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// Bound for all image radii v <= reach on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|: terms of a
-// series that are small in the window, whatever the phase (docs/certificate.md, section 1, "By the window").
+// Bound for all image radii v <= reach on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|. Such a sum
+// bounds the terms that a series omits, whatever the phase (docs/certificate.md, section 1, "By the window").
 inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
         return m > 1.0 ? 0.0 : 1.0;
@@ -223,12 +223,12 @@ inline double beyond_window(double m, double step, double power, double reach) {
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
-    // For m > v, (2 / v) |J_m(v)| increases with v: its maximum is at v = reach.
+    // Else, if m >= 2, (Kapteyn's bound) / v increases with v: it is largest at v = reach. If m = 1, |2 J_1(v) / v| <= 1 < result.
     return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// Legendre series of any pupil. window_tail(): bound on the contribution of the terms n >= `terms`, with J_{2n+1}, to the field at
-// radii v <= reach, by |coefficient n| <= sqrt(2n+1) (Parseval); window_terms(): smallest number with window_tail() <= error.
+// Legendre term n of any pupil's field is at most sqrt(2n+1) |2 J_{2n+1}(v) / v| (Parseval). window_tail(): bound on the sum of the
+// terms n >= `terms` at radii v <= reach; window_terms(): smallest number of terms with window_tail() <= error.
 inline double window_tail(std::size_t terms, double reach) {
     return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
 }
@@ -236,8 +236,8 @@ inline std::size_t window_terms(double reach, double error) {
     return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
 }
 
-// Zernike series of any pupil. disk_window_tail(): bound on the contribution of the degrees n >= `degrees`, with (n+1) J_{n+1}, to
-// the field at radii v <= reach; disk_window_degrees(): smallest number with disk_window_tail() <= error.
+// Zernike terms of degree n of any pupil's field add up to at most (n+1) |2 J_{n+1}(v) / v|. disk_window_tail(): bound on the sum
+// of degrees n >= `degrees` at radii v <= reach; disk_window_degrees(): smallest number with disk_window_tail() <= error.
 inline double disk_window_tail(std::size_t degrees, double reach) {
     return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
 }

@@ -32,7 +32,7 @@ inline double interpolation_by_slope(double half, std::size_t points) {
     return std::exp(std::min(std::log(2.0) + n * std::log(half) - log_factorial(n), 700.0));
 }
 
-// Factor on interpolation_by_slope() if a function of the radius r is interpolated in r^2 instead of r, at r >= `radius`.
+// Factor by which interpolation_by_slope() grows if a function of the radius r >= `radius` is interpolated in r^2 instead of r.
 inline double of_squares(double radius, std::size_t points) {
     double sum = 1.0, term = 1.0;
     for (std::size_t j = 1; j < points; ++j) {
@@ -80,13 +80,13 @@ inline double turning_error(double reach, double order, double spacing) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of the average of f over a square, interpolated in the azimuth of its centre from `angles` angles in cos(4 azimuth).
+// Error of interpolating the average of f (top of file) over a square in cos(4 azimuth of its centre), from `angles` azimuths.
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Error of (average of f over one side of a square) - (that over the opposite side), interpolated in the azimuth of its centre from
-// `angles` angles by odd orders (docs/certificate.md, section 15).
+// Error of interpolating (average of f over one side of a square) - (average over the opposite side) in the azimuth of the square's
+// centre, by the `angles` lowest odd orders from `angles` azimuths (docs/certificate.md, section 15). f: as at the top of the file.
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

@@ -50,13 +50,14 @@ class ChordLines {
           rows_(static_cast<double>(rows.at.size())), pixels_(static_cast<double>(rows.count * columns.at.size())),
           threads_(threads) {}
 
-    // Error bound of the field, without samples, for the full aperture (radius 1) or the obscuration; radius: disk's / aperture's.
+    // Error bound, without samples of the integrand, of the field of a disk (aperture or obscuration) of `radius` aperture radii.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
 
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // Set disk(p) for each pupil p: the complex curves whose bounds need the fewest chords and nodes for the error error(p, bound).
+    // Set disk(p) for each pupil p: the error bounds by which the fewest chords and nodes suffice for an error of error(p, bound).
+    // radius: of the disk, in aperture radii.
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer
@@ -131,8 +132,8 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The table has the curve of the batch's first pupil, the nearest to the real axis. Second derivatives of the
-                // integrand are smallest there: each pupil's `bend`, a bound on them for its own curve, holds there too.
+                // The table is for the curve of the batch's first pupil, the nearest to the real axis. side.bend bounds the second
+                // derivatives of log(integrand) on the pupil's own curve; this bound also holds closer to the real axis.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

@@ -292,7 +292,7 @@ LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real
     });
 }
 
-// Fourier transform along x for one pupil: chords, in the vector lanes -> row[vector of columns][re, im], padded with zeros.
+// As columns_of_row() for a single pupil, with chords in the vector lanes: row[vector of columns][re, im], 0 after the last column.
 template <class I, class Real>
 LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -339,8 +339,8 @@ LOMMEL_INLINE void lone_columns_of_row(I, const KernelTable<Real>& kernel, const
     });
 }
 
-// Fourier transform along y of a part that is even or odd in y: nodes[node][re, im] of a pair of chords -> chords[distance of a row
-// from the axis][chord][re, im]. Odd parts use sines and omit the factor -i.
+// Fourier transform along y of a part of the pupil function that is even or odd in y: from nodes[node][re, im] on a pair of chords
+// to chords[distance of a row from the axis][chord][re, im]. Odd parts use sines and omit the factor -i.
 template <class I, class Real>
 LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_t chord, bool odd, const Real* nodes,
                                   Real* chords) {
@@ -379,7 +379,7 @@ LOMMEL_INLINE void rows_of_parity(I, const KernelTable<Real>& kernel, std::size_
     });
 }
 
-// Fourier transform along x of a part even or odd in x: chords[chord][re, im] -> row[distance of a column from the axis][re, im].
+// Fourier transform along x of a pupil function's even or odd part: chords[chord][re, im] -> row[distance from the axis][re, im].
 template <class I, class Real>
 LOMMEL_INLINE void columns_of_parity(I, const KernelTable<Real>& kernel, bool odd, const Real* chords, Real* row) {
     using V = typename Waves<I, Real>::V;
@@ -412,7 +412,7 @@ LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Rea
     store(top, most);
 }
 
-// subtract(): u -= inner; scale(): inner = area * u. count: number of SIMD vectors.
+// subtract(): u -= inner, the obscuration's field; scale(): inner = area * u, area: its relative area. count: number of vectors.
 template <class I, class Real>
 LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
     using V = typename Waves<I, Real>::V;

@@ -12,7 +12,7 @@
 
 namespace lommel {
 
-// Arrays over pixels. counted: electrons; recorded: variance of the read noise; read: that assumed by the weights; valid: 0 or 1.
+// Arrays over pixels. counted: electrons; recorded, read: variance of the read noise, actual and assumed by the fit; valid: 0 or 1.
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -25,8 +25,8 @@ struct StarLikelihood {
     double deviance = 0.0, expected = 0.0, spread = 0.0;
 };
 
-// Likelihood of electron counts with the Poisson mean flux x images[0] + background and read noise. products: inner products of
-// images[1], images[2], ..., images[0], 1 and the residual, each divided by the standard deviation of a pixel.
+// Likelihood of electron counts with the Poisson mean flux x images[0] + background and read noise. products[j][k]: inner product
+// of rows j and k; rows: images[1], images[2], ..., images[0], 1 and the residual, all divided by each pixel's standard deviation.
 template <class T>
 StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const std::vector<const T*>& images, double flux,
                                double background, double* products) {

@@ -128,7 +128,7 @@ class FocalStream {
         static constexpr std::size_t none = ~std::size_t{0};
         std::unique_ptr<FocalSearch::Scratch> scratch;
     };
-    // Level of the image pyramid in fill(). values: depth positions in candidates; weights: 1 where they are known, 0 elsewhere.
+    // Level of the image pyramid in fill(). values: depths as fractional candidate indices; weights: 1 for known depths, else 0.
     struct Level {
         std::size_t height, width;
         std::vector<float> values, weights;
@@ -145,7 +145,7 @@ class FocalStream {
     template <class I>
     LOMMEL_INLINE void filter(I isa, Strip& strip, const FocalFrame* frames, std::size_t own, std::size_t end) {
         const std::size_t degree = plan_.taps.degree, reach = plan_.taps.reach, ahead = plan_.ahead();
-        // Depths at the edge of a strip depend on blocks of the adjacent strip, `beyond` rows of pixels.
+        // Depths at the edge of a strip depend on blocks of the adjacent strip, up to `beyond` rows of pixels from the edge.
         const std::size_t beyond = plan_.residual_count > 0 ? neighbours() * plan_.window.side : 0, own_top = own,
                           own_bottom = end;
         const std::size_t top = own > beyond ? own - beyond : 0, bottom = std::min(end + beyond, plan_.height);
@@ -302,7 +302,8 @@ class FocalStream {
         }
     }
 
-    // Averages over the windows around a row of blocks: products divided by the noise variance, mean of the frames, and trust.
+    // Averages over the window around each block of row `block`: products of residual images divided by (noise variance * trust),
+    // the mean of the frames of each channel, and trust, which is the fraction of trusted pixels.
     template <class I>
     LOMMEL_INLINE const float* average(I, Strip& strip, std::size_t block) {
         const std::size_t slot = plan_.fine > 1 ? block % 2 : 0;
@@ -319,7 +320,7 @@ class FocalStream {
             const float* const light = sums + (products_ + c) * pitch_;
             for (std::size_t i = 0; i <= each_; ++i) {
                 column(I{}, strip, block, i == 0 ? products_ + c : c * each_ + i - 1, i == 0 ? nullptr : over, sums);
-                // Divided by the fraction of the window inside the image, `light` is the mean of the frames over that part.
+                // light / (fraction of the window inside the image) = mean of the frames in that fraction = shot noise variance.
                 for (std::size_t x = 0; i == 0 && x < across_; ++x) {
                     const float variance = std::max(0.0f, light[x] / (there * share(x, across_))) + read;
                     over[x] = 1.0f / std::max(trust[x] * variance, 1e-20f);
@@ -328,7 +329,7 @@ class FocalStream {
         }
         return sums;
     }
-    // Window average of quantity q (a product, the mean or trust): weighted sum over block rows, times `factors` unless null.
+    // Weighted sum over the window's block rows of quantity q (product of residuals, mean frame, trust), times `factors` if any.
     template <class I>
     LOMMEL_INLINE void column(I isa, Strip& strip, std::size_t block, std::size_t q, const float* factors, float* sums) const {
         const std::vector<float>& weights = plan_.window.weights;
@@ -379,9 +380,9 @@ class FocalStream {
         return sum;
     }
 
-    // Increase standard errors near depth edges, by the slope of neighbouring positions and their deviation from a plane: a
-    // window across an edge mixes two depths, and its energy has a minimum between them. Positions out of range or with too
-    // large an error become unknown.
+    // Increase the standard errors of depths near steps in depth, by the slope of the depth map and its deviation from a plane: a
+    // window across a step contains two depths, and its mean squared residual is smallest at a depth between them. Depths out of
+    // range or with too large an error become unknown.
     void doubt() {
         const FocalCandidates& given = search_->candidates();
         const std::size_t strips = strips_.size();
@@ -408,8 +409,8 @@ class FocalStream {
             }
         }
     }
-    // Variance to add to that of a position whose neighbours differ by more than their errors: from their slope and, if the
-    // frames do not fit a single depth (misfit), from their deviation from a plane.
+    // Variance to add to that of the depth at (y, x) if depths at distances of `reach` and 2 `reach` differ by more than their
+    // errors: from the slope of the depth map and, if the frames do not fit a single depth (misfit), its deviation from a plane.
     float rough(std::ptrdiff_t y, std::ptrdiff_t x, std::ptrdiff_t reach) const {
         const auto rows = static_cast<std::ptrdiff_t>(down()), columns = static_cast<std::ptrdiff_t>(across());
         const FocalPlace& here = places_[static_cast<std::size_t>(y * columns + x)];
@@ -446,7 +447,7 @@ class FocalStream {
     }
     static constexpr float slope_share = 0.06f, bend_share = 0.07f, least_mixed = 2.0f, surely_mixed = 5.0f;
 
-    // Fill unknown positions with means of known positions around them, from an image pyramid, coarse to fine.
+    // Fill unknown depths with means of known depths around them, from an image pyramid, coarse to fine.
     void fill() {
         Level& finest = levels_[0];
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -539,7 +540,7 @@ class FocalStream {
         }
         static_cast<void>(sizeof(V));
     }
-    // Linear interpolation of (1 - part) a + part b, at the centres of `across` blocks of `side` pixels, to `width` pixels.
+    // to[x], x < width: linear interpolation of (1 - part) a + part b, given at the centres of `across` blocks, each `side` wide.
     static LOMMEL_INLINE void expand(const float* a, const float* b, float part, std::size_t across, std::size_t side,
                                      std::size_t width, float* to) {
         const auto at = [&](std::size_t x) LOMMEL_INLINE_LAMBDA { return a[x] + part * (b[x] - a[x]); };

@@ -15,7 +15,7 @@
 namespace lommel {
 
 // Signed radius of the circle of confusion in pixels, sampled at `count` equal steps of defocus from `low` to `high`; a larger
-// radius means a nearer point. At most `layers` layers have equal `thickness` in radius; layer 0 starts at the largest radius.
+// radius means a nearer point. Layers of `thickness` in radius are counted from the largest; the last of `layers` has all the rest.
 struct BlurRadii {
     const double* radii;
     std::size_t count;
@@ -66,11 +66,11 @@ inline std::size_t renumber(std::uint8_t* layers, std::size_t size) {
 }
 
 // For each occluding point p, find a representative point for the light behind p.
-// A point p occludes a farther point q if their distance is less than radius(p) - radius(q), their signed blur radii: rays
-// through the rim of the aperture then pass the edge between them. Points q are visited in order of distance from p. Let L be
-// the layer of p at first; points q in layers not farther than L are skipped. If p does not occlude the next q, L becomes the
-// layer of q. Otherwise the search ends: the representative is the mirror image of p at q (the point 2 q - p) if that is in a
-// layer farther than L, else q.
+// A point p occludes a farther point q if their distance is less than radius(p) - radius(q), the difference of their signed blur
+// radii: p then blocks a ray from q to the aperture. Points q are visited in order of distance from p. L is a layer, at first that
+// of p. Points q in layers not farther than L are skipped. If p does not occlude the next q, L becomes the layer of q. Otherwise
+// the search ends: the representative is the mirror image of p at q (the point 2 q - p) if that is in a layer farther than L,
+// else q.
 class HiddenPoints {
    public:
     HiddenPoints(const std::uint8_t* layers, const float* radius, std::size_t height, std::size_t width, int threads)

@@ -10,7 +10,7 @@
 namespace lommel {
 
 // field = sum over sources of a (d / rho)^2 exp(i k (rho - rho_0)), with a the amplitude, k the wavenumber, rho the exact distance
-// from the source (x, y, 0) to the sensor point (sx, sy, d), and rho_0 that to the axis point (0, 0, d), whose phase is part of a.
+// from the source (x, y, 0) to the sensor point (sx, sy, d), and rho_0 that to the axis point (0, 0, d); a includes exp(i k rho_0).
 // One factor d / rho is the spherical wave, the other the obliquity (Rayleigh-Sommerfeld, first kind). rho - rho_0 is computed from
 // the difference of squares, which keeps all digits although k rho is 10^5 to 10^7 radians.
 inline void huygens_sum(const double* x, const double* y, const std::complex<double>* amplitude, std::size_t sources,

@@ -71,7 +71,7 @@ LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, 
     : values(places.count) {
     Field derivative;
     error = derivative.prepare(phase, power, obscuration, places, requested);
-    // Stored vectors overlap where tabulated intervals meet, so results must not overwrite the input.
+    // Buffers with room for whole vectors, which may extend past the end of a chunk.
     Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
     for (std::size_t first = 0; first < places.count; first += chunk_radii) {
         look();

@@ -18,7 +18,8 @@
 
 namespace lommel {
 
-// Sizes of the parts of a plane's field or its derivative. found: largest |part|^2 at the radii; most: bound on |part| anywhere.
+// Sizes of the parts (azimuthal orders) of the field in a plane, or of one of its derivatives. found: largest |part|^2 at the radii
+// of the table; most: bound on |part| at any radius.
 struct PartSizes {
     double found[most_parts] = {}, most[most_parts] = {};
 };
@@ -141,7 +142,7 @@ class Profiles {
         }
     }
 
-    // Real part of the sum over j, l of form[j][l] G_j conj(F_l), with F and G the parts of two fields and a Hermitian form.
+    // Real part of the sum over j, l of form[j][l] G_j conj(F_l). F_j, G_j: parts of two fields; form: Hermitian matrix.
     template <class V>
     LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
                            std::size_t u) const {

@@ -1,4 +1,4 @@
-// Intensities of a microscope with aberrations on circles around the axis, for eight planes at once: sums over pupil angles,
+// Intensities, on circles around the axis, of a microscope with aberrations, for eight planes at once: sums over pupil angles,
 // then Fourier transforms over azimuthal orders (docs/certificate.md, section 16).
 #pragma once
 
@@ -70,7 +70,7 @@ class Rings {
         : light_(light), steps_(steps), fft_(steps.angles), finer_(steps.finer()), circles_(light.circles - steps.filters + 1),
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
-    // Compute eight planes from index `first` on. row(i): [angle, from -taps / 2 on][plane] of circle i - steps.before().
+    // Compute eight planes from `first` on. row(i): intensities [angle, from -(around.count / 2) on][plane] on circle i - before().
     void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }
@@ -117,7 +117,7 @@ class Rings {
         }
     }
 
-    // Stride of circles: one angle more than needed, so that circles use different cache sets.
+    // Number of doubles per circle in memory: for one angle more than needed, so that circles use different cache sets.
     std::size_t stride() const { return (fft_.n + 1) * ring_planes; }
 
     // Intensities at the angles of all circles: intensities_[circle][angle][plane].

@@ -184,7 +184,7 @@ def test_a_picture_has_the_channels_as_red_green_and_blue(tmp_path):
     assert np.abs(found[::times, ::times] / 255.0 - expected).max() < 0.51 / 255.0
     with pytest.raises(ValueError, match=r"a \.png holds a single PSF"):
         lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).save(tmp_path / "s.png")
-    with pytest.raises(ValueError, match="a picture takes three channels, or one, got 2"):
+    with pytest.raises(ValueError, match="a picture needs one or three channels, got 2"):
         lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, WAVES[:2]).save(tmp_path / "two.png")
     with pytest.raises(ValueError, match=r"path must end in .npy, .npz, .fits, .* for a PSF in channels"):
         answer.save(tmp_path / "p.gif")

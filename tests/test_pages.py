@@ -250,7 +250,7 @@ def folder(files, tmp_path, monkeypatch) -> Path:
     monkeypatch.chdir(tmp_path)
     # Which way the planes of a stack run is found after fewer steps, and misfits after one search.
     monkeypatch.setattr(refinement, "_STEPS", 4)
-    monkeypatch.setattr(field_fit, "_SEARCHES", 1)
+    monkeypatch.setattr(field_fit, "_MAX_SEARCHES", 1)
     # The live page, which need not be made, is served until Ctrl-C.
     (tmp_path / server.NAME).write_text("export default {};\n", encoding="utf-8")
     monkeypatch.setattr(server, "path", lambda: tmp_path / server.NAME)

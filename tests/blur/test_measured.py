@@ -92,7 +92,7 @@ def test_energy_is_the_light_in_the_window_and_values_times_the_fill_that_on_act
 
 
 def test_profiles_and_gradients_say_that_there_are_none(answer):
-    with pytest.raises(ValueError, match="spread by blur"):
+    with pytest.raises(ValueError, match="for a PSF with blur"):
         answer.profile([0.0])
     with pytest.raises(ValueError, match="square pixels without fill and blur"):
         answer.pullback(np.ones(answer.shape))

@@ -48,7 +48,7 @@ def test_without_a_scale_each_image_is_divided_by_its_largest_value(images):
 
 
 def test_a_tolerance_that_cannot_be_met_is_an_exception(images):
-    with pytest.raises(ToleranceError, match=r"tol=1e-17 cannot be met in double precision: the error"):
+    with pytest.raises(ToleranceError, match=r"tol=1e-17 cannot be met in double precision: the proven error bound"):
         images(1e-17, Wanted())
 
 

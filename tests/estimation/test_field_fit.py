@@ -53,7 +53,7 @@ def fitted(images, places, pupil=None, **options):
 @pytest.fixture
 def searched_once(monkeypatch):
     """Without the further searches, from other random starts, that follow on a misfit."""
-    monkeypatch.setattr(field_fit, "_SEARCHES", 1)
+    monkeypatch.setattr(field_fit, "_MAX_SEARCHES", 1)
 
 
 @cache

@@ -66,7 +66,7 @@ def test_a_map_of_scattered_positions_is_exact_at_them(count, scale):
 @pytest.mark.parametrize("azimuth", [0.0, math.pi / 2, -2.0])
 def test_a_radial_map_is_exact_at_its_positions(count, azimuth):
     height = np.linspace(0.0, 10e-3, count)
-    wavefront = some_wavefronts((count,))._each(np.array)
+    wavefront = some_wavefronts((count,))._map_coefficients(np.array)
     axis = {t: np.where(height > 0, c, 0.0) for t, c in wavefront.nonradial.items()}
     wavefront = lm.Wavefront(wavefront.defocus, wavefront.spherical, wavefront.higher, axis)
     field = lm.FieldMap.radial(height, wavefront, azimuth=azimuth)

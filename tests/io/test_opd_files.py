@@ -230,7 +230,7 @@ GOOD = metropro(VALUES)
         bad("a.csv", "", "it must hold rows with the same number of values"),
         bad("a.csv", "# unit: furlong\n1,2\n", "it has the unknown unit 'furlong'"),
         bad("a.csv", "# Unit: nm\n1,2\n", "it states 'Unit', which is unknown"),
-        bad("a.csv", "# unit: nm\nnan,\n", "somewhere there must be one"),
+        bad("a.csv", "# unit: nm\nnan,\n", "not NaN at every pixel"),
         bad("a.csv", "# unit: nm\n1,inf\n", "values must be finite"),
         bad("a.int", "title\nZFR 2 WFR WVL 0.5 SSZ 1\n1 2\n", "it holds coefficients; load_zernike"),
         bad("a.npy", b"\x93NUMPY", "its header is not that of an array"),

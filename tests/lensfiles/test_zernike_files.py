@@ -91,7 +91,7 @@ def test_a_table_of_annular_terms_states_the_obscuration(load, tmp_path):
     for value in ("1.0", "wide", "-0.1", "nan"):
         with pytest.raises(ZernikeFileError, match=r"obscuration \(line 4\): it must be .*, got"):
             load(".csv", text.replace("0.61", value))
-    with pytest.raises(ZernikeFileError, match=r"up to n = 60 .* nearly alike"):
+    with pytest.raises(ZernikeFileError, match=r"up to n = 60 .* nearly linearly dependent"):
         load(".csv", text.replace("noll", "ansi").replace("0.61", "0.9").replace("7,0.2", "1860,0.2"))
 
 

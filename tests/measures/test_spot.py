@@ -192,7 +192,7 @@ def test_what_is_impossible_is_refused_by_name():
         "along must be one of": lambda: radial.fwhm("z"),
         "fraction must be > 0 and < 1, got 1": lambda: radial.energy_diameter(1.0),
         "fraction must be finite": lambda: coma.energy_diameter(math.nan),
-        "fraction must be held by a circle": lambda: radial.energy_diameter(1 - 1e-6),
+        "fraction must lie within a circle": lambda: radial.energy_diameter(1 - 1e-6),
         "radius must be None for a pupil that is not radial": lambda: coma.profile(1.0),
         "pupil must be radially symmetric|supports radially": lambda: lm.best_focus(coma.pupil, 1.0),
         "supports radially|must be radially": lambda: spot.radial_fwhm(lm.Hankel(), coma.pupil),
@@ -250,7 +250,7 @@ def test_the_error_measures_take_psfs_and_do_not_depend_on_their_scale() -> None
         ([1.0, 2.0], [1.0], "must have the same shape"),
         ([1.0, math.nan], [1.0, 2.0], "must be finite"),
         ([1.0, 2.0], [1.0, math.inf], "must be finite"),
-        ([1.0, 2.0], [0.0, 0.0], "positive peak"),
+        ([1.0, 2.0], [0.0, 0.0], "a positive value"),
     ],
 )
 def test_errors_of_nothing_are_refused(values: list[float], reference: list[float], message: str) -> None:

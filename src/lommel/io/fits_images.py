@@ -104,7 +104,7 @@ def read(data: bytes, most: int) -> list[Image]:
                 values = np.asarray(unit.data, unit.data.dtype.newbyteorder("="))
                 images.append(Image(values, cards, number, primary))
     if not images:
-        raise ValueError("it holds no image; decompress an image in a compressed table (.fz) first")
+        raise ValueError("it holds no image; unpack an image that is compressed in a table (.fz) first")
     return images
 
 

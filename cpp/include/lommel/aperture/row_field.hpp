@@ -58,8 +58,8 @@ class ZernikeSum {
     }
 
     double size() const { return size_; }  // bound on the modulus of the sum
-    // Rounding error of the sum in units of roundoff. x has three roundings, y two; a term of degree n changes by at most n^2 times
-    // the displacement (Markov's inequality on discs). x^2 + y^2 and the recurrence add 0.34 n^2, as measured.
+    // Rounding error of the sum in units of roundoff. x has three roundings, y two; if the point moves by d, a term of degree n and
+    // amplitude 1 changes by at most n^2 d (Markov's inequality on discs). Its recurrence and x^2 + y^2 add 0.34 n^2, as measured.
     double rounding() const { return rounding_ + static_cast<double>(count_ + 2 * orders_.size()) * size_; }
 
     template <class V>
@@ -107,7 +107,7 @@ struct PhasedRule {
 // Field of one or several regions, each with an added phase, at the pixels of a window.
 class RowField {
    public:
-    // precision: approximate error of the wave sums, relative to the sum of the weights.
+    // precision: error of the wave sums to aim at, relative to the sum of the quadrature weights.
     RowField(const std::vector<PhasedRule>& regions, const DiskWindow& window, double precision) : window_(window) {
         const std::size_t longest = std::max(window.height, window.width);
         std::size_t taps = 4;
@@ -116,7 +116,7 @@ class RowField {
             across_ = std::make_unique<WaveKernel>(window.width, taps);
         } while (taps < WaveKernel::most_taps && WaveKernel(longest, taps).error(0.0) > precision);
         down_ = std::make_unique<WaveKernel>(window.height, taps);
-        // Pixel k of a row (column) is at v = step (k - side / 2 + half) from the axis, with half = half_x_ (half_y_).
+        // Pixel k of n in a row is at v = step (k - n / 2 + half_x_) from the axis; likewise in a column, with half_y_.
         half_y_ = static_cast<double>(window.height / 2) - window.row;
         half_x_ = static_cast<double>(window.width / 2) - window.column;
         for (const PhasedRule& region : regions) {
@@ -148,7 +148,7 @@ class RowField {
    private:
     static constexpr std::size_t wide = fft_rows;
 
-    // Rule, and the added phase including the shift to the middle of the window: {constant, slope along x, slope along y}.
+    // Rule of a region and its added phase {constant, slope along x, along y}; a tilt in it moves the window's middle to v = 0.
     struct Turn {
         const RowRule* rule;
         double phase[3];

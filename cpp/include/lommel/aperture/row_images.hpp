@@ -29,7 +29,7 @@ inline void row_images(const std::vector<PhasedRule>& regions, const std::vector
             const double one = 1.0;
             const ZernikeSum factor({factors[j]}, &one);
             losses[p] = std::max(losses[p], field.sum(phase, light, &factor, threads, g));
-            // dU/dc = i G, with G the field of the pupil function times the Zernike term; dI/dc = 2 Re(conj(U) dU/dc).
+            // For the coefficient c of `factor`: dU/dc = i G, G: field of pupil function x `factor`; dI/dc = 2 Re(conj(U) dU/dc).
             double* const slope = slopes + (j * pupils + p) * pixels;
             for (std::size_t i = 0; i < pixels; ++i) {
                 slope[i] = 2.0 * (u[2 * i + 1] * g[2 * i] - u[2 * i] * g[2 * i + 1]);

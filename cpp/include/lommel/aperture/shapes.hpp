@@ -19,7 +19,7 @@ struct Point {
     double x, y;
 };
 
-// Side of a part, x as a function of y: p + q (y - origin), and for an arc + k sqrt((y - low) (high - y)).
+// Side of a part, x as a function of y: p + q (y - origin) for a line, plus k sqrt((y - low) (high - y)) for an arc.
 struct Side {
     double p = 0.0, q = 0.0, origin = 0.0, k = 0.0, low = 0.0, high = 0.0;
     double terms = 0.0;  // for an arc: sum of the moduli of the two terms of q, which may cancel
@@ -155,7 +155,7 @@ LOMMEL_ONCE double Part::outside(Point at) const {
 LOMMEL_ONCE std::array<Side, 2> Part::sides(double y) const {
     std::array<Side, 2> both;
     if (round()) {
-        // On the boundary y - centre.y = ay cos t + by sin t; midpoints of horizontal chords lie on a line through the top.
+        // Ellipse: y = centre.y + ay cos t + by sin t; midpoints of horizontal chords lie on the line from lowest to highest point.
         const double square = ay_ * ay_ + by_ * by_, lean = (ax_ * ay_ + bx_ * by_) / square, rise = a_ * b_ / square;
         const double terms = (std::abs(ax_ * ay_) + std::abs(bx_ * by_)) / square;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -245,15 +245,15 @@ LOMMEL_ONCE void Part::cross_round(const Part& a, const Part& b, std::vector<Poi
     const double size = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) + 1.0;
     std::vector<double> angles;
     if (std::abs(c[2]) < 1e-14 * size) {
-        // Zeros of c0 + 2 |c1| cos(t + arg c1). Circles that touch up to rounding count as touching: otherwise no panel would end
-        // at the point of contact, and clear spans might be taken at its very height, where arcs coincide.
+        // Zeros of c0 + 2 |c1| cos(t + arg c1). Circles that touch up to rounding count as touching: otherwise heights() would miss
+        // the point of contact, and clear_spans() might be called for the height of this point, where the two circles meet.
         if (std::abs(c[1]) > 1e-14 * size && std::abs(c[0].real()) <= 2.0 * std::abs(c[1]) + 1e-14 * size) {
             const double cosine = -0.5 * c[0].real() / std::abs(c[1]), middle = -std::arg(c[1]);
             const double turn = std::acos(std::min(1.0, std::max(-1.0, cosine)));
             angles = {middle + turn, middle - turn};
         }
     } else {
-        // Times z^2, z = e^{it}, the trigonometric polynomial has degree 4 in z; the Durand-Kerner iteration finds all its roots.
+        // z^2 times the trigonometric polynomial, z = e^{it}, has degree 4 in z; the Durand-Kerner iteration finds all its roots.
         const Complex p[5] = {std::conj(c[2]), std::conj(c[1]), c[0], c[1], c[2]};
         Complex z[4] = {{1.0, 0.1}, {-0.3, 1.1}, {-1.0, -0.2}, {0.2, -0.9}};
         for (int step = 0; step < 200; ++step) {

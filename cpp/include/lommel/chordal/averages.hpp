@@ -23,8 +23,8 @@ struct PixelNodes {
     double *largest, *together;  // results, [pupil]: largest pixel average; sum of all pixel averages
 };
 
-// Make the positions `places` of sampling nodes relative to the optical axis, not to the middle of the window. If the axis is
-// within `near` pixels of the middle, a tilt of the pupils moves it there: opposite nodes then share their sums.
+// Return PixelNodes with these pointers; `places` (rows, columns), given relative to the window's middle, become relative to the
+// axis. If it is within `near` pixels of the middle, a tilt of the pupils moves it there: opposite nodes then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {

@@ -21,8 +21,9 @@
 
 namespace lommel {
 
-// Samples (x, y) on a quarter of one complex curve: Zernike terms and, for each corner of the window, weights in the mean of
-// |integrand|. A sample also represents its mirror images (+-x, +-y) and their complex conjugates.
+// Samples (x, y) = (cos(a), sin(a) cos(tau)) at equal steps of two angles from 0 to pi/2; a (sum over chords) or tau (over nodes)
+// has the imaginary part b. Stored: the Zernike terms and, for each corner of the window, the weights in the mean of |integrand|.
+// A sample also represents its mirror images (+-x, +-y) and their complex conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
     static constexpr std::size_t tile = 16;  // samples per tile: a multiple of the lanes of any SIMD vector
@@ -45,7 +46,7 @@ struct SharpTable {
 
     // Number of sampling steps in a quarter turn; degree: largest radial degree of the Zernike terms.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
-    // Return whether Zernike terms of this degree, bounded on the curve by sinh(15), are well within the range of float.
+    // Return whether the imaginary parts of Zernike terms, at most sinh(degree * b) on the curve, are well within float's range.
     static bool serves(std::size_t degree, std::size_t curve) {
         return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -81,8 +82,9 @@ struct SharpTable {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of samples along the first angle a, in x = cos(a), halved where a sample is its own mirror image: for the sum over
-    // chords as |sin(a + ib)|^2, b the height of the curve; for the sum over nodes the maximum for any number of chords.
+    // Weights of samples along the first angle a (x = cos(a)), halved where a sample is its own mirror image. If the sum is over
+    // chords, they are proportional to |sin(a + ib)|^2, with the imaginary part b of the angle. If it is over nodes, each chord's
+    // weight is divided between the two nearest samples; a sample's weight is the maximum over all numbers of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -109,7 +111,7 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of samples along the second angle tau (y ~ cos tau): for a mean over y (sum over chords), over tau (sum over nodes).
+    // Weights of samples along tau, the second angle. Sum over chords: they give a mean over y ~ cos tau; sum over nodes: over tau.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -170,8 +172,8 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// For each pupil with phase Phi. tops: max |Im Phi| over the samples r; means: mean of |exp(i (Phi - v . r))| over the samples, for
-// the corner v of the window where it is largest, divided by exp(tops + table.scale), which keeps it within single precision.
+// Compute for each pupil, of phase Phi, tops: max |Im Phi| over the samples r; means: mean of |exp(i (Phi - v . r))| over them for
+// the corner v of the window that gives the largest mean, divided by exp(tops + table.scale) to stay within single precision.
 // coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector lanes are pupils or, with `Lone`,
 // samples of one pupil. room: working memory, table.room() vectors.
 template <bool Lone, class I>

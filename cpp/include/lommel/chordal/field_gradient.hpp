@@ -1,7 +1,7 @@
-// Reverse-mode derivatives of the intensity sum |E|^2 over several fields E, weighted and summed over pixels v
-// (docs/certificate.md, section 16, "Gradients"). The adjoint field at a node r of the pupil is G(r) = sum over v of weight x
-// conj(E) x exp(-i v r). All Zernike terms share one sum over fields of pupil function x G; derivatives with respect to other
-// parameters are inner products with G.
+// Reverse-mode derivatives of S = sum over pixels v and over several fields E of weight(v) x |E(v)|^2 (docs/certificate.md, section
+// 16, "Gradients"). The adjoint field of E at a node r of the pupil is G(r) = sum over v of weight x conj(E) x exp(-i v r). The
+// derivatives by all Zernike coefficients take one sum over the fields of (pupil function x G); those by other parameters are inner
+// products with G.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace lommel {
 
-// values, per plane: S = sum over pixels of weight x intensity; dS/dp for the parameters p by which the fields of set 0 have the
-// derivatives in the sets 1, 2, ...; dS/dc for the `terms` Zernike coefficients c.
+// values, per plane: S = sum over pixels of weights[plane][pixel] x intensity; then dS/dp for each parameter p (the derivatives of
+// set 0's fields by the first p are set 1, by the second p set 2, and so on); then dS/dc for the `terms` Zernike coefficients c.
 struct NodeGradient {
     std::size_t terms;
     const double* weights;
@@ -28,8 +28,8 @@ struct NodeGradient {
     double* largest;  // per plane: maximum of the intensity, then maximum of |E| for each field
 };
 
-// Imaginary part of pupil function x adjoint field at the nodes of a pair of chords, stored in sums[parity of the
-// product][node][lane]. `pupil` and `adjoint` have the layout of place_field().
+// Imaginary part of (pupil function) x (adjoint field) at the `within` nodes of a pair of chords, split by its parity in x and y:
+// sums[parity][node][lane]. `pupil` and `adjoint` have the layout of place_field().
 template <class I>
 LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, const double* adjoint, double* sums) {
     using V = typename Waves<I, double>::V;
@@ -50,8 +50,9 @@ LOMMEL_INLINE void multiply_nodes(I, std::size_t within, const double* pupil, co
     }
 }
 
-// Transpose of place_field(): add the derivatives of S = sum over nodes of (pupil function x G) by the parts of a field's amplitude
-// to sums[part][re, im][node]. adjoint: adjoint field G of this field at a pair of chords; room: working memory.
+// Transpose of place_field() for one field with the adjoint field G. The field's pupil amplitude is made of parts (sum_series()).
+// Add the derivatives of the sum of (pupil function x G) over the nodes of a pair of chords, by the values of each part at these
+// nodes, to sums[part][re, im][node]. adjoint: G at these nodes; room: working memory.
 inline void take_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                        const double* adjoint, std::size_t chord, std::size_t lanes, double* room, double* sums) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -163,8 +164,8 @@ LOMMEL_ONCE void node_gradient(const NodeSeries& given, const DiskWindow& window
     const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
     const auto kernel = cache<KernelTable<double>>.get(given.count, rows, columns, window.step, ChordLanes{});
     const Doubles parts = all_parts(level, given, 1, 0, given.planes, threads);
-    // shares: for each batch and each of its planes, one after the other: intensities of the pixels, sums at the nodes for all
-    // Zernike terms and, with `rates`, sums for the series of the amplitudes.
+    // Contributions of a batch's fields to each of its planes, shares[batch][plane][number]. Numbers: intensities of the pixels,
+    // then the sums of multiply_nodes() [parity][node], then, if rates > 0, those of take_field().
     const std::size_t span = (lanes + fields - 2) / fields + 1, each = pixels + 4 * nodes + (rates > 0 ? parts_size : 0);
     Doubles shares(batches * span * each);
     std::vector<double> largest(jobs);

@@ -21,7 +21,7 @@
 namespace lommel {
 
 // Points of a scene in layers; scene.height and scene.width include border extension. layers[p]: layer of image pixel p, 0 the
-// nearest; behind[p]: index of the pixel whose light represents that occluded by p, negative if none.
+// nearest; behind[p]: index of the pixel whose light stands for the light that p occludes, negative if none.
 struct LayeredScene {
     Scene scene;
     const std::uint8_t* layers;
@@ -96,7 +96,7 @@ struct GivingLight {
     }
 
    private:
-    // Add `sum` to `out` on both sides of the points. The middle column is in both vectors; `right`, stored last, has its sum.
+    // Add `sum` to `out` at `right` and, mirrored, at `left`. The middle column, in both, is changed only at `right`, stored last.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W middle_mask) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;
@@ -331,7 +331,7 @@ class Compositor {
         return reached;
     }
 
-    // Set the bank positions and light of one layer's points in a part, and the range of rows with points in each column.
+    // Set the bank positions and light of the points of `layer` in a part of a tile, and each column's range of rows with points.
     void place(const Part& part, const Extent& extent, std::size_t tall, std::uint8_t layer, Points& points) const {
         std::fill_n(points.first, part_width, tall), std::fill_n(points.last, part_width, std::size_t{0});
         for (std::size_t i = extent.top; i < extent.bottom; ++i) {

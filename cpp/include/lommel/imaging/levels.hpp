@@ -13,8 +13,8 @@
 
 namespace lommel {
 
-// Lookup table over the leading bits (exponent and part of the fraction) of a positive float, so many bits that each interval
-// of floats contains at most one edge. Tabulated: the edge in each interval, and the number of edges below the interval.
+// Lookup table over the leading bits (exponent and part of the fraction) of a positive float. Floats with equal leading bits form
+// an interval; enough bits are used that it contains at most one edge. Tabulated: this edge, and how many are below the interval.
 class Levels {
    public:
     // `edges` between levels: increasing, positive, at most 255 of them.

@@ -74,7 +74,7 @@ class Spreader {
     // `out`. `image`: values, at the same pixels as Scene::positions, with row stride `down` and column stride `right`.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
-    // Transpose of forward(): out[height][width] = sum of window x `image` per source pixel; `image`: like forward()'s `out`.
+    // Transpose of forward(): out[height][width] = inner product of the pixel's window and `image`, laid out as forward()'s `out`.
     void adjoint(const T* image, T* out) const;
 
    private:
@@ -168,8 +168,8 @@ class Spreader {
         }
     }
 
-    // Spread one column of points, two vertically adjacent points at a time unless occlusion separates them. Pairs are sorted
-    // by kind (same or different first window) to avoid branch mispredictions; partly occluded points come first.
+    // Spread one column of points, two vertically adjacent points at a time unless occlusion separates them. Partly occluded
+    // points come first, then pairs that use the same four windows of the bank, then others: fewer branches are mispredicted.
     template <class I, class Side>
     LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
                                   const Side& side) const {

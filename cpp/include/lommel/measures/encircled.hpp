@@ -16,11 +16,11 @@ namespace lommel {
 // Mean intensity on circles about the axis, as Chebyshev series on intervals (panels) of the radius v.
 //
 // Along any line the intensity is of exponential type 2 and between 0 and its peak; so is its mean over all directions, an even
-// function of v. Interpolation at Chebyshev points has an error of e = interpolation_error() * peak / 2, and the energy within v
-// one of e * v^2 / 2. Errors of the values interpolated are multiplied by lebesgue().
+// function of v. Interpolation of this mean at Chebyshev points has an error of at most e = interpolation_error() * peak / 2, so
+// that of energy(v) is at most e * v^2 / 2. Errors of the given means at these points are multiplied by at most lebesgue().
 class MeanProfile {
    public:
-    // at(v): mean intensity on the circle of radius v <= reach; allowed: (allowed interpolation error of it) / (peak / 2).
+    // at(v): mean intensity on the circle of radius v <= reach; allowed: its allowed interpolation error, divided by peak / 2.
     template <class At>
     MeanProfile(double reach, double allowed, const At& at) {
         const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
@@ -61,7 +61,7 @@ class MeanProfile {
         return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
     }
 
-    // Largest ratio of the error of mean(), apart from interpolation, to the errors of the given values at(v).
+    // Bound on the error of mean() that is due to errors of the given values at(v), divided by the largest of these errors.
     double magnification() const { return lebesgue(points_); }
 
    private:

@@ -53,7 +53,7 @@ class Overlap {
     static constexpr std::size_t most = 12;
     using Line = std::array<double, most + 1>;
 
-    // edge: Zernike coefficients in radians at the pupil's edge; eps: obscuration ratio.
+    // edge: coefficients, in radians, of Zernike terms normalized to 1 at the pupil's edge; eps: obscuration ratio.
     Overlap(const std::vector<ZernikeTerm>& terms, const double* edge, double eps) : eps_(eps) {
         for (std::size_t j = 0; j < terms.size(); ++j) {
             if (edge[j] == 0.0) {
@@ -130,7 +130,7 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Phase in the coordinates of face(). powers(): coefficients [power of x][power of y]; slope(): estimated largest gradient.
+    // Phase, x along frequency f. powers(): coefficients [power of x][power of y] to degree(); slope(): estimated largest gradient.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }

@@ -19,9 +19,9 @@ constexpr std::size_t block_outputs = 16;  // number of output values in one blo
 constexpr std::size_t position_step = 2 * row_lanes;
 
 // Compute row[k] such that sum_i share[i] f(z[i]) = sum_k row[k] f(nodes[k]) for every polynomial f of degree below `count`.
-// The Lagrange polynomial of node k is the product of 2 (z - nodes[j]) over j != k, without cancellation, times scale[k] = 1 /
-// product of 2 (nodes[k] - nodes[j]). positions: number of points z, with padding of share 0. scratch: room for 3 * count vectors.
-// Four chains of products overlap to hide their latency.
+// The Lagrange polynomial of node k is scale[k] times the product of 2 (z - nodes[j]) over j != k, a form without cancellation;
+// scale[k] = 1 / product of 2 (nodes[k] - nodes[j]). positions: number of points z, including padding points, whose share is 0.
+// scratch: room for 3 * count vectors. Four chains of products overlap to hide their latency.
 template <class I>
 LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
                                 const double* scale, std::size_t count, double* scratch, double* row) {

@@ -29,8 +29,8 @@
 
 namespace lommel {
 
-// Pixels of a window, sorted into rings by their distance from the axis. The values of a ring are expanded in distance and
-// angle or, if they are few, have weights of their own.
+// Pixels of a window, sorted into rings by their distance from the axis. A ring's pixel values are expanded in distance and angle
+// or, if they are few, each is computed directly as a weighted sum of intensities at the ring's radii.
 struct PixelRings : Radii {  // radii at which the intensity is computed, in optical units
     // Error budget of a table: shares of the requested error.
     struct Budget {
@@ -117,7 +117,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         Doubles rows(ring.outputs * ring.nodes.count);
         average_rows(
             isa, ring.nodes, square, ring.outputs,
-            // An output is a pixel if the ring is direct, otherwise a pair of Chebyshev points: distance and cos(4 theta).
+            // Output o: value at a pixel if `direct`, else at a pair of Chebyshev points, one in distance, one in cos(4 theta).
             [&](std::size_t o) {
                 const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
                 return ring.middle + ring.half * at;
@@ -134,7 +134,7 @@ struct PixelRings : Radii {  // radii at which the intensity is computed, in opt
         block_rows(rows.data(), ring.outputs, ring.nodes.count, weights.data() + ring.first_weight);
     }
 
-    // Compute error and rounding bounds (docs/certificate.md, section 9, "Together", "Rounding") for rings of half width `half`.
+    // Set `error`, `rounding` (certificate, section 9, "Together", "Rounding") for pixel width `side` and ring half width `half`.
     void judge(double side, double half) {
         double worst = 0.0;
         std::size_t most = 0;
@@ -198,8 +198,8 @@ struct PixelTable : PixelRings {
         return cache<PixelTable>.get(window, level, threads, many);
     }
 
-    // Compute the values of rings [first, last) for `Together` pupils from their intensities at the radii; penalties[p] is
-    // raised to the rounding error of the harmonics, in units of roundoff.
+    // Compute the values out[p] of rings first .. last - 1 for `Together` pupils p, from their intensities at the radii. If the
+    // rounding error of a ring's sum over angular harmonics, in units of roundoff, exceeds penalties[p], it is stored there.
     template <std::size_t Together, class I>
     LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity, double* const* out,
                              double* penalties, Doubles& scratch) const {
@@ -302,8 +302,8 @@ LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads
     const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
     const double half = plan(w.side(), allowed);
 
-    // Estimated multiply-adds per image, including a share of those that compute the table, for three alternatives: rings so
-    // narrow that `radial_degree` coefficients suffice, the window as one ring, or the intensity at every pixel.
+    // Estimated multiply-adds per image, with a small part of those for the table, which serves many images. Alternatives: rings so
+    // narrow that `radial_degree` coefficients suffice for the distance; one ring; or the intensity at the radius of every pixel.
     const double within = of_nodes_within(allowed);
     const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
     const RingNodes whole(least, most, slack, Budget::window * allowed);

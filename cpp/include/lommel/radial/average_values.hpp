@@ -22,7 +22,7 @@ struct WindowValues {
     std::size_t count = 0;
     double penalty = 0.0;  // rounding error of the harmonics, in units of roundoff
 
-    // Compute the values by a table that serves any axis.
+    // Compute the values by a table that does not depend on the position of the axis, from the intensities `at_radii`.
     template <class Table>
     void make(const Table& table, const PixelWindow& window, const double* at_radii, int threads) {
         thread_local Doubles scratch;

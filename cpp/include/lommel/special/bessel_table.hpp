@@ -34,7 +34,7 @@ struct PieceTable {
     // maximum over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2).
     double magnitude = 0.0;
     // Bound on the sum of the moduli of all terms of the field, for pupils without radial symmetry: maximum over pieces of
-    // sum_k sqrt(sum_n (n+1)^2 C_nk^2), with n the Zernike degree and C_nk the coefficient of x^k.
+    // sum_k sqrt(sum_n (n+1)^2 C_nk^2), with C_nk the coefficient of x^k in the row for the Zernike degree n.
     double azimuthal = 0.0;
     std::vector<std::shared_ptr<const Piece>> pieces;  // [index of the piece along v]; null if never requested
     std::size_t leading = 0;  // number of pieces before the first null

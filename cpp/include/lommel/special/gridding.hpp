@@ -67,8 +67,8 @@ class GriddingKernel {
         return sum / transform(omega);
     }
 
-    // Root mean square of aliases(step * s) over -1 <= s <= 1 with the weight w(s) = (2 / pi) sqrt(1 - s^2): bound on the aliases
-    // of a function whose spectrum at the frequency step * s is w(s) g(s), g having the mean square 1.
+    // Root mean square of aliases(step * s) over -1 <= s <= 1 with the weight w(s) = (2 / pi) sqrt(1 - s^2). It bounds the aliases
+    // of a function whose spectrum at the frequency step * s is w(s) g(s), if the mean of |g|^2 with the same weight is 1.
     double aliasing(double step) const {
         constexpr std::size_t cells = 192;
         double squares = 0.0;

@@ -99,7 +99,7 @@ struct DiskStack {
         trim();
     }
 
-    // Express the whole tilt as a shift of the axis, to any fraction of a pixel.
+    // Express the whole tilt as a shift of the axis, which then need not lie in the middle of a pixel.
     void center_axes(const DiskWindow& window) {
         const std::size_t at[2] = {place({1, -1}), place({1, 1})};
         centers.clear();

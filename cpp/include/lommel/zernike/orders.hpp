@@ -30,8 +30,8 @@ struct OrderSize {
     double at(double v) const { return fallen(fall(v)); }
 };
 
-// Add the bounds of the cosine and sine of each order m to sizes[2 m + sine]. weight: factor of the disk's field; shrunk: radius of
-// the disk relative to the full disk, so that its field depends on shrunk * v.
+// Add bounds on each order m of a disk's field to sizes[2 m] (cosine) and sizes[2 m + 1] (sine). weight: factor of this field;
+// shrunk: radius of the disk relative to the full disk, so that its field depends on shrunk * v.
 inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
     const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
     for (std::size_t m = 0; m < series.orders; ++m) {
@@ -72,8 +72,8 @@ class PupilOrders {
         return left;
     }
 
-    // Write to `plan` the kept orders up to the highest one needed at radii of at least v, with the sines of all or of none. Return
-    // a bound, at most `error`, on the orders and sines that this omits.
+    // Write to `plan` the kept orders that U needs at radii of at least v: all up to a highest one, and the sines of all of them or
+    // of none. Return a bound, at most `error`, on the sum of the kept orders and sines that are missing from `plan`.
     double select(double v, double error, PiecePlan& plan) const {
         double left = 0.0;
         for (const std::size_t m : kept_) {

@@ -115,7 +115,7 @@ class PolarOrders {
         }
     }
 
-    // Bound on the orders m >= `orders` of U at radii of at least v, plus that on their aliases, `aliases` * (bound for all radii).
+    // Bound on the sum of U's orders m >= `orders` at radii >= v, plus for its aliases: `aliases` x (bound on it at any radius).
     double left(std::size_t orders, double v, double aliases) const {
         return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }

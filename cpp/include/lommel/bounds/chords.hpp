@@ -56,7 +56,7 @@ struct ChordLine {
         const double x = static_cast<double>(n) * chord_curves.b[curve];
         return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
-    // Number of chords or nodes for an error of the field. needed(): approximate; enough(): smallest permitted, or > max_chords.
+    // Number of chords or nodes for bound() <= error. needed(): approximate; enough(): smallest permitted, or more than max_chords.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
         std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
@@ -96,12 +96,12 @@ class ChordBound {
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        // reach_[0] (sums over chords): largest distance from the moved centre to a window point; [1] (over nodes): in y alone.
+        // Largest distance of a window point from the moved centre: reach_[0] (sums over chords) in x and y, reach_[1] in y alone.
         reach_[0] = window_.reach(tilt_x, tilt_y);
         reach_[1] = window_.rise(tilt_y);
     }
 
-    // Bounds on a curve, for phase Phi and all v in the window: size(): of |Im(Phi + v . rho)|; bend(): of its second derivative.
+    // Bounds for f = Im(Phi + v . rho) along a curve, for phase Phi and all v in the window. size(): on |f|; bend(): on |f''|.
     double size(Sum sum, std::size_t curve) const {
         double total = reach_[at(sum)] * chord_curves.growth[1][curve];
         for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
@@ -120,8 +120,8 @@ class ChordBound {
     // Error bound of the field from a curve on which the integrand is at most e^logarithm.
     ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
 
-    // Error bound of the field from the curve by which the fewest chords or nodes suffice for `error`, if log(integrand) on a curve
-    // is share * size(). The number of chords or nodes is convex in the height of the curve: descent finds its minimum.
+    // Error bound of the field from the curve with the smallest needed(error), if log(integrand) on each curve is `share` times its
+    // bound size(). As needed(error) is convex in the height of the curve, descent finds its minimum.
     ChordLine best(Sum sum, double error, double share) {
         const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
         std::size_t& k = start_[at(sum)];
@@ -146,7 +146,7 @@ class ChordBound {
     double size() const { return size_; }
     double variance() const { return variance_; }
 
-    // Rounding error of phase, kernel and sums in double precision; without extended precision also of nodes and tabulated terms.
+    // Rounding error of phase, kernel and sums in double precision; without extended precision, of nodes and tabulated terms too.
     double rounding() const {
         const double terms = static_cast<double>(terms_.terms.size() + terms_.degree);
         return unit_roundoff * (36.0 + (terms + 7.0) * size_ + 3.0 * reach_[0] + (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_[0]));
@@ -174,7 +174,7 @@ class ChordBound {
                               (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                               std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
-        // Percentage to which the window (with `phases`: and the phase) must shrink for max_chords to suffice with a margin.
+        // Largest window, in percent of this one, for which max_chords suffice with a margin; if `phases`, the phase shrinks alike.
         const auto largest = [&](bool phases) {
             int hundredths = 99;
             for (; hundredths > 0; --hundredths) {

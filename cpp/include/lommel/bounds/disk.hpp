@@ -55,7 +55,8 @@ LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(l
 }
 #endif
 
-// Functions of the height b of a complex curve, at 64 heights; the smallest of the bounds at these heights is used.
+// Functions of b for 64 complex curves; on a curve, the angle phi = a + ib (top of this file) has the fixed imaginary part b. Each
+// curve gives bounds, for example on the tail of a series; the smallest one is used.
 struct ChordCurves {
     static constexpr std::size_t count = 64;
     using Values = std::array<double, count>;
@@ -121,8 +122,8 @@ struct ChordGrowth {
     // Approximate smallest degree n with log tail(n) <= `logarithm`.
     double fewest(double logarithm) const;
 
-    // Bound, on the disk, on |pupil function - its best polynomial of degree d|. The part of degree n of the pupil function is at
-    // most (n+1)^(3/2) times the n-th Chebyshev coefficient of its means over chords.
+    // Bound on |pupil function - polynomial| on the disk, for the best polynomial of degree d. The pupil function's Zernike terms
+    // of degree n sum to at most (n+1)^(3/2) times the bound on the n-th Chebyshev coefficients at the top of this file.
     double distance(std::size_t d) const;
 };
 
@@ -144,7 +145,7 @@ class DiskBounds {
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
-    // Index of the curve with the fewest degrees for an error of the field, if log |pupil function| on it were share * size[k].
+    // Index of the curve with the fewest degrees for an error of the field, if log |pupil function| is `share` times its bound.
     std::size_t likely(double error, double share) const {
         ChordCurves::Values degrees;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
@@ -162,7 +163,7 @@ class DiskBounds {
         }
         return n;
     }
-    // Bound on log |pupil function| on a curve. lower(): subtract `by`, if a smaller bound is proven; size(): return the bound.
+    // Bound on log |pupil function| on a curve. size(): return it; lower(): reduce it by `by`, if the caller has a smaller bound.
     void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
     double size(std::size_t curve) const { return chords_.size[curve]; }
 
@@ -216,7 +217,7 @@ LOMMEL_ONCE double ChordGrowth::distance(std::size_t d) const {
         }
         least = least_at(exponents);
     });
-    // As add() computes a logarithm, it is called only for the smallest exponent, then for those below the minimum so far.
+    // As add() computes a logarithm, it is called for the smallest exponent first, then only for exponents below `best` so far.
     double best = 1e300;
     const auto add = [&](std::size_t k) {
         best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));

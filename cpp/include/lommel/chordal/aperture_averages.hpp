@@ -47,8 +47,8 @@ class ApertureAverages {
    public:
     using More = ChordalDerivatives<Real>;
 
-    // nodes: sampling nodes, and where pixel averages are stored; brightest[pupil]: receives the largest sampled intensity; more:
-    // Zernike terms to differentiate with respect to, may be none; off: error bound of the complex amplitude at the nodes.
+    // nodes: sampling nodes, and the array for the pixel averages; brightest[pupil]: receives the largest sampled intensity; more:
+    // Zernike terms, possibly none, by which averages are differentiated; off: error bound of the complex amplitude at the nodes.
     ApertureAverages(const DiskStack& stack, const ApertureRule& rule, const PixelNodes& nodes, double* brightest,
                      const More& more, double off)
         : stack_(stack), nodes_(nodes), more_(more), off_(off), level_(processor_level()),

@@ -23,7 +23,7 @@
 
 namespace lommel {
 
-// Contribution to a field's pupil amplitude: part `part` of a series times a factor of parity 2 (odd in x) + (odd in y).
+// Contribution to a field's amplitude: part `part` of a series times a factor, odd in y if parity & 1, odd in x if parity & 2.
 struct FieldShare {
     std::int32_t field, parity, part;
 };
@@ -57,7 +57,7 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity that the wave must have so that wave x share's factor x Zernike term has `parity`: parities add modulo 2.
+    // Parity of the wave for which wave x (factor of `share`) x (Zernike term of `set`) has `parity`: parities add modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -393,7 +393,7 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]: index in `parts`
     double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
 
-    // Return whether no field has both even and odd parts, so that the intensity is symmetric. odd: parity bit (1: in y; 2: in x).
+    // Return whether each field has, with its derivatives, one parity in y (odd = 1) or in x (odd = 2): then images are symmetric.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -409,8 +409,8 @@ struct PlaneLight {
         }
         return true;
     }
-    // (by_re * re, by_im * im): part of one parity of a field on a row of one quadrant. The factors hold its sign in that quadrant,
-    // and -i for each of x and y in which it is odd.
+    // Part of a field that has one parity, on a row of one quadrant: (by_re * re[column], by_im * im[column]). Pointers and factors
+    // include the sign of the part in that quadrant, and a factor -i for each of x and y in which it is odd.
     struct Share {
         const double *re, *im;
         double by_re, by_im;

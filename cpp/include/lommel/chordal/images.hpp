@@ -34,25 +34,26 @@ constexpr double max_table_bytes = 402653184.0;  // limit for the Fourier kernel
 
 // Error budget of the complex amplitude U in the image; tol: tolerance of the intensity |U|^2 relative to its peak.
 struct ChordalBudget {
-    // (Error of the amplitude U) / (tol x max |U|). It counts twice in the intensity; 1 - 2 * field: margin of estimated max |U|.
+    // (Allowed error of U) / (tol x estimated max |U|). The relative error of |U|^2 is twice that of U: it stays below tol if
+    // max |U| is at least 2 * field times its estimate.
     static constexpr double field = 0.4;
     static_assert(2.0 * field <= 1.0);
     // Shares of the error of U for the full disk (outer), and for the obscuration of an annular aperture (inner).
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
-    // Largest share of a disk's error for the sum over chords; the rest is for the sum over the nodes of chords.
+    // Largest part of a disk's allowed error that the sum over chords may take; what it leaves is for the sums over nodes.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // Single precision. single: (error of U with rounding) / (tol x estimated max |U|); rounding: largest share of it for rounding.
+    // In single precision. single: (allowed error of U) / (tol x estimated max |U|); rounding: largest part of it due to rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Factors on the allowed error of U if the variance of the phase (rad^2) exceeds `moderate_variance` or `large_variance`: the
-    // peak may be below its estimate, and a second attempt doubles the work. large_factor_single: large_factor in single precision.
+    // Variances of the phase (rad^2) above which max |U| may be below its estimate. The allowed error of U is then multiplied by a
+    // factor, as a second attempt would double the work. large_factor_single: large_factor for the allowed error by `single`.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
-    // Second attempt. retry_least, retry_most: limits of (new / first allowed error of U); retry_single: allowed error of U in
-    // single precision, with rounding, / (tol x computed max |U|).
+    // Second attempt. The allowed error of U is multiplied by a factor of at least retry_least and, if the first attempt was in
+    // double precision, at most retry_most. retry_single: as `single`, but with the computed max |U|.
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // Pixel averages: share of the tolerance for quadrature. The rest is for rounding, which is larger if batches share tables.
+    // For pixel averages: (allowed error of U) / tolerance. The rest is for rounding, which is larger if batches share tables.
     static constexpr double of_nodes = 0.9;
 };
 
@@ -98,7 +99,7 @@ class ChordalRenderer {
         ChordDisk outer, inner;  // error bounds of the full disk, of the obscuration
     };
 
-    // Requested error of the complex amplitude U, `share` of the tolerance. peak: max |U|; for pixel averages tol_ is absolute.
+    // Requested error of U: share * tol_ * peak, with peak = max |U|; for pixel averages, of_nodes * tol_, as tol_ is absolute.
     double requested_error(double share, double peak) const {
         return nodes_ != nullptr ? ChordalBudget::of_nodes * tol_ : share * tol_ * peak;
     }
@@ -113,7 +114,7 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Amplitude error left for quadrature by single-precision rounding; if that rounding is too large, p gets double precision.
+    // Return the error of U allowed for quadrature if sums are in single precision; if that is too small, p gets double precision.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -152,7 +153,7 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Pupils computed together. lone: one pupil, chords in the vector lanes; outer, inner: quadrature on full disk, on obscuration.
+    // Pupils computed together. lone: just one, with chords in the vector lanes. outer: quadrature of the disk; inner: obscuration.
     struct Group {
         std::size_t first, here;
         bool lone;

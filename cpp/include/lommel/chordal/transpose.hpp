@@ -33,7 +33,7 @@ LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t 
     }
 }
 
-// Transpose of the Fourier transform along x: pixels[row][column] -> chords[row][parity in x][chord]; odd parts omit -i.
+// Transpose of the Fourier transform along x: pixels[row][column] -> chords[row][parity in x][chord], without -i for odd parity.
 template <class I, class Real>
 LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
     using V = typename Waves<I, Real>::V;
@@ -99,7 +99,8 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
 }
 
 // Add -2 * share * Im(sum of Z P G over the nodes of a pair of chords) to sums[index in table.classes.order]. Z: Zernike term; P
-// (pupil): pupil function; G (adjoint): transposed Fourier transform of weight x conj(complex amplitude); room: memory.
+// (`pupil`): pupil function; G (`adjoint`): transposed Fourier transform of weight x conj(complex amplitude); share: 1 for the full
+// disk, -(relative area of the obscuration) for the obscuration; room: working memory.
 template <class I, class Real>
 LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                                 Real share, Real* room, Real* sums) {

@@ -47,12 +47,12 @@ class DiskAverages {
     static constexpr double farthest = 16.0;  // largest ratio of error to tolerance assumed in choosing the next box
 
     bool from_rims(const AverageAnswer& answer);
-    // Compute the averages of pupils with boxes of the same side: pixels in the box from nodes, others from the rim. `stack`:
-    // pupils with axes at pixel centres. answer.errors remains infinite if the box fails.
+    // Compute the averages of the pupils `which`, whose boxes have the same side: pixels in a box from nodes, others from the rim.
+    // `stack`: all pupils, with axes at pixel centres. If averages in boxes miss the tolerance, `answer` remains as it is.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
-    // Compute averages from nodes of the window `asked`, which may be a box, with the axes at `centers`; return whether all meet
-    // the tolerance. `alone`: there are no other results yet; it then throws LimitExceeded where a series is faster for all pupils.
+    // Compute averages from nodes of the window `asked` (image or box), with the axes at `centers`; return whether all meet the
+    // tolerance. `alone`: no other results exist yet; with if_cheaper_, LimitExceeded is then thrown if a Zernike series is faster.
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;

@@ -163,9 +163,9 @@ class SampleRows {
     }
 
    private:
-    // square: squared distance of a row from the axis; low, high: zones of its nearest and farthest pixels; first, other:
-    // positions of the nearest pixel by the linear functions of zone `low` and of the next zone. These functions join to a
-    // concave curve, so a position is the smaller of the two.
+    // square: squared distance of a row from the axis; low, high: zones of its nearest and farthest pixels; straight: see Run.
+    // first, other: positions of the nearest pixel computed by the formulas of zone `low` and of the next zone. The smaller one is
+    // right, because the formulas of all zones together are a concave function of the squared distance.
     struct Row {
         double square = 0.0;
         std::size_t low = 0, high = 0;
@@ -184,8 +184,8 @@ class SampleRows {
         return r;
     }
 
-    // Fixed-point contributions of a block of columns to positions: squared distance of column i, less the smallest one, times
-    // the slope of a row's zone (here[i]) and times that of the next zone (next[i]).
+    // Contributions of a block of columns to positions, in fixed point: here[i] = d * (slope of the row's zone) and next[i] =
+    // d * (slope of the next zone), where d is the squared distance of column i less the smallest one in the block.
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;
@@ -204,8 +204,8 @@ class SampleRows {
             }
         }
 
-        // Split each position into the index of its part, times `stride`, and the position in this part. first, other:
-        // position of the nearest pixel by the row's zone and, if `Both`, by the next zone. Returns Run::base.
+        // Split each position into the index of its part, times `stride`, and the position in this part; return Run::base. first,
+        // other: position of the nearest pixel by the formula of the row's zone and, used if `Both`, by that of the next zone.
         template <bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t stride,
                                            std::int32_t* at, float* x) const {

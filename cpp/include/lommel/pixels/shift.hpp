@@ -33,8 +33,8 @@ struct ShiftTable {
         return cache<ShiftTable>.get(of);
     }
 
-    // Compute the derivatives of each pixel by the axis position in y (down) and x (across), per pixel pitch, in whole
-    // vectors, from the intensity at the radii. Returns the rounding error of the polynomials in units of roundoff.
+    // Compute the derivatives of each pixel average by the axis position in y (`down`) and in x (`across`), per pixel pitch, from
+    // the intensity at the radii; both arrays are padded to whole vectors. Returns the polynomials' rounding error in roundoffs.
     double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const;
 
    private:

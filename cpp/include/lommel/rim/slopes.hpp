@@ -106,7 +106,7 @@ struct RimSlopes {
         return degree;
     }
 
-    // Rounding, in units of roundoff, of a step from one derivative of the pupil function to the next, with its sums over terms.
+    // Rounding error, in units of roundoff, of computing the next derivative of the pupil function, including sums over terms.
     double units() const { return static_cast<double>(terms.size() + 4 * degree + 16); }
 
    private:
@@ -279,8 +279,9 @@ struct RimDisk {
     }
 };
 
-// mean[lane]: mean over the disk of |Q_K / rim_scale(K)|^2, Q_K = dbar^K P / P (RimSlopes), K = rim_orders. moduli[lane]: the same
-// with sums of moduli in Q_K, to which rounding errors are relative. Lanes: see rim_powers().
+// mean[lane]: mean over the disk of |q|^2, with q = dbar^K P / (P rim_scale(K)), dbar = d/dx + i d/dy, K = rim_orders, and P the
+// pupil function. moduli[lane]: the same mean if each sum in q is replaced by the sum of the moduli of its summands; rounding
+// errors are relative to it. e: working memory for slopes_of_circle(). Lanes: see rim_powers().
 template <std::size_t Degree, bool Lone, class I>
 LOMMEL_INLINE void mean_of_disk(I isa, const RimDisk& disk, const float* coefficients, float* e, float* mean, float* moduli) {
     using V = typename I::floats;

@@ -15,12 +15,12 @@
 
 namespace lommel {
 
-// Error budget of an image by interpolation between circles: shares of allowed errors and of the tolerance.
+// Error budget of an image by interpolation between circles. U: complex amplitude; I: intensity |U|^2.
 struct PolarBudget {
-    // image: share of the tolerance for the error of I; brighter: factor by which |U| may exceed its estimate from the preview.
+    // image: (allowed error of I) / (tolerance of I); brighter: factor by which |U| may exceed its value in the preview PolarLooks.
     static constexpr double image = 0.9, brighter = 1.15;
-    // Shares of the allowed error of U. promise: largest estimated error with which a PolarStyle is chosen; orders: error due to
-    // omitted azimuthal orders.
+    // As fractions of the allowed error of U: `promise`, the largest estimated error with which a PolarStyle is chosen; `orders`,
+    // the allowed error due to omitted azimuthal orders.
     static constexpr double promise = 0.95, orders = 0.05;
     // The second attempt, if any, aims at retry * tolerance * (tolerance / error bound of the first attempt).
     static constexpr double retry = 0.7;
@@ -48,8 +48,7 @@ struct PolarZone {
 class PolarZones {
    public:
     // Plan zones for pixels at a pitch of `step` in v whose squared distances from the axis, in pixels^2, are `nearest` to
-    // `farthest`, for an error of I of at most `tol` times its maximum at these pixels. Returns false if the errors of the pupil's
-    // expansion or of the most accurate PolarStyle are likely to exceed this.
+    // `farthest`, for an error of I of at most `tol` times its maximum there. Returns false if no PolarStyle is likely to suffice.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol, int threads);
 
     // Compute the field on the circles of all zones.
@@ -59,7 +58,7 @@ class PolarZones {
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
 
    private:
-    // Index of the block with the first (side < 0) or last (side > 0) circle that pixels at the radius v use; 1 covers rounding.
+    // Index of the block with the first (side < 0) or last (side > 0) circle that pixels at radius v use; 1.0: margin for rounding.
     static std::size_t block_at(const PolarStyle& style, double v, double side) {
         const double taken = side * (0.5 * static_cast<double>(style.between) + 1.0);
         return static_cast<std::size_t>(v / style.step() + static_cast<double>(PolarTable::before) + taken) / PolarTable::block;

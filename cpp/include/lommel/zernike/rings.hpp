@@ -45,8 +45,8 @@ inline void fill_powers(double x, double* powers) {
     }
 }
 
-// Matrix onto[power in the piece][power in the ring, highest first]: from the 16 coefficients of a piece to the 8 coefficients of
-// its interpolant at 8 points of a ring. powers_at(x, powers): powers of the piece's coordinate at the ring's coordinate x.
+// Matrix onto[power in the piece][power in the ring, highest first]: maps the 16 coefficients of a piece's polynomial to the 8 of
+// the polynomial equal to it at 8 points of a ring. powers_at(x, powers): writes powers of the piece's coordinate at x in the ring.
 template <class Powers>
 void resample(double* onto, const Powers& powers_at) {
     std::fill(onto, onto + degree_count * ring_degree, 0.0);

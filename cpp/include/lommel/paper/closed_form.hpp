@@ -1,6 +1,6 @@
 // Closed form for the field of a circular pupil (docs/paper.md), as printed or refined. J0 is a power series up to a transition,
-// and an asymptotic form beyond it. On intervals of the pupil radius, phase and amplitude of this form are quadratic: each gives
-// end-point terms and a Fresnel integral.
+// and an asymptotic form beyond it. There phase and amplitude of the integrand are quadratic on intervals of the pupil radius, and
+// each interval contributes end-point terms and a Fresnel integral.
 #pragma once
 
 #include <algorithm>
@@ -164,8 +164,8 @@ class ClosedFormField {
         }
     }
 
-    // Add the integral over pupil radii R from `low` to `high`, with x = v R above the transition and turn = 1 / v. R J0(v R) = x
-    // J0(x) / v, and Re z = (z + conj z) / 2 splits x J0(x) (coefficients c) into two waves e^{+-i (x - pi/4)}.
+    // Add the integral over pupil radii R from `low` to `high`, where x = v R is above the transition; turn: 1 / v. The factor
+    // R J0(v R) is x J0(x) / v, and x J0(x), with coefficients c, is half the sum of a wave in e^{i (x - pi/4)} and its conjugate.
     template <class I>
     LOMMEL_INLINE void add_waves(I isa, double alpha, double beta, typename I::pack v, typename I::pack turn,
                                  const std::complex<double>* c, typename I::pack low, typename I::pack high,

@@ -22,10 +22,10 @@ struct Angles {
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // part: amplitudes [part][angle]; others: phases [angle]
     double error;                                                   // error bound of each part of the field
-    // Derivatives by ln(wavenumber). turning[3][angle]: of fixed, by_depth, by_focus, each minus a constant; change: of `part`.
+    // Derivatives by ln(wavenumber). turning[3][angle]: of fixed, by_depth, by_focus, less a real constant each; change: of part.
     const std::complex<double>*turning = nullptr, *change = nullptr;
 
-    // Rounding error of a sum over angles / sum of the moduli of its terms; of_bessel: that of Bessel functions, in roundoffs.
+    // (Rounding error of a sum over angles) / (sum of its terms' moduli). of_bessel: error of Bessel functions, in roundoffs.
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
 };
 
@@ -59,8 +59,8 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // Write (amplitudes `parts` * exp(i psi)), psi being the phase, to re, im[part * stride + angle], and the sum over angles of
-    // |re| + |im| to sizes[part]. Only evanescent waves, which are few, have a decay exp(-Im psi) to compute.
+    // Write the waves parts[part][angle] * exp(i psi), psi being the phase, to re and im[part * stride + angle], and the sum over
+    // angles of |re| + |im| to sizes[part]. Only for evanescent waves, which are few, Im psi is not 0 and exp(-Im psi) is computed.
     template <class I>
     LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
                              double* im, double* sizes) const {

@@ -92,7 +92,7 @@ class RingImages {
         std::size_t row, angle;  // indices of the circle and of the angle of the first tap
     };
 
-    // Write the interpolation weights to `out`: the polynomials of all taps at x.
+    // Write the interpolation weights out[tap]: the polynomials of RingTaps at x.
     template <class I>
     static LOMMEL_INLINE void weigh(I, const RingTaps& taps, double x, double* out) {
         using V = typename I::pack;

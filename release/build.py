@@ -301,6 +301,16 @@ def before_upload(draft: str) -> list[str]:
         left.append("changes/ has fragments, which release-notes.md shows in a draft: run make changelog and commit.")
     if f"## {version}, unreleased" in log:
         left.append(f"CHANGELOG.md calls {version} unreleased: write the date.")
+    page = (ROOT / "README.md").read_text(encoding="utf-8")
+    if "No release yet" in page:
+        left.append(
+            "README.md, docs/start.md and docs/versions.md say that there is no release: write how it is installed,"
+            " once the name is yours on the package index (a test keeps it out until then)."
+        )
+    if re.search(r"\]\((?!https?:|#)", page) and "urls" not in documents.project()["project"]:
+        left.append(
+            "README.md has relative links and pyproject.toml no [project.urls]: a package index shows neither."
+        )
     if f"v{version}" not in documents.git("tag", "--points-at", "HEAD").split():
         left.append(f"The commit has no tag: git tag v{version}")
     return left

@@ -12,7 +12,8 @@
 
 namespace lommel {
 
-// Arrays over pixels. counted: electrons; recorded, read: variance of the read noise, actual and assumed by the fit; valid: 0 or 1.
+// Arrays over pixels. counted: electrons; recorded, read: variances of the read noise, the actual one and the one assumed by the
+// fit; valid: 0 or 1.
 struct StarCounts {
     const double* counted;
     const double* recorded;
@@ -25,8 +26,9 @@ struct StarLikelihood {
     double deviance = 0.0, expected = 0.0, spread = 0.0;
 };
 
-// Likelihood of electron counts with the Poisson mean flux x images[0] + background and read noise. products[j][k]: inner product
-// of rows j and k; rows: images[1], images[2], ..., images[0], 1 and the residual, all divided by each pixel's standard deviation.
+// Likelihood of electron counts with the mean flux x images[0] + background, Poisson noise and read noise. images[0]: image of the
+// star for unit flux; images[1], images[2], ...: its derivatives. products[j][k]: inner product of rows j and k; rows: images[1],
+// images[2], ..., images[0], 1 and the residual, all divided by each pixel's standard deviation.
 template <class T>
 StarLikelihood star_likelihood(const StarCounts& star, std::size_t pixels, const std::vector<const T*>& images, double flux,
                                double background, double* products) {

@@ -1,5 +1,5 @@
-// Chebyshev polynomials of one small filter, applied to the rows of several images while these are read: the polynomial of each
-// order is computed `reach` rows behind the previous order.
+// Chebyshev polynomials of one small filter, applied to the rows of several images as these are read: the row of each order is
+// computed `reach` rows behind that of the previous order.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +17,16 @@ LOMMEL_INLINE std::size_t mirrored_row(std::ptrdiff_t y, std::size_t side) {
     return static_cast<std::size_t>(y < 0 ? -1 - y : y >= rows ? 2 * rows - 1 - y : y);
 }
 
-// Filters T_m(2 B - 1), with T_m the Chebyshev polynomials of order m = 0 .. degree. B is the product of two equal symmetric
-// filters along rows and columns, with values[k] at distance k = 0 .. reach (1 or 2). All images have mirrored borders.
+// Filters T_m(2 B - 1), with T_m the Chebyshev polynomials of order m = 0 .. degree and B a small smoothing filter: the product of
+// two equal symmetric filters along rows and columns, with values[k] at distance k = 0 .. reach (1 or 2). All images have mirrored
+// borders.
 struct FocalTaps {
     std::size_t degree, reach;
     float values[3];
 };
 
-// Ring buffers of the last rows of several images, filtered by T_m(2 B - 1) (FocalTaps); `margin` floats at both ends of a row.
+// Buffers of the last rows of several images, filtered by T_m(2 B - 1) with the filter B of FocalTaps; each buffer is reused
+// cyclically. margin: number of floats beyond each end of a row.
 class FocalRows {
    public:
     static constexpr std::size_t margin = 32;
@@ -48,7 +50,8 @@ class FocalRows {
         return rows_.data() + image * total_ + starts_[m] + y % lengths_[m] * pitch_ + margin;
     }
 
-    // Compute row y of all images filtered by T_m(2 B - 1), m > 0 (FocalTaps), by the recurrence of Chebyshev polynomials.
+    // Compute row y of all images filtered by T_m(2 B - 1), m > 0, with the filter B of FocalTaps, by the recurrence of Chebyshev
+    // polynomials.
     template <class I>
     LOMMEL_INLINE void step(I isa, std::size_t m, std::size_t y) {
         for (std::size_t image = 0; image < images_; ++image) {

@@ -19,9 +19,9 @@ using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I
 template <class I>
 using Half = Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>;
 
-// PSF windows of one point or of two vertically adjacent points, each a mixture of four windows of a bank, read row by row for one
-// vector of columns, the first of which is `from`. If `Alike`, both points mix the same four windows, which are loaded once.
-// Windows are zero beyond their half width, so the larger half width serves both points.
+// PSF windows of one point or of two vertically adjacent points. Each is a mixture of four windows of a bank; all are read row by
+// row for one vector of columns, the first of which is `from`. If `Alike`, both points mix the same four windows, which are loaded
+// once. Windows are zero beyond their half width, so the larger half width serves both points.
 template <class Vec, class T, std::size_t Points, bool Alike>
 struct Rows {
     using V = Vec;
@@ -85,9 +85,9 @@ struct Column {
     bool hidden;
 };
 
-// Accumulators ("sheets") for the windows of one column of points, [row][column]. Row `widest` (largest half width) is that of
-// the first point; columns count outwards from the points. Windows are symmetric, so one sheet serves both sides unless there is
-// occlusion. Sums at the same cache-aligned addresses for every column take half the time of sums in the image. One spare row
+// Accumulators ("sheets") for the windows of one column of points, [row][column]. Row `widest` (largest half width) is that of the
+// first point; columns count outwards from the points. Windows are symmetric, so without occlusion one sheet serves both sides of
+// the points. Sums at the same cache-aligned addresses for every column take half the time of sums in the image. One spare row
 // serves the last of an odd number of points, which is paired with an empty point.
 template <class I, class T>
 class Sheets {
@@ -145,8 +145,8 @@ class Sheets {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    // Call f(place, right, left) for all vectors of pixels that the points reach. place: offset in a sheet; right, left: fractions
-    // of the layer that pixels to the right and to the left of the points see.
+    // Call f(place, right, left) for all vectors of pixels that the windows of the points reach. place: offset in a sheet; right,
+    // left: fraction of the layer that each pixel right or left of the points sees, (seen - layer) limited to 0 .. 1.
     template <class F>
     LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto middle_mask) LOMMEL_INLINE_LAMBDA {
@@ -165,7 +165,7 @@ class Sheets {
 };
 
 // Forward operator: points add their windows to the image `out`. In a partly occluded layer the windows are summed first; each
-// pixel then receives the fraction of the sum that it sees.
+// pixel then receives the fraction of the sum that it sees (`seen`, see Sheets::shares()).
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
@@ -221,7 +221,7 @@ struct Giving {
                     here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
                 }
                 // Load both sides before storing either: a load that partly overlaps a recent store stalls the processor. The
-                // middle column is in both vectors; `right`, stored last, holds its sum.
+                // vectors of both sides contain the middle column; its sum is in the right one, which is stored last.
                 here = load<W>(out + right) + here;
                 store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * middle_mask));
                 store(out + right, here);

@@ -96,7 +96,8 @@ struct GivingLight {
     }
 
    private:
-    // Add `sum` to `out` at `right` and, mirrored, at `left`. The middle column, in both, is changed only at `right`, stored last.
+    // Add `sum` to `out` at `right` and, mirrored, at `left`. Both vectors of `out` contain the middle column, to which it must be
+    // added once: at `right`, which is stored last.
     template <class W>
     static LOMMEL_INLINE void onto(T* out, T* sum, std::ptrdiff_t right, std::ptrdiff_t left, W middle_mask) {
         const W value = load<W>(sum), here = load<W>(out + right) + value;

@@ -24,20 +24,21 @@ struct FieldWindows {
     std::size_t row() const { return depth * size; }  // stride between adjacent nodes across the field
 };
 
-// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Splines give
-// the windows at an odd number of columns only, the "places". Image column x interpolates by a parabola: it mixes the windows of
-// the three places 2 tiles[x] .. 2 tiles[x] + 2 with the weights shares[x][3].
+// Source pixel (y, x) is image pixel (rows[y], columns[x]), so border extension needs no copy of the image. Splines give PSF
+// windows only at some columns, the "places", an odd number of them. The window of image column x is interpolated between places by
+// a parabola: the sum of the windows at the places 2 tiles[x] .. 2 tiles[x] + 2, times the weights shares[x][3].
 template <class T>
 struct FieldScene {
     const T *down, *places, *shares;  // spline weights: down[image row][node], places[place][node]; shares[column][3]
     const std::int64_t *tiles, *rows, *columns;
     std::size_t count, height, width;  // number of places, rows, columns
     const double *defocus, *breaks;    // defocus[image row][image column]; breaks: ends of the defocus intervals
-    const T* powers;                   // [interval][power][node]: spline weights as polynomials of t = 0 .. 1 in it
+    const T* powers;                   // [interval][power][node]: spline weights as polynomials of t = 0 .. 1 in an interval
     std::size_t across, intervals, order;
 };
 
-// Blur by interpolated PSF windows: source pixels add them to the image (forward) or take inner products with them (adjoint).
+// Blur by interpolated PSF windows: each source pixel adds its window to the image (forward) or takes the inner product of its
+// window with the image (adjoint).
 template <class T>
 class FieldSpreader {
    public:
@@ -78,7 +79,8 @@ class FieldSpreader {
         });
     }
 
-    // Interpolate the windows of scene row y at the columns of FieldScene::places.
+    // Interpolate the windows of scene row y at the places (FieldScene): `nodes`[place][node over defocus][pixel]. across:
+    // workspace.
     template <class I>
     LOMMEL_INLINE void mix_row(I, std::size_t y, T* across, T* nodes) const {
         const std::size_t row = static_cast<std::size_t>(scene_.rows[y]);
@@ -148,8 +150,9 @@ class FieldSpreader {
         }
     }
 
-    // Compute weight[place][defocus node] = value * the weights of the 3 x Order windows in `nodes` that pixel (y, x) mixes; return
-    // the first of these windows. interval: index of the defocus interval at which the search begins, then of the one found.
+    // Compute weight[place][defocus node] = value * the weights of the 3 x Order windows in `nodes` whose sum is the window of
+    // pixel (y, x); return the first of these windows. interval: index of the defocus interval at which the search begins, then of
+    // the one found.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {
@@ -183,7 +186,8 @@ class FieldSpreader {
         return nodes + 2 * static_cast<std::size_t>(scene_.tiles[column]) * bank_.row() + interval * bank_.size;
     }
 
-    // Mix windows, from `first` on. Write the result to `at` or, if `Product`, return its inner product with the image at `at`.
+    // Sum 3 x Order windows, from `first` on, times `weights`. Write the sum to `at` or, if `Product`, return its inner product
+    // with the image pixels at `at`.
     template <class I, std::size_t Order, bool Product>
     LOMMEL_INLINE T mix(const T* weights, const T* first, T* at) const {
         using V = Packed<I, T>;
@@ -255,7 +259,7 @@ class FieldSpreader {
         }
     }
 
-    static constexpr std::size_t most_used = 8;
+    static constexpr std::size_t most_used = 8;  // number of arrays that combine() sums at once
 
     FieldWindows<T> bank_;
     FieldScene<T> scene_;

@@ -177,7 +177,8 @@ class PlaneFilter {
         }
     }
 
-    // Multiply a spectrum x, with re and im exchanged, by the kernel's transfer function (its conjugate if `Transposed`).
+    // Multiply the spectrum x by the kernel's transfer function (its conjugate if `Transposed`). Write the product to y or, if
+    // `Added`, add it to y. In x, re and im are stored in exchanged places; in y they are not.
     template <bool Transposed, bool Added, class I>
     LOMMEL_INLINE void multiply(I, const float* x, std::size_t row, std::size_t group, const PlaneTransfer& kernel,
                                 float* y) const {

@@ -84,8 +84,8 @@ class Bank {
     std::size_t padded() const { return (places_.size() + 1) / 2 * 2; }
     std::size_t layer() const { return layer_; }
     const Place& place(std::size_t k) const { return places_[k]; }
-    // photons(): least-squares photon count, from the inner product of the mean-free image with template k. share(): mean pixel
-    // value, per photon, of the image of template k.
+    // photons(): least-squares photon count, from the inner product `product` of the mean-free image with template k. share(): mean
+    // pixel value, per photon, of the image of template k.
     double photons(std::size_t channel, std::size_t k, double product) const { return product / channels_[channel].norm[k]; }
     double share(std::size_t channel, std::size_t k) const { return channels_[channel].mean[k]; }
 
@@ -117,8 +117,9 @@ class Localizer {
     Localizer(std::vector<Channel> channels, const Limits& limits, const std::vector<Place>& places, std::size_t layer)
         : channels_(std::move(channels)), limits_(limits), bank_(channels_, places, layer) {}
 
-    // Fit `count` molecules from one stack per channel, each from its best template or, if that fit is doubtful, from up to
-    // `starts`. offsets[molecule][channel][row, column]: offset in the map of positions (Channel); tilted: fit a linear background.
+    // Fit `count` molecules from one stack per channel. Each fit starts from the most similar template; if it is doubtful, further
+    // templates are tried, up to `starts` in all. offsets[molecule][channel][row, column]: offset of the channel's positions (see
+    // Channel); tilted: fit a linear background.
     void fit(const std::vector<BoxStack>& stacks, const double* offsets, std::size_t count, int starts, bool tilted,
              int threads, Fitted* fitted) const;
 
@@ -208,7 +209,7 @@ class Localizer {
 
     static constexpr double tried = -1e300;
     static bool in_doubt(const Fitted& fitted) { return fitted.state != FitState::converged || fitted.discrepancy > 2.5; }
-    // Prefer converged fits: a fit that ended otherwise must have a deviance lower by 9; an undetermined fit never wins.
+    // Prefer converged fits: a fit that ended otherwise must have a deviance lower by more than 9; an undetermined fit never wins.
     static bool better(const Fitted& a, const Fitted& b) {
         const auto cost = [](const Fitted& each) {
             return each.deviance + (each.state == FitState::converged      ? 0.0

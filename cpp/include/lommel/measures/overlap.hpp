@@ -110,7 +110,8 @@ class Overlap {
         shift();
     }
 
-    // Larger of the estimated maxima of |dD/du| and |dD/dy|, with D the integrand's phase, in radians per radius of the aperture.
+    // Larger of the estimated maxima of |dD/du| and |dD/dy|, in radians per radius of the aperture. D(u, y): phase of the integrand
+    // of the OTF (top of the file), with u the coordinate along the frequency and y that perpendicular to it.
     double run() const { return std::max(across_, down_); }
 
     // Estimated number of nodes of at(f), a measure of its time.
@@ -121,7 +122,7 @@ class Overlap {
                (25.0 + 0.25 * end * (across * height + down)) * (eps_ > 0.0 ? 1.7 : 1.0);
     }
 
-    // Integral of exp(i D(u, y)) over u from `low` to `high`, with D the phase of the integrand.
+    // Integral of exp(i D(u, y)) over u from `low` to `high`, with D(u, y) as for run().
     std::complex<double> along(double y, double low, double high) {
         re_ = im_ = 0.0;
         pieces(across_ * (high - low), [&](const Rule& rule, double first, double part) {
@@ -130,7 +131,8 @@ class Overlap {
         return {re_, im_};
     }
 
-    // Phase, x along frequency f. powers(): coefficients [power of x][power of y] to degree(); slope(): estimated largest gradient.
+    // Phase of the pupil, x along the frequency. powers(): coefficients [power of x][power of y] to degree(); slope(): estimated
+    // largest gradient.
     const std::array<Line, most + 1>& powers() const { return powers_; }
     double slope() const { return steepest_; }
     std::size_t degree() const { return degree_; }
@@ -159,7 +161,8 @@ class Overlap {
    private:
     static constexpr std::size_t size = most + 1;
 
-    // Call use(rule, start, length) for pieces of [0, 1], each with a rule for its change of phase. radians: change over [0, 1].
+    // Call use(rule, start, length) for equal pieces of [0, 1], with a rule for the change of phase on one piece. radians: change
+    // over [0, 1].
     template <class Use>
     void pieces(double radians, Use use) const {
         const std::size_t count = 1 + static_cast<std::size_t>(radians / 600.0);

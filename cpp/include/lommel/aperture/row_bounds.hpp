@@ -31,7 +31,8 @@ struct ComplexDisc {
     }
     friend ComplexDisc operator*(std::complex<double> a, ComplexDisc b) { return {a * b.centre, modulus(a) * b.radius}; }
     friend ComplexDisc operator*(double a, ComplexDisc b) { return {a * b.centre, std::abs(a) * b.radius}; }
-    // Square roots of the disc, principal branch; not continuous on discs that contain 0.
+    // Disc that contains the square roots of the points of this disc: by the branch that is principal at its centre and continuous
+    // on it or, if this disc contains 0, where no branch is continuous, all square roots.
     ComplexDisc root() const {
         if (modulus(centre) <= radius) {
             return {0.0, std::sqrt(largest())};
@@ -97,9 +98,9 @@ struct GaussNodes {
     static constexpr double none = 1e9;
 };
 
-// Bound on a function over the upper half of the ellipse with semi-axes cosh eta and sinh eta; at(disc) bounds the function over a
-// disc around an arc. The arc with the largest bound is halved until this bound is close to a value of the function, or the value
-// exceeds `limit`.
+// Bound on a function over the upper half of the ellipse with semi-axes cosh eta and sinh eta; at(disc): bound on it over a disc
+// that contains an arc of the ellipse. The arc with the largest bound is halved until this bound is close to a value of the
+// function, or until such a value exceeds `limit`: then 1e301 is returned.
 template <class At>
 double largest_on_ellipse(double eta, double limit, const At& at) {
     constexpr std::size_t first = 8, most = 96;
@@ -137,8 +138,8 @@ double largest_on_ellipse(double eta, double limit, const At& at) {
     return arcs[0].bound;
 }
 
-// Map from s in [-1, 1] to y over a panel. root = 0: linear; root = -1 or 1: an arc begins at the low or high end, and the distance
-// from this end is length * ((1 + s) / 2)^2, which removes the square root of the arc.
+// Map from s in [-1, 1] to y over a panel (range of heights y, see Panel). root = 0: linear; root = -1 or 1: an arc begins at the
+// low or high end, and the distance from this end is length * ((1 + s) / 2)^2, which removes the square root of the arc.
 class PanelMap {
    public:
     PanelMap(double low, double high, int root)

@@ -99,7 +99,7 @@ LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
     return static_cast<std::size_t>(std::find(values.begin(), values.end() - 1, least) - values.begin());
 }
 
-// size[k]: bound on log |pupil function| on the complex curve at height b[k].
+// size[k]: bound on log |pupil function| on the complex curve on which the angle has the imaginary part b[k].
 struct ChordGrowth {
     ChordCurves::Values size{};
 
@@ -109,7 +109,8 @@ struct ChordGrowth {
             size[k] += amplitude * growth[k];
         }
     }
-    // Add the bound on the amplitude: on a chord at height b, rho^2 stays in the ellipse of Amplitude::growth() with c = cosh 2b.
+    // Add the bound on the amplitude: where the angle has the imaginary part b, rho^2 stays in the ellipse of Amplitude::growth()
+    // with c = cosh 2b.
     void add(const Amplitude& light) {
         for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
             size[k] += light.growth(chord_curves.cosh[k]);

@@ -23,7 +23,10 @@
 
 namespace lommel {
 
-// Functions of eta, the size of an ellipse, for 40 ellipses; the smallest of their bounds is used. sin, cos: of sampled angles.
+// Quantities of 40 ellipses (top of the file), each given by its eta. Every ellipse gives a bound, and the smallest bound is used.
+// decay: e^-eta. Logarithms: closed, of 1 / (1 - e^-eta); perimeter, of a bound on (perimeter / pi) / (1 - e^{-2 eta}) for
+// semi-axes cosh eta, sinh eta; quadrature, of the factor that depends on eta alone in the bound on the error of Gauss quadrature.
+// sin, cos: of sampled angles theta.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
     std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
@@ -203,7 +206,7 @@ class Ellipses {
 
     static inline const EllipseGrid& grid = ellipse_grid;
 
-    std::array<double, count> g_;
+    std::array<double, count> g_;  // [ellipse]: bound on log |function on it|
 };
 
 // Bound for all image radii v <= reach on the sum over k = m, m + step, m + 2 step, ... of k^power |2 J_k(v) / v|. Such a sum

@@ -80,13 +80,15 @@ inline double turning_error(double reach, double order, double spacing) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Error of interpolating the average of f (top of file) over a square in cos(4 azimuth of its centre), from `angles` azimuths.
+// Average of f (top of file) over a square: error of interpolating it in cos(4 azimuth of the square's centre), from `angles`
+// azimuths.
 inline double harmonics_error(double side, std::size_t angles) {
     return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
 }
 
-// Error of interpolating (average of f over one side of a square) - (average over the opposite side) in the azimuth of the square's
-// centre, by the `angles` lowest odd orders from `angles` azimuths (docs/certificate.md, section 15). f: as at the top of the file.
+// D = (average of f over one side of a square) - (average over the opposite side), as a function of the azimuth of the square's
+// centre; f: as at the top of the file. Error of interpolating D by its `angles` lowest odd orders, from `angles` azimuths
+// (docs/certificate.md, section 15).
 inline double shift_harmonics_error(double side, std::size_t angles) {
     return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }

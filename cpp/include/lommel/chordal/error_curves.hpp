@@ -1,5 +1,5 @@
-// Error bounds of quadrature along chords of the pupil, for a stack of pupils. They need the maximum of the integrand on a complex
-// curve, which is chosen here and, if that saves time, sampled (docs/certificate.md, section 8).
+// Error bounds of quadrature along chords of the pupil, for a stack of pupils. They need a bound on the integrand on a complex
+// curve. The curve is chosen here; if that saves time, the integrand is sampled on it (docs/certificate.md, section 8).
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,9 @@
 
 namespace lommel {
 
-// Error bound of one of the two sums of the quadrature, over chords or over the nodes of a chord. line: bound in use; curve: index
-// of the complex curve to be sampled; bend: bound on the second derivatives of log(integrand) on this curve.
+// Error bound of one of the two sums of the quadrature, over chords or over the nodes of a chord. line: best bound found so far;
+// curve: index of the complex curve on which the integrand may be sampled for a better one; bend: bound on the second derivatives
+// of log(integrand) on this curve.
 struct ChordSide {
     ChordLine line;
     std::size_t curve = 0;
@@ -56,8 +57,8 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // Set disk(p) for each pupil p: the error bounds by which the fewest chords and nodes suffice for an error of error(p, bound).
-    // radius: of the disk, in aperture radii.
+    // For each pupil p, set disk(p) to those error bounds by which the fewest chords and nodes suffice, for an error of error(p,
+    // bound). radius: radius of the disk, in aperture radii.
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer
@@ -147,7 +148,7 @@ class ChordLines {
 
     const DiskStack& stack_;
     TermPairs terms_;
-    VBox box_, around_;  // extent of the window; box rounded outwards to whole pixels, the same for small shifts of the axis
+    VBox box_, around_;  // window; window rounded outwards to whole pixels, the same for small shifts of the axis
     double rows_, pixels_;
     int threads_;
 };

@@ -21,11 +21,12 @@
 
 namespace lommel {
 
-// Samples (x, y) = (cos(a), sin(a) cos(tau)) at equal steps of two angles from 0 to pi/2; a (sum over chords) or tau (over nodes)
-// has the imaginary part b. Stored: the Zernike terms and, for each corner of the window, the weights in the mean of |integrand|.
-// A sample also represents its mirror images (+-x, +-y) and their complex conjugates.
+// Samples (x, y) = (cos(a), sin(a) cos(tau)) at equal steps of two angles a, tau from 0 to pi/2. To bound the error of the sum over
+// chords, a is shifted by i b; to bound that of the sums over the nodes of a chord, tau is; b = chord_curves.b[curve]. Stored at
+// each sample: imaginary parts of the Zernike terms and, for each corner of the window, weights for the mean of |integrand|. A
+// sample also represents its mirror images (+-x, +-y) and their complex conjugates.
 struct SharpTable {
-    static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;
+    static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;  // places: weights per sample
     static constexpr std::size_t tile = 16;  // samples per tile: a multiple of the lanes of any SIMD vector
     static constexpr double single = 5.9604644775390625e-08;  // unit roundoff of float
 
@@ -46,7 +47,7 @@ struct SharpTable {
 
     // Number of sampling steps in a quarter turn; degree: largest radial degree of the Zernike terms.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
-    // Return whether the imaginary parts of Zernike terms, at most sinh(degree * b) on the curve, are well within float's range.
+    // Return whether the imaginary parts of Zernike terms, at most sinh(degree * b) for this curve, are well within float's range.
     static bool serves(std::size_t degree, std::size_t curve) {
         return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
@@ -82,9 +83,9 @@ struct SharpTable {
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
 
    private:
-    // Weights of samples along the first angle a (x = cos(a)), halved where a sample is its own mirror image. If the sum is over
-    // chords, they are proportional to |sin(a + ib)|^2, with the imaginary part b of the angle. If it is over nodes, each chord's
-    // weight is divided between the two nearest samples; a sample's weight is the maximum over all numbers of chords.
+    // Weights of samples along the first angle a (x = cos(a)), halved where a sample is its own mirror image. For the sum over
+    // chords, they are proportional to |sin(a + ib)|^2. For the sum over nodes, each chord's weight is divided between the two
+    // nearest samples; a sample's weight is the maximum over all numbers of chords.
     std::vector<double> firsts(std::size_t last) const {
         std::vector<double> found(last + 1);
         if (sum == Sum::chords) {
@@ -111,7 +112,8 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of samples along tau, the second angle. Sum over chords: they give a mean over y ~ cos tau; sum over nodes: over tau.
+    // Weights of samples along tau, the second angle. For the sum over chords, they give a mean over y ~ cos(tau); for that over
+    // nodes, over tau.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -172,10 +174,10 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// Compute for each pupil, of phase Phi, tops: max |Im Phi| over the samples r; means: mean of |exp(i (Phi - v . r))| over them for
-// the corner v of the window that gives the largest mean, divided by exp(tops + table.scale) to stay within single precision.
-// coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector lanes are pupils or, with `Lone`,
-// samples of one pupil. room: working memory, table.room() vectors.
+// Compute for each pupil, of phase Phi, over the samples r: tops, the maximum of |Im Phi|; means, the mean of |exp(i Phi - i v .
+// r)| for the corner v of the window that gives the largest mean, divided by exp(tops + table.scale) to stay within single
+// precision. coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector lanes are pupils or, with
+// `Lone`, samples of one pupil. room: working memory, table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;

@@ -13,6 +13,7 @@
 
 namespace lommel {
 
+// Table of Zernike terms at the nodes of the quadrant x, y > 0.
 struct FactorTable {
     ChordCount count;
     std::vector<ZernikeTerm> terms;
@@ -45,7 +46,8 @@ struct FactorTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
-// Products of `here` pupils and `count` Zernike terms (table.classes.order, from index `first` on), one in each of `lanes` lanes.
+// Products (pupil function) x (Zernike term), each in a lane of its own, for `here` pupils and `count` terms (of
+// table.classes.order, from index `first` on). lanes: number of lanes of a vector.
 struct FactorLanes {
     const FactorTable& table;
     std::size_t here, lanes, first, count;
@@ -64,8 +66,9 @@ struct FactorLanes {
     }
 };
 
-// Multiply the pupil function at a pair of chords (`nodes`) by the Zernike term of each lane; write the product to `to`. Its parity
-// in x or y is the sum of the factors' parities modulo 2. room: Zernike terms, [parity][node][lane], 0 before the first chord.
+// Multiply the pupil function at a pair of chords (`nodes`) by the Zernike term of each lane; write the product to `to`. In x and
+// in y, the parity of the product is the sum of the factors' parities modulo 2. room: Zernike terms, [parity][node][lane], 0 before
+// the first chord.
 template <class I, class Real>
 LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room, Real* to) {
     using V = typename Waves<I, Real>::V;

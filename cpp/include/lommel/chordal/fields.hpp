@@ -23,13 +23,14 @@
 
 namespace lommel {
 
-// Contribution to a field's amplitude: part `part` of a series times a factor, odd in y if parity & 1, odd in x if parity & 2.
+// Contribution to a field's amplitude: part `part` (a range of terms) of an amplitude series, times a factor. The factor is odd in
+// y if parity & 1, odd in x if parity & 2.
 struct FieldShare {
     std::int32_t field, parity, part;
 };
 
 // Pupil functions of a set of fields. series: index of their amplitude series; term: index of a Zernike term Z for a factor i Z,
-// negative for none; kind: first index of NodeSeries::waves.
+// negative for none; kind: first index of NodeSeries::waves, 0 for exp(i W), 1 for i W exp(i W) / largest (fold_waves()).
 struct FieldSet {
     std::int32_t series, term, kind;
 };
@@ -57,7 +58,8 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity of the wave for which wave x (factor of `share`) x (Zernike term of `set`) has `parity`: parities add modulo 2.
+    // Parity of the part of a wave that, times the factor of `share` and the Zernike term of `set`, has `parity`: parities add
+    // modulo 2.
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -65,8 +67,9 @@ struct NodeSeries {
     std::size_t parts_size() const { return 2 * ends.size() * nodes(); }
 };
 
-// Waves exp(i W) x node weights, split by parity in x and y: to[parity][node]. Phase W: sum over j < count of edge[j] x
-// terms[j][node], where terms[j] has the parity parities[j]. If largest > 0, also i W exp(i W) / largest, from to[stride] on.
+// Waves exp(i W) x node weights, split into parts even or odd in x and in y: to[parity][node]. Phase W: sum over j < count of
+// edge[j] x terms[j][node], where edge[j] is the coefficient of a Zernike term of parity parities[j]. If largest > 0, a bound on
+// |W|, also i W exp(i W) / largest, from to[stride] on.
 void fold_waves(Level level, std::size_t nodes, const double* terms, const std::int32_t* parities, std::size_t count,
                 const double* edge, const double* weights, double largest, std::complex<double>* to, std::size_t stride);
 #if defined(LOMMEL_DEFINES)
@@ -175,7 +178,8 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// One parity of a field's pupil function: re[node], im[node]. own: nonzero parities of the plane's wave; parts: from sum_series().
+// Part of a field's pupil function with this `parity`: re[node], im[node]. own[p]: whether the part of the plane's wave with parity
+// p is nonzero; parts: results of sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -208,7 +212,7 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
 }
 
 // Write the pupil function of one field at a pair of chords at +-x to one vector lane of nodes[parity in y][node][parity in x][re,
-// im][lane]. parts: pupil amplitudes from sum_series(); room: working memory.
+// im][lane]. parts: results of sum_series(); room: working memory.
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -256,7 +260,8 @@ inline void place_field(Level level, const NodeSeries& given, std::size_t plane,
     }
 }
 
-// [kind][wave][parity]: true if this parity of the wave is nonzero. For a wavefront even in x or in y two of four parities vanish.
+// [kind][wave][parity]: true if the part of the wave with this parity is nonzero. For a wavefront even in x or in y, two of four
+// parts vanish. kind: 0 for exp(i W), 1 for i W exp(i W) / largest (fold_waves()).
 using Parities = std::vector<std::array<bool, 4>>;
 
 inline Parities wave_parities(const NodeSeries& given) {
@@ -278,7 +283,8 @@ struct FieldPart {
     std::size_t plane, set, field, parity;
 };
 
-// Nonzero parities of all fields in `planes` planes from plane `first` on, sorted by parity, in batches of at most one SIMD vector.
+// Nonzero parts, each of one parity, of all fields in `planes` planes from plane `first` on: sorted by parity, in batches of at
+// most one SIMD vector.
 struct FieldParts {
     static constexpr std::size_t none = WindowAxis::none;
     const Parities& waves;
@@ -324,8 +330,8 @@ struct FieldParts {
 // Number of distinct distances of pixel columns from the optical axis, rounded up to whole SIMD vectors.
 inline std::size_t padded(const WindowAxis& columns) { return (columns.at.size() + row_lanes - 1) / row_lanes * row_lanes; }
 
-// Fourier transform of each element of wanted.list (one parity of a field), at all distances of rows and columns from the optical
-// axis: to[element][row][re, im][column], rows padded with zeros.
+// Fourier transform of each element of wanted.list (the part of a field with one parity), at all distances of rows and columns from
+// the optical axis: to[element][row][re, im][column], rows padded with zeros.
 inline void part_fields(Level level, const NodeSeries& given, const FieldParts& wanted, const KernelTable<double>& kernel,
                         int threads, double* to) {
     using Kernels = ChordKernels<double>;
@@ -393,7 +399,8 @@ struct PlaneLight {
     const std::size_t* place;  // [set][field][parity]: index in `parts`
     double *values, *largest;  // results from this plane on, [set][plane][row][column]; [set][plane][field]
 
-    // Return whether each field has, with its derivatives, one parity in y (odd = 1) or in x (odd = 2): then images are symmetric.
+    // Return whether each field and its derivatives have parts of only one parity in y (odd = 1) or in x (odd = 2): then images are
+    // symmetric.
     bool alike(std::size_t odd) const {
         for (std::size_t field = 0; field < given.fields; ++field) {
             bool seen[2] = {};
@@ -409,7 +416,7 @@ struct PlaneLight {
         }
         return true;
     }
-    // Part of a field that has one parity, on a row of one quadrant: (by_re * re[column], by_im * im[column]). Pointers and factors
+    // Part of a field with one parity, on a row of one quadrant: (by_re * re[column], by_im * im[column]). Pointers and factors
     // include the sign of the part in that quadrant, and a factor -i for each of x and y in which it is odd.
     struct Share {
         const double *re, *im;
@@ -509,7 +516,7 @@ struct PlaneLight {
     }
 };
 
-// Intensities and derivatives as from node_light(), for fields with all four parities: these are transformed together.
+// As node_light(), for fields that have parts of all four parities: these parts are transformed together.
 inline void full_light(const NodeSeries& given, const DiskWindow& window, int threads, double* values, double* largest) {
     using Kernels = ChordKernels<double>;
     const Level level = processor_level();

@@ -44,16 +44,19 @@ struct ChordalBudget {
     // Largest part of a disk's allowed error that the sum over chords may take; what it leaves is for the sums over nodes.
     static constexpr double chords = 0.7;
     static_assert(chords < 1.0);
-    // In single precision. single: (allowed error of U) / (tol x estimated max |U|); rounding: largest part of it due to rounding.
+    // In single precision. single: (allowed error of U) / (tol x estimated max |U|); rounding: largest fraction of this error for
+    // rounding.
     static constexpr double single = 0.6, rounding = 0.7;
-    // Variances of the phase (rad^2) above which max |U| may be below its estimate. The allowed error of U is then multiplied by a
-    // factor, as a second attempt would double the work. large_factor_single: large_factor for the allowed error by `single`.
+    // Variances of the phase (rad^2) above which max |U| may be below its estimate. The allowed error of U is then reduced, as a
+    // second attempt would double the work: by moderate_factor above moderate_variance; above large_variance instead by
+    // large_factor or, in single precision, by large_factor_single.
     static constexpr double moderate_variance = 4.0, moderate_factor = 0.75, large_variance = 100.0, large_factor = 0.25,
                             large_factor_single = 0.7;
-    // Second attempt. The allowed error of U is multiplied by a factor of at least retry_least and, if the first attempt was in
-    // double precision, at most retry_most. retry_single: as `single`, but with the computed max |U|.
+    // Second attempt: the allowed error of U is multiplied by a factor of at least retry_least and, if the first attempt was in
+    // double precision, at most retry_most. retry_single: as `single`, but relative to tol x computed max |U|.
     static constexpr double retry_most = 0.3, retry_least = 1e-3, retry_single = 0.47;
-    // For pixel averages: (allowed error of U) / tolerance. The rest is for rounding, which is larger if batches share tables.
+    // For pixel averages: (allowed error of U) / tolerance. The rest of the tolerance is for rounding, which is larger if batches
+    // share tables.
     static constexpr double of_nodes = 0.9;
 };
 
@@ -89,13 +92,14 @@ class ChordalRenderer {
     }
 
    private:
-    // State of a pupil. error: requested error of the complex amplitude; relative: error bound of the image; peak: peak intensity.
+    // State of a pupil. error: requested error of the complex amplitude U; relative: error bound of the image, relative to its
+    // peak, but for pixel averages the error bound of U; peak: peak intensity.
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         bool at_rounding = false;                  // the requested error is as small as rounding permits
         bool retried = false;                        // in a second attempt, as the first missed the tolerance
         bool single = sizeof(T) == sizeof(float);  // sums are in single precision
-        double in_single = 0.0;  // allowed error of the complex amplitude in single precision, with rounding
+        double in_single = 0.0;  // allowed error of U in single precision, rounding included
         ChordDisk outer, inner;  // error bounds of the full disk, of the obscuration
     };
 
@@ -114,7 +118,8 @@ class ChordalRenderer {
                        : 0.0);
     }
 
-    // Return the error of U allowed for quadrature if sums are in single precision; if that is too small, p gets double precision.
+    // Keep single precision for pupil p only if its rounding error is at most the fraction ChordalBudget::rounding of the allowed
+    // error. Return the error of U that is allowed for quadrature.
     double single_request(std::size_t p) {
         State& s = states_[p];
         const double chords = s.outer.chords.line.times(degree_).needed(s.error);
@@ -153,7 +158,8 @@ class ChordalRenderer {
         return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_, lanes);
     }
 
-    // Pupils computed together. lone: just one, with chords in the vector lanes. outer: quadrature of the disk; inner: obscuration.
+    // Pupils computed together. lone: just one, with chords in the vector lanes. outer, inner: quadrature of the full disk, of the
+    // obscuration.
     struct Group {
         std::size_t first, here;
         bool lone;
@@ -165,7 +171,8 @@ class ChordalRenderer {
             inner.include(other.inner);
         }
     };
-    // Give neighbouring groups the same quadrature and tables, unless a group would get more than `more` times its own nodes.
+    // Give neighbouring groups the same quadrature and tables, unless a group would then get more than `more` times as many nodes
+    // as it needs.
     static void share(std::vector<Group>& groups, double more) {
         for (std::size_t first = 0, end = 0; first < groups.size(); first = end) {
             Group all = groups[first];
@@ -363,7 +370,7 @@ class ChordalRenderer {
         return sum;
     }
 
-    // Estimate times of this method (costs_.first; `singles` pupils in float) and of a Zernike series (costs_.second).
+    // Estimate times of this method (costs_.first; the first `singles` pupils in float) and of a Zernike series (costs_.second).
     void weigh(const std::vector<std::size_t>& pending, std::size_t singles) {
         const double count = static_cast<double>(stack_.count);
         costs_.first = 8800.0 + 49.0 * count * static_cast<double>(stack_.terms.size()) +

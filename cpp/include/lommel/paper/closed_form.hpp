@@ -1,6 +1,6 @@
 // Closed form for the field of a circular pupil (docs/paper.md), as printed or refined. J0 is a power series up to a transition,
-// and an asymptotic form beyond it. There phase and amplitude of the integrand are quadratic on intervals of the pupil radius, and
-// each interval contributes end-point terms and a Fresnel integral.
+// and an asymptotic form beyond it. In the latter, phase and amplitude of the integrand are quadratic on intervals of the pupil
+// radius, and each interval contributes end-point terms and a Fresnel integral.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@
 
 namespace lommel {
 
-// Pieces of the phases Phi of a stack of pupils, R the pupil radius from 0 to 1. On edges[i] <= R < edges[i + 1], Phi is about
-// alpha R^2 + beta R plus a constant; turns: 2 exp(i constant). alpha, beta, turns: [pupil][piece].
+// Pieces (intervals of the pupil radius R = 0 .. 1) of the phases Phi of a stack of pupils. On edges[i] <= R < edges[i + 1], Phi is
+// about alpha R^2 + beta R plus a constant; turns: 2 exp(i constant). alpha, beta, turns: [pupil][piece].
 struct PhasePieces {
     const double *edges, *alpha, *beta;
     const std::complex<double>* turns;
@@ -40,7 +40,8 @@ struct BesselExponentials {
     std::size_t count, terms;
 };
 
-// Evaluation of the Fresnel integral: by the table, if it has samples; else by a series of `terms` terms; to rounding if terms = 0.
+// Evaluation of the Fresnel integral: by the table, if it has samples; else by a series of `terms` terms or, if terms = 0, to full
+// double precision.
 struct FresnelForm {
     std::size_t terms;
     FresnelTable table;

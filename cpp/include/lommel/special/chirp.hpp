@@ -20,7 +20,7 @@ struct ChirpMoments {
 constexpr double nearly_linear = 0.025;
 
 // moments[k] = int_{-1}^1 x^k exp(i q x) dx, k = 0 .. 16, for several q at once, divided by i for odd k, so that all are real. By
-// the recurrence of partial integration: upwards in k if |q| >= 2, where it is stable, otherwise downwards from 0 at k = 24.
+// the recurrence from integration by parts: upwards in k if |q| >= 2, where it is stable, otherwise downwards from 0 at k = 24.
 template <class I, std::size_t count>
 LOMMEL_INLINE void wave_moments(I isa, const typename I::pack (&q)[count], typename I::pack (&moments)[17][count]) {
     using V = typename I::pack;
@@ -159,7 +159,7 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
         ChirpMoments<I>& m = out[n];
         m.re[0] = x;
         m.im[0] = y;
-        // Moments 1 and 2 follow from moment 0 by partial integration; by = -1 / (2 a), shift = b / (2 a).
+        // Moments 1 and 2 follow from moment 0 by integration by parts; by = -1 / (2 a), shift = b / (2 a).
         m.re[1] = zero - by * (s[1] - s[0]) - shift * x;
         m.im[1] = by * (c[1] - c[0]) - shift * y;
         m.re[2] = zero - by * (high * s[1] - low * s[0] - y) - shift * m.re[1];

@@ -1,6 +1,6 @@
-// One piece of the Bessel table: polynomial interpolation of Bessel functions at Chebyshev points, for as many orders at once as a
-// vector has lanes. A sum is kept as two doubles, a leading part without rounding error and a small rest, so results are as
-// accurate as in a wider type (certificate, section 4).
+// One piece (interval of v) of the Bessel table: polynomial interpolation of Bessel functions at Chebyshev points, for as many
+// orders at once as a vector has lanes. A sum is kept as two doubles, a leading part without rounding error and a small rest, so
+// results are as accurate as in a wider type (certificate, section 4).
 #pragma once
 
 #include <algorithm>
@@ -20,13 +20,15 @@ namespace lommel {
 constexpr std::size_t degree_count = 16;  // coefficients of each polynomial
 
 // Piece of the Bessel table (bessel_table.hpp). Row n: function n of the table, as 16 coefficients of powers of x = -1 .. 1 on the
-// piece; negligible functions have no row. magnitude, azimuthal: bounds on the sum of moduli of all terms of U here (PieceTable).
+// piece; negligible functions have no row. magnitude, azimuthal: bounds on the sum of the moduli of all terms of U on the piece
+// (see PieceTable), for radially symmetric pupils and for sums over azimuthal orders.
 struct Piece {
     Doubles rows;
     double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 
-    // left_out: bound on the contribution of the omitted rows to the field U, for any pupil; most(): number of rows piece s needs.
+    // left_out: bound on the contribution of the omitted rows to the field U, for any pupil; most(): number of rows that piece s
+    // needs.
     static constexpr double left_out = 1e-19;
     static std::size_t most(double width, std::size_t s) { return window_terms(width * static_cast<double>(s + 1), left_out); }
 };

@@ -32,7 +32,8 @@ struct AverageRequest {
 
     std::size_t pixels() const { return height * width; }
     bool divides() const { return scale == 0.0; }
-    // Allowed error of averages before they are stored; 0.4 of it if they are divided by their maximum, which doubles errors.
+    // Allowed error of averages before they are stored: all that rounding in storage leaves of the tolerance, or 0.4 of it if
+    // averages are divided by their maximum, which doubles errors.
     double before_storing() const { return (divides() ? 0.4 : 1.0) * (tol - (1.0 + tol) * storing); }
     double once_stored(double relative) const { return stored(divides() ? normalized_error(relative) : relative, storing); }
 };

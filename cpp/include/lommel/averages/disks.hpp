@@ -22,14 +22,14 @@ namespace lommel {
 
 class DiskAverages {
    public:
-    // `if_cheaper`: throw LimitExceeded if the Zernike series of the caller is estimated to be faster.
+    // `if_cheaper`: throw LimitExceeded if the Zernike series that the caller has is estimated to be faster.
     DiskAverages(const DiskPupils& pupils, const AverageRequest& asked, bool if_cheaper)
         : pupils_(pupils), asked_(asked), if_cheaper_(if_cheaper), all_(pupils.count) {
         std::iota(all_.begin(), all_.end(), std::size_t{0});
     }
     virtual ~DiskAverages() = default;
 
-    // Compute the averages; returns false if no nodes suit the window, or if averages miss the tolerance.
+    // Compute the averages; returns false if no nodes suit the window, or if the averages of a pupil miss the tolerance.
     bool run(const AverageAnswer& answer);
 
    protected:
@@ -41,7 +41,7 @@ class DiskAverages {
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:
-    static constexpr int tries = 3;  // maximum number of boxes for each pupil
+    static constexpr int tries = 3;  // maximum number of box sizes tried for each pupil
     static constexpr double power = 4.0;  // errors fall at least with this power of the side of a box
     static constexpr double worth = 0.9;  // error aimed at with a larger box, as a fraction of the tolerance
     static constexpr double farthest = 16.0;  // largest ratio of error to tolerance assumed in choosing the next box
@@ -51,13 +51,15 @@ class DiskAverages {
     // `stack`: all pupils, with axes at pixel centres. If averages in boxes miss the tolerance, `answer` remains as it is.
     void with_box(const Pupils& which, std::int64_t side, const RimBoxes& boxes, const DiskStack& stack,
                   const AverageAnswer& answer) const;
-    // Compute averages from nodes of the window `asked` (image or box), with the axes at `centers`; return whether all meet the
-    // tolerance. `alone`: no other results exist yet; with if_cheaper_, LimitExceeded is then thrown if a Zernike series is faster.
+    // Compute averages from samples at nodes of the window `asked` (image or box), with the pupils' axes at `centers`; return
+    // whether the averages of all pupils meet the tolerance. `alone`: no other results exist yet; with if_cheaper_, LimitExceeded
+    // is then thrown if a Zernike series is estimated to be faster.
     bool at_nodes(const Pupils& which, const AverageRequest& asked, const std::vector<double>& centers, bool alone,
                   const AverageAnswer& answer) const;
     DiskStack stack_of(const Pupils& which) const;
-    // placed(): stack of pupils with the window's axis at their common centre or, if centres differ, with a tilt for each.
-    // moved(): stack with each axis at a pixel centre.
+    // placed(): stack of pupils whose axes are at `centers`: the window's axis is moved there if these positions are equal;
+    // otherwise each pupil gets a tilt that moves its image there. moved(): stack in which each pupil's axis is moved to the
+    // nearest pixel centre, and a tilt makes up for the rest of the shift.
     DiskStack placed(const Pupils& which, const std::vector<double>& centers, DiskWindow& window) const;
     DiskStack moved(const Pupils& which) const;
     std::vector<double> centers_of(const Pupils& which) const;

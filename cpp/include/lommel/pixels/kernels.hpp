@@ -71,8 +71,8 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
     }
 }
 
-// Compute sums[p][offset + output] for `Together` pupils p and one block of outputs: the sum over nodes of intensity[p][node]
-// times weights[node][output]. Limited by reading the weights, once for all pupils.
+// Compute sums[p][offset + output] for `Together` pupils p and one block of outputs: the sum over nodes of intensity[p][node] times
+// weights[node][output]. Speed is limited by reading the weights, once for all pupils.
 template <std::size_t Together, class I>
 LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, const double* const* intensity,
                                  double* const* sums, std::size_t offset) {
@@ -182,7 +182,7 @@ LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients
     }
 }
 
-// Call take(values) for each harmonic, in ascending order, with the values of its radial polynomial at two vectors of pixels.
+// Call take(values) for each harmonic, lowest first, with the values of its radial polynomial at two vectors of pixels.
 template <bool Odd, class I, class Degree, class V, class Take>
 LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, std::size_t harmonics, const V (&at)[2],
                                  const Take& take) {
@@ -215,7 +215,7 @@ LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, s
 }
 
 // Sum angular harmonics at `count` pixels of a ring. coefficients[harmonic][degree]; x: radial position in the ring, -1 to 1;
-// cosine: cos(4 theta) with the polar angle theta. Limited by arithmetic.
+// cosine: cos(4 theta) with the polar angle theta. Speed is limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                  const double* cosine, std::size_t count, double* out) {
@@ -245,7 +245,7 @@ LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficient
 
 // Sum harmonics of odd order. across: sum over j, k of coefficients[j][k] T_(2k+1)(r) / r cos((2j+1) theta) / cos(theta), with
 // Chebyshev polynomials T, r^2 = (1 + x) / 2 and theta the angle from the x axis; down: the same with theta from the y axis.
-// cosine: cos(2 theta), theta from the x axis. Limited by arithmetic.
+// cosine: cos(2 theta), theta from the x axis. Speed is limited by arithmetic.
 template <class I, class Degree>
 LOMMEL_INLINE void sum_odd_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                      const double* cosine, std::size_t count, double* across, double* down) {

@@ -29,7 +29,7 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
     int level;        // requested accuracy in decimal digits; the error bound is `error`
     std::size_t harmonics = 1, gauss, degree, outputs;
     Doubles weights, penalty;  // weights[block of outputs][radius][output]; penalty[output]: rounding error if this output is 1
-    double error, of_nodes = 1.0, of_grid, rounding;  // error bound; Lebesgue constants: radii, polynomials; rounding error
+    double error, of_nodes = 1.0, of_grid, rounding;  // error bound; Lebesgue constants (radii; polynomials); rounding error
 
     AnywhereTable(double pitch, bool averages, double pixels, int digits);
 
@@ -48,8 +48,8 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
         return cache<AnywhereTable>.get(pitch, averages, pixels, digits);
     }
 
-    // Compute out[pixel], samples or averages, in whole vectors, from the intensity at each radius; returns the rounding error
-    // of the polynomials in units of roundoff. Its speed is limited by the latency of multiply-adds; four chains overlap.
+    // Compute out[pixel], samples or averages, in whole vectors, from the intensity at each radius; returns the rounding error of
+    // the polynomials in units of roundoff. Speed is limited by the latency of multiply-adds; four chains overlap.
     double values(const PixelWindow& window, const double* intensity, int threads, Doubles& scratch, double* out) const;
 
    private:
@@ -68,7 +68,7 @@ struct AnywhereTable : Radii {  // radii at which the intensity is computed, in 
                 cosine[i] = cosine_of_four(dx, dy, square);
             }
         });
-        // Pad x and cosine with the values of the first pixel.
+        // Sums run over whole vectors: padding must hold valid positions.
         std::fill(x + pixels, x + room, x[0]);
         std::fill(cosine + pixels, cosine + room, cosine[0]);
         if (harmonics > 1) {

@@ -53,12 +53,15 @@ class FoldedWindow {
     FoldedSide rows_{1}, columns_{1};
 };
 
-// Positions of a window's pixels. Distances from the axis are divided into pieces, and these into parts; a position counts parts
-// from the middle of the innermost one. It is linear in the distance in zone 0 and, to avoid square roots, linear in the squared
-// distance in each zone farther out. Such a zone ends at twice the distance at which it begins.
+// Positions of a window's pixels. Distances from the axis are divided into intervals (pieces), and these into parts; a pixel's
+// position is its distance, counted in parts from the middle of the innermost part. Zones are ranges of the distance. In zone 0 the
+// position is linear in the distance; in each zone farther out, to avoid square roots, it is linear in the squared distance, and
+// the zone ends at twice the distance at which it begins.
 class SampleRows {
    public:
-    struct Zone {  // begins at this squared distance, in (piece width)^2; position = slope * squared distance + shift
+    // begin: squared distance at which the zone begins, in (piece width)^2. Position = slope * d + shift, with d the squared
+    // distance or, in zone 0, the distance.
+    struct Zone {
         double begin, slope, shift;
     };
     using Zones = std::array<Zone, 40>;  // enough zones for the largest distance allowed; unused ones begin at infinity
@@ -81,14 +84,14 @@ class SampleRows {
     SampleRows(const PixelWindow& window, double width, const Zones& zones)
         : window_(window), pieces_(window.step / width), zones_(zones) {}
 
-    // Compute single-precision positions by integer arithmetic, if their error is then below about `room` optical units;
-    // returns the largest error, in widths of a part of a piece (0: integers are not used).
+    // Compute single-precision positions by integer arithmetic, if the error of the distance is then below about `room` optical
+    // units; returns the largest error of a position, which is in parts (0: integers are not used).
     double by_integers(double room);
-    // Mark single-precision runs as straight if all their pixels are at least `pieces` widths of a piece from the axis; returns an
-    // upper bound on the distance of the pixels in all other runs, in widths of a piece.
+    // Mark single-precision runs as straight if all their pixels are at least `pieces` piece widths from the axis; returns an upper
+    // bound on the distance of the pixels in all other runs, in piece widths.
     double straight_from(double pieces);
 
-    // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part; straight runs have 2 instead.
+    // Call take(run) for all runs of rows [begin, end). Apart: number of coefficients per part; in straight runs there are 2.
     template <class Real, std::uint32_t Apart, class Take>
     LOMMEL_INLINE void each(std::size_t begin, std::size_t end, const Take& take) const {
         constexpr std::size_t block = most_lanes;
@@ -163,9 +166,9 @@ class SampleRows {
     }
 
    private:
-    // square: squared distance of a row from the axis; low, high: zones of its nearest and farthest pixels; straight: see Run.
-    // first, other: positions of the nearest pixel computed by the formulas of zone `low` and of the next zone. The smaller one is
-    // right, because the formulas of all zones together are a concave function of the squared distance.
+    // square: squared distance of a row from the axis; low, high: zones (ranges of the distance) of the row's nearest and farthest
+    // pixels; straight: see Run. first, other: positions of the nearest pixel by the formulas of zone `low` and of the next zone.
+    // The smaller one is right, because the formulas of all zones together are a concave function of the squared distance.
     struct Row {
         double square = 0.0;
         std::size_t low = 0, high = 0;
@@ -184,8 +187,9 @@ class SampleRows {
         return r;
     }
 
-    // Contributions of a block of columns to positions, in fixed point: here[i] = d * (slope of the row's zone) and next[i] =
-    // d * (slope of the next zone), where d is the squared distance of column i less the smallest one in the block.
+    // Contributions of a block of columns to the pixels' positions (see SampleRows), in fixed point: here[i] = d * (slope of the
+    // row's zone), next[i] = d * (slope of the next zone). d: squared distance of column i from the axis less the smallest one in
+    // the block.
     struct Lines {
         alignas(64) std::uint32_t here[longest], next[longest];
         double span = 0.0, unit = 1.0;
@@ -204,8 +208,9 @@ class SampleRows {
             }
         }
 
-        // Split each position into the index of its part, times `stride`, and the position in this part; return Run::base. first,
-        // other: position of the nearest pixel by the formula of the row's zone and, used if `Both`, by that of the next zone.
+        // Split the position of each pixel, counted in parts of pieces, into the index of its part, times `stride`, and the
+        // position in this part; return Run::base. first, other: position of the nearest pixel by the formula of the row's zone
+        // and, used if `Both`, by that of the next zone.
         template <bool Both>
         LOMMEL_INLINE std::ptrdiff_t split(std::size_t padded, double first, double other, std::uint32_t stride,
                                            std::int32_t* at, float* x) const {
@@ -238,7 +243,7 @@ class SampleRows {
     double place_error() const;
 
     PixelWindow window_;
-    double pieces_;  // pixel pitch / width of a piece (interval of the distance)
+    double pieces_;  // pixel pitch / width of a piece of the distance
     Zones zones_;
     std::size_t tile_ = longest;
     bool integers_ = false;

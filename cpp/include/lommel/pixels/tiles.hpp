@@ -58,7 +58,8 @@ class Tiles {
         return made;
     }
 
-    // whole(): whether a tile is in the image in all eight directions; visible(): whether pixel (a, b) is in the given direction.
+    // whole(): whether a tile is in the image in all eight directions; visible(): whether pixel (a, b) is in it in the given
+    // direction.
     bool whole(const Tile& tile) const {
         const std::int64_t most = tile.a + side - 1;
         return most <= std::min(std::min(row, column), std::min(height - 1 - row, width - 1 - column));
@@ -156,7 +157,7 @@ class Tiles {
         }
     }
 
-    // Copy the values of a tile to its place in the image, in all eight directions.
+    // Copy the values of a tile to its squares in the image, in all eight directions.
     template <class T>
     void copy(const Tile& tile, Buffer<T>& buffer, T* image) const {
         // Orientation of the tile in the image, for each direction. turned: transposed, so that a varies along image rows; up:
@@ -198,8 +199,8 @@ class Tiles {
     // Number of squares in the image that a tile fills: on the diagonal a = b, two directions share one.
     static std::size_t squares(const Tile& tile) { return tile.a == tile.b ? directions / 2 : directions; }
 
-    // Call f(line, at, first, end) for each row `line` of a tile's square in direction d, of which columns [first, end) are in
-    // the image. at: image index of the row's column 0, which may be outside.
+    // A tile stands for a square of pixels in each direction d = 0 .. 7. Call f(line, at, first, end) for each row `line` of square
+    // d: its columns [first, end) lie in the image. at: image index of its column 0, which may be outside the image.
     template <class F>
     LOMMEL_INLINE void on_lines(const Tile& tile, std::size_t d, const F& f) const {
         const std::int64_t a = tile.a, b = tile.b, far_a = 1 - side - a, far_b = 1 - side - b;

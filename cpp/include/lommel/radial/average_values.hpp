@@ -102,8 +102,9 @@ inline double make_together(const AnywhereTable& table, const PixelWindows& wind
     return penalty;
 }
 
-// Error bound of a table's values (docs/certificate.md, section 9, "Together"). penalty: rounding of the harmonics. At the radii
-// the intensity is <= size, with an error <= given; its slope along a line is <= slope; it differs from a constant by <= swing.
+// Error bound of a table's values (docs/certificate.md, section 9, "Together"). penalty: rounding error of the harmonics, in
+// roundoffs. Bounds: on the intensity I at the table's radii (size) and on its error there (given), on the derivative of I along
+// any straight line (slope), and on |I - c| for some constant c (swing).
 template <class Table>
 double window_error(const Table& table, double penalty, double size, double given, double slope, double swing) {
     // Error due to rounded distances: 3 roundings of each radius, 6 of each position in a pixel, 4 of each pixel position.

@@ -304,8 +304,9 @@ class CoarseAverages {
     };
 
     // Error bound of averages without interference rings, over pixels of width `step` with edges at distances >= r from the axis.
-    // rings(r) / step^2 is multiplied by the sum of the angles that the four edges subtend at the axis: <= 2 sqrt(2) step / r or,
-    // if the axis is in the pixel, 2 pi <= pi step / r. In that case curved(r) is multiplied by at most pi / 2, else by 1.
+    // The flux through an edge is E (top of the file) times the angle that the edge subtends at the axis: an error rings(r) of E
+    // counts with the sum of the four angles / step^2. This sum is <= 2 sqrt(2) step / r or, if the axis is in the pixel, 2 pi <=
+    // pi step / r. The factor of curved(r) is at most 1 or, if the axis is in the pixel, pi / 2.
     static double left_out(const EnergyTail& tail, double step, double r) {
         return 3.1416 * tail.rings(r) / (r * step) + 1.6 * tail.curved(r);
     }

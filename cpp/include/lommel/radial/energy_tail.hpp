@@ -1,5 +1,5 @@
-// Encircled energy of a radially symmetric pupil far from the axis: mean intensity, falling as r^-3, and bounded interference
-// rings.
+// Encircled energy of a radially symmetric pupil far from the axis: from the mean intensity, which falls as r^-3, with a bound on
+// the contribution of interference rings.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace lommel {
 
-// Beyond the geometric rays, only the edges of the aperture contribute to the field U(v): by partial integration U is a sum of
+// Beyond the geometric rays, only the edges of the aperture contribute to the field U(v): integration by parts gives U as a sum of
 // exp(+- i v) and exp(+- i eps v), eps the relative radius of the obscuration, times powers of 1 / v. The intensity is a smooth
 // mean, mean() / v^3 to leading order, plus interference rings (docs/certificate.md, section 9).
 class EnergyTail {
@@ -68,7 +68,7 @@ class EnergyTail {
     }
 
    private:
-    // terms: number of terms of the partial integration that are expanded in waves; powers: number of coefficients of a wave, one
+    // terms: number of terms of the integration by parts that are expanded in waves; powers: number of coefficients of a wave, one
     // for each power of 1 / v; orders: remainder() uses bounds on derivatives of the pupil function of orders below this number.
     static constexpr std::size_t terms = 6, powers = 14, orders = 33;
 
@@ -124,8 +124,9 @@ class EnergyTail {
         return made;
     }
 
-    // Add the waves of one edge to the field U(v): sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v), E_k the k-th derivative
-    // of the pupil function at the edge. The sign of the inner edge is omitted: neither means nor bounds depend on it.
+    // Add the waves of one edge to the field U(v): sum_k (-1)^k (2 edge / v)^(k+1) E_k J_(k+1)(edge v), with E_k the k-th
+    // derivative of the pupil function with respect to t = rho^2, at the edge. The sign of the inner edge is omitted: neither means
+    // nor bounds depend on it.
     void add_waves(const Phase& phase, double edge) {
         const auto slopes = derivatives(phase, edge);
         Wave forth{edge, {}}, back{-edge, {}};
@@ -157,7 +158,7 @@ class EnergyTail {
         waves_[wave_count_++] = back;
     }
 
-    // Bound the derivatives of the pupil function over the whole aperture.
+    // Bound the derivatives of the pupil function with respect to t = rho^2, over the whole aperture.
     void bound_derivatives(const Phase& phase, double obscuration) {
         std::array<double, orders> slopes{}, series{};
         for (std::size_t j = 1; j <= phase.terms; ++j) {
@@ -182,8 +183,8 @@ class EnergyTail {
         }
     }
 
-    // Bound on the part of the field U at v = r that the waves omit. It falls as r^(-terms - 3/2) or faster, as rings()
-    // requires: partial integration takes at least terms + 1 steps.
+    // Bound on the part of the field U at v = r that the waves omit. It falls as r^(-terms - 3/2) or faster, as rings() requires:
+    // at least terms + 1 steps of integration by parts are taken.
     double remainder(double r) const {
         double sum = 0.0, least = 1e150;
         for (std::size_t i = 0; i < left_count_; ++i) {
@@ -204,7 +205,7 @@ class EnergyTail {
     std::array<Left, 4 * terms> left_{};
     std::size_t wave_count_ = 0, left_count_ = 0;
     std::array<double, 2 * powers> means_{}, rings_{};
-    // After k steps of partial integration, at_edges_[k] bounds edge term * v^(k + 3/2), inside_[k] bounds integral * v^(k + 1/2).
+    // After k steps of integration by parts, at_edges_[k] bounds edge term * v^(k + 3/2), inside_[k] bounds integral * v^(k + 1/2).
     std::array<double, orders> at_edges_{}, inside_{};
 };
 

@@ -24,7 +24,7 @@ double intensities(Field& field, const Places& places, int threads, const TakeIn
 LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     const auto work = [&](Field& own, std::size_t task) {
-        // Values go to a buffer, as whole vectors are stored: they reach past the end of a chunk, where another chunk begins.
+        // Values go to a buffer: whole vectors are stored, which reach past the end of a chunk, where another chunk begins.
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
         double top = 0.0;
@@ -60,8 +60,8 @@ struct Slopes {
     Doubles values;
     double error = 0.0, size = 0.0, steepest = 0.0;  // error bound of the field T; largest |T|^2; largest |values|
 
-    // Compute `values` = dI/dc_k at `places`; `field` must be prepared for the same places. power: the exponent k; requested: error
-    // of the field of t^k times the pupil function, t the squared pupil radius.
+    // Compute `values` = dI/dc_k at `places`, for which `field` must be prepared. k = power: c_k is the coefficient of t^k in the
+    // phase; requested: requested error of the field T.
     Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double requested);
 };
 

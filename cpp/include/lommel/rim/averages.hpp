@@ -39,7 +39,8 @@ class RimStack {
         bool lone;
         std::size_t lanes() const { return RimKernels::lanes(level); }
     };
-    // Division of pupils into batches that fill vectors; the last pupils, if less than a third of a vector, are done one by one.
+    // Division of pupils into batches that fill vectors; if the last pupils would fill less than a third of a vector, they are
+    // computed one by one.
     struct Batches {
         std::size_t count, together, alone;
         explicit Batches(std::size_t pupils) : count(pupils) {

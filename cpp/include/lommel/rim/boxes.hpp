@@ -1,4 +1,5 @@
-// Choice of a box of pixels per pupil: inside, averages come from samples at nodes; outside, from the pupil function on its rim.
+// Choice of a box of pixels for each pupil: in it, averages are computed from samples at nodes; outside, from the pupil function on
+// the rim of the aperture.
 #pragma once
 
 #include <algorithm>
@@ -16,27 +17,29 @@
 
 namespace lommel {
 
-// Choice of box sizes of least estimated computing time, in units of the time of one sample (a node along x, a node along y).
+// Choice of the size of each pupil's box, a square of pixels around the axis, and whether boxes save computing time. Estimated
+// times are in units of the time of one sample, for one pair of a node along x and a node along y.
 class RimBoxes {
    public:
     std::vector<std::int64_t> sides;  // [pupil]: side of its box in pixels, odd; 0: nodes for the whole window
     std::vector<std::int64_t> most;  // [pupil]: largest allowed side of its box; 0: none
-    std::vector<double> remainders, tolerances;  // [pupil]: RimStack::remainders(); tolerances: allowed errors of averages
+    std::vector<double> remainders, tolerances;  // [pupil]: results of RimStack::remainders(); allowed errors of averages
 
     // `tol`: tolerance relative to the largest average. `lowest`: lower bound on (largest average) / (peak).
     RimBoxes(const DiskStack& stack, const DiskWindow& window, double tol, double lowest);
-    // Compute `sides`, and `remainders` for errors outside boxes; returns whether boxes, with the rim for other pixels, save time.
+    // Compute `sides` and `remainders`; returns whether boxes, with the rim for the pixels outside them, save time.
     bool choose(int threads);
 
    private:
     static constexpr std::size_t probed = 16;  // number of pupils in a sample of a large stack
-    // Far pixels are computed from the waves of the rim if the diagonal of the window, in pixels, is at most reach * sqrt(P / s):
-    // P: number of pupils, which share tables; s: pixel pitch in lambda / (2 pi NA).
+    // Pixels outside boxes are computed from the waves of the rim only if the diagonal of the window, in pixels, is at most reach *
+    // sqrt(P / s). P: number of pupils, which share tables; s: pixel pitch in lambda / (2 pi NA).
     static constexpr double reach = 200.0;
     static constexpr double shorter = 0.5;  // factor on `reach` with an obscuration: a pixel then has 3 times as many weights
     static constexpr double shortest = 48.0;  // least value of reach / sqrt(s): small windows gain most
     static constexpr double further = 4.0;  // least value of P, as small stacks often follow one another
-    // Times / (time of one sample). rim (rims): for far pixels of a pupil without (with) obscuration; call: fixed time of a stack.
+    // Times / (time of one sample). rim, rims: for the pixels outside the box of a pupil without, with an obscuration; call: fixed
+    // time of a stack.
     static constexpr double rim = 2500.0, rims = 5500.0, call = 9000.0;
     static constexpr std::int64_t together = 8;  // least number of pupils with boxes of equal side; fewer get larger boxes
     static constexpr double widest = 0.7;  // largest side of a box, relative to the shorter side of the window
@@ -78,7 +81,7 @@ LOMMEL_ONCE RimBoxes::RimBoxes(const DiskStack& stack, const DiskWindow& window,
 LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
     const std::int64_t row = stack_.rows[pupil], column = stack_.columns[pupil], last_row = height_ - 1 - row,
                        last_column = width_ - 1 - column;
-    // Limit the distance of the farthest pixel, with which the size of the tables grows.
+    // Limit the distance of the farthest pixel from the axis: the size of the tables grows with it.
     const double farthest = static_cast<double>(std::max({row, last_row, column, last_column}));
     const double most_pixels = std::max(shortest, (stack_.obscuration > 0.0 ? shorter : 1.0) * reach / std::sqrt(step_));
     if (std::sqrt(2.0) * (2.0 * farthest + 1.0) > most_pixels * std::sqrt(std::max(further, count()))) {
@@ -90,7 +93,7 @@ LOMMEL_ONCE std::int64_t RimBoxes::largest_of(std::size_t pupil) const {
 }
 
 LOMMEL_ONCE double RimBoxes::tolerance_of(std::size_t pupil) const {
-    // tol_ * (estimated largest average), the smaller of an estimate for large and one for small pixels.
+    // tol_ * (estimated largest average). Of two estimates, one for large and one for small pixels, the smaller is used.
     const double variance = phase_variance(stack_.terms, stack_.outer.data() + pupil * stack_.terms.size());
     return tol_ * std::min(4.4 * lowest_ / (1.0 + 0.5 * variance), 0.9 / (1.0 + variance));
 }

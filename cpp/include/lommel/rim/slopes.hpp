@@ -18,7 +18,7 @@
 
 namespace lommel {
 
-constexpr std::size_t rim_orders = 8;        // K: number of partial integrations by Gauss's theorem
+constexpr std::size_t rim_orders = 8;        // K: number of integrations by parts (Gauss's theorem)
 constexpr std::size_t rim_most_degree = 16;  // largest degree of the phase and of the exponent of the amplitude
 constexpr double rim_unit = 32.0;            // factor of rim_scale() for each order, so that derivatives do not overflow
 

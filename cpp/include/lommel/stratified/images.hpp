@@ -28,7 +28,7 @@ namespace lommel {
 template <class T>
 class LayeredImages {
    public:
-    // `allowed`: allowed interpolation error of the intensity, as a share of the peak of a uniform aperture without aberrations.
+    // `allowed`: allowed interpolation error of the intensity, relative to the peak of a uniform aperture without aberrations.
     LayeredImages(const Planes& planes, const PixelWindows& windows, double allowed, int threads, const Answer<T>& answer,
                   const LayeredSlopes<T>& slopes)
         : planes_(planes), windows_(windows), window_(windows.first), allowed_(allowed), answer_(answer), slopes_(slopes) {
@@ -109,7 +109,8 @@ class LayeredImages {
                 size = largest_value(values, table->count);
                 const double off = window_of(*table, windows_[first + p], values, judged, size, made);
                 top = largest_value(made.values.data(), made.count);
-                // Lower bound on the peak. For samples (not averages), the intensity at each radius of the table is one, too.
+                // Lower bound on the peak: the largest value less its error bound. For samples, but not for averages, the intensity
+                // at any radius of the table, less its error bound, is a lower bound as well.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 const double scale = note(first + p, top, peak, off);
                 store_window(*table, made, scale, T{0}, answer_.images + (first + p) * pixels());

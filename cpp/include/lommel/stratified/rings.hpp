@@ -39,8 +39,8 @@ struct RingTaps {
 };
 
 // Interpolation from `angles` equidistant angles on each circle to any position: each circle is replaced by a weighted sum of
-// itself and its neighbours, azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius and along the
-// circles. The interpolation error of order m is at most aliases[m] times its modulus.
+// itself and its neighbours (filter), azimuthal orders m are multiplied by gains[m], then taps interpolate along the radius (along)
+// and along the circles (around). The interpolation error of order m is at most aliases[m] times its modulus.
 struct RingSteps {
     std::size_t angles;
     const double* filter;  // weights of the circle itself, of its neighbours on either side, ...
@@ -70,7 +70,8 @@ class Rings {
         : light_(light), steps_(steps), fft_(steps.angles), finer_(steps.finer()), circles_(light.circles - steps.filters + 1),
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
-    // Compute eight planes from `first` on. row(i): intensities [angle, from -(around.count / 2) on][plane] on circle i - before().
+    // Compute eight planes from `first` on. row(i): intensities [angle][plane] on circle i - steps.before(), negative numbers for
+    // negative radii. The first angle is angle -(steps.around.count / 2), as angles are repeated at both ends of a turn.
     void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }
@@ -203,8 +204,8 @@ class Rings {
         }
     }
 
-    // Interpolate the filtered circles j and j + 1 to twice as many angles, in one complex transform: one circle is the real
-    // part, the other the imaginary part. They stay separate, as the gains are real and equal for orders m and -m.
+    // Interpolate the filtered circles j and j + 1 to twice as many angles, in one complex transform: one circle is the real part,
+    // the other the imaginary part. The circles stay separate, as the gains are real and equal for orders m and -m.
     template <class I>
     LOMMEL_INLINE void spread(I isa, std::size_t j, RingSizes& sizes) {
         using V = typename I::pack;

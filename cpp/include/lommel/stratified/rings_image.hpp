@@ -46,7 +46,7 @@ struct RingNumbers {
 template <class T>
 class RingImages {
    public:
-    static constexpr std::size_t side = 16;  // side of a tile in pixels, whose circles fit in a processor's cache
+    static constexpr std::size_t side = 16;  // side of a tile in pixels; the circles it needs fit in a processor's cache
     static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // limit of the memory for the circles of all planes
 
     RingImages(const RingLight& light, const RingSteps& steps, const RingWindow& window, int threads)
@@ -110,7 +110,7 @@ class RingImages {
         using V = typename I::pack;
         constexpr std::size_t packs = ring_planes / I::lanes;
         const std::size_t height = std::min(side, window_.height - top), width = std::min(side, window_.width - left);
-        // finer: number of angles per turn; turn: number of angles per radian.
+        // finer: number of angles of a circle (2 pi); turn: number of angles in one radian.
         const double finer = static_cast<double>(steps_.finer()), turn = finer / 6.283185307179586477;
         const double* const center = window_.centers + (window_.axes > 1 ? 2 * (first + group.from) : 0);
         Weights weights[side * side];

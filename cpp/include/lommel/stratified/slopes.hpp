@@ -153,7 +153,8 @@ class WindowSlopes {
     }
 
     // Derivatives by the position of the axis. For pixel averages: differences between averages along opposite pixel sides. For
-    // samples: distance from the axis times I' / v; I' / v is even in the radius v, of exponential type 2, and at most max |I''|.
+    // samples: I' / v times (pixel pitch)^2 times the offset of the axis from the pixel, in rows or columns; I' / v is even in the
+    // radius v, of exponential type 2, and at most max |I''|.
     void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
         thread_local Doubles down, across, scratch;
         const std::size_t room = pixels() + widest_step;

@@ -10,7 +10,7 @@
 
 namespace lommel {
 
-// Preview of an image: intensities at some distances from the axis, in increasing order.
+// Preview of an image: intensities at some distances from the axis, in ascending order of the distance.
 struct Looks {
     std::vector<double> v, bright;  // v: distance; bright: largest sampled intensity at this distance
 

@@ -73,7 +73,7 @@ class ZernikeRenderer {
                 if (!expanded) {
                     expand(image.field(), reach);
                 }
-                // Reduce the tolerance as much as `error`: it counts relative to a previewed peak, which pixels may miss.
+                // Reduce the tolerance as much as `error`: the tolerance is relative to a previewed peak, which pixels may miss.
                 image.prepare(tol * error / first);
                 expanded = false;
             }
@@ -104,8 +104,8 @@ class ZernikeRenderer {
         }
     }
 
-    // Compute the image and its peak by interpolation between circles, if that is estimated to be faster. Returns the error bound,
-    // or 1e300 if the method does not apply or misses the tolerance.
+    // Compute the image and its peak by interpolation between circles, if that is estimated to be faster. Returns the image's error
+    // bound, or 1e300 if the method does not apply or misses the tolerance.
     double between_circles(const ZernikeField& field, const Tiles& tiles, double tol, bool divide, const Painting& to,
                            double& peak) const {
         if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
@@ -116,7 +116,7 @@ class ZernikeRenderer {
                                              static_cast<double>(tiles.height * tiles.width));
         image.begin(tiles, step_, worthwhile_threads(to.threads, 1e-4 * work));
         const PolarPupil pupil(field);
-        // `tol` counts relative to a previewed peak. If widely spaced pixels miss that peak, a second attempt reduces `tol`.
+        // `tol` is relative to a previewed peak. If widely spaced pixels miss that peak, a second attempt reduces `tol`.
         double share = 1.0;
         for (int attempt = 0; attempt < 2 && image.prepare(pupil, share * tol); ++attempt) {
             image.paint(to.scale, to.values);
@@ -130,7 +130,8 @@ class ZernikeRenderer {
         return 1e300;
     }
 
-    // Pixels may miss the peak: search 65 x 65 points of the blur; if I exceeds `peak`, set `peak` and `off`, the error bound of U.
+    // Pixels may miss the peak of the intensity I: search it at 65 x 65 points in a square around the axis as large as the blur. If
+    // the largest I there exceeds `peak`, set `peak` to it and `off` to the error bound of U there.
     template <class Expand>
     void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;

@@ -100,8 +100,9 @@ struct PolarKernels {
     const PolarKernel& outer() const { return *disks[0]; }
 };
 
-// Error of the field U from before the FFT: from the sums over every other degree (chain), from the table, and from omitted degrees
-// (left_out). Cauchy's inequality bounds cosines and sines separately. each: error of (n + 1) * table value of degree n.
+// Error of the field U that arises before the FFT: from the sums over every other degree (chain), from the table, and from omitted
+// degrees (left_out); twice each, as Cauchy's inequality bounds cosines and sines separately. each: error of (n + 1) * table value
+// of degree n.
 inline double polar_rounding(const PolarPupil::Disk& disk, const PolarStyle& style, const PolarKernel& kernel, double each) {
     const double degrees = static_cast<double>(disk.series->degrees),
                  chain = (style.rough ? roundoff<float> : unit_roundoff) * (degrees + 8.0) * kernel.largest;
@@ -130,8 +131,9 @@ struct PolarTables {
     }
 };
 
-// Error bound of U at pixels that are interpolated with the circle of radius v, which is a sum of `orders` azimuthal orders.
-// left: error bound of U due to the omitted orders; rows: other contributions of the circle to the error.
+// Error bound of U at pixels that are interpolated from the circle of radius v and its neighbours. orders: number of azimuthal
+// orders that U has on the circle; left: error bound of U due to the omitted orders; rows: error contributions of the circle
+// itself.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, std::size_t orders, double left, double v, const PolarRowError& rows) {
     const PolarKernel& kernel = kernels.outer();
@@ -140,12 +142,13 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
-    // Error of a kernel's taps. With style.exact, they are computed in double precision and rounded once.
+    // Error of a kernel's taps. With style.exact, taps are computed in double precision and rounded once.
     const auto off = [&](const GriddingTaps& taps) {
         return style.exact ? taps.doubles.error + pixel * taps.weight : style.paired() ? taps.coarse.error : taps.singles.error;
     };
     const double between = off(kernel), around = off(circle);
-    // Rounding of U, in roundoffs: 1 of stored circles, 2 of products, 4 of |U|^2 (2 in U), that of sums over each kernel's taps.
+    // Rounding of U, in roundoffs: 1 from stored circles, 2 from products, 2 from |U|^2 (its 4 roundings count half in U), and the
+    // rounding of the sum over each kernel's taps.
     const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
     // With style.rough, add the error of U due to positions in single precision.
     const double base = pupil.base + (style.rough ? 16.0 * roundoff<float> * (std::max(v, 0.0) + 64.0) : 0.0);

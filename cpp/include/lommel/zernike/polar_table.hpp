@@ -82,12 +82,15 @@ struct PolarTable {
         return made;
     }
 
-    // Bound on the rounding of (n + 1) times the values of degree n at radii up to v; shares: sum of the weights of the nodes. In
-    // units of roundoff: one per node; 3 v from the sines of the nodes' angles; 2 v from v and the argument v cos(a); 170 from the
-    // kernel's transform, the sines of arguments and the products.
+    // Bound on the rounding of (n + 1) times the table's values of degree n at radii up to v; shares: sum of the weights of the
+    // nodes. In units of roundoff: one per node; 3 v from the sines of the nodes' angles; 2 v from v and the argument v cos(a); 170
+    // from the kernel's transform, the sines of arguments and the products.
     static double rounding(double shares, double nodes, double v) { return unit_roundoff * shares * (nodes + 5.0 * v + 170.0); }
 
-    // Error of U if `count` degrees have the error `each`: by Cauchy, as the Zernike coefficients have sum |beta_n|^2 / (n+1) <= 1.
+    // Error of U if the table's values for `count` degrees n have errors of `each` / (n + 1): at most `each` * sum |beta| / (n + 1)
+    // over the terms, with Zernike coefficients beta. By Cauchy's inequality this sum is <= sqrt(count), for cosines and sines
+    // separately: the sum of e |beta|^2 / (n + 1) is <= 1, with e = 1 for m = 0, else 1/2, and 1 / e sums to at most n + 1 over the
+    // orders m of a degree.
     static double rounding(double each, double count) { return each * std::sqrt(count); }
 
     bool is(double circle_step, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {

@@ -1,10 +1,10 @@
 r"""Averages over the aperture: rms wavefront error, Strehl ratio, centroid and spot radius from the wavefront.
 
 All these measures are integrals over the clear aperture. For discs and annuli the nodes are Gauss-Legendre nodes in
-``t = rho^2`` and equal steps in theta. Other apertures, also those of segments with their own phases, use the nodes
-of :meth:`lommel.Pupil.rule`. An average over theta is even in rho and therefore smooth in t, so that convergence is
-spectral. Integrals of polynomials are exact with a finite number of nodes; for the Strehl ratio the number of nodes
-is increased until the result converges.
+``t = rho^2`` and equal steps in theta. The mean of an integrand over theta is even in rho and therefore a smooth
+function of t, so that convergence is spectral. All other apertures, with or without segments, use the nodes of
+:meth:`lommel.Pupil.rule`. Integrals of polynomials are exact with a finite number of nodes. For the Strehl ratio of
+a disc or an annulus the number of nodes is increased until the result converges.
 """
 
 from __future__ import annotations
@@ -64,8 +64,9 @@ def least_squares(pupil: Pupil, terms: Sequence[Callable[[Array, Array], Array]]
     """Return the coefficients (radians) of the least-squares fit of functions of (rho, theta) to a pupil's phase.
 
     The fit covers the clear aperture, weighted by amplitude, and includes a constant, whose coefficient is omitted
-    from the result. The result is exact up to rounding if the functions are polynomials whose radial degree and
-    azimuthal order are at most those of the phase or of defocus and tilt.
+    from the result. Let n be the largest radial degree and m the largest azimuthal order of a term of the phase. The
+    result is exact up to rounding if the functions are polynomials of radial degree at most max(n, 2) and azimuthal
+    order at most max(m, 1).
     """
     nodes = _polynomial_rule(checked(pupil), 1.0)
     columns = np.stack([np.ones(nodes.rho.shape), *(term(nodes.rho, nodes.theta) for term in terms)], axis=-1)
@@ -111,15 +112,15 @@ def strehl(pupil: Pupil) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Strehl ratio, accurate to about rounding: the number of nodes is increased until two successive results differ
-        by at most 1e-12.
+        Strehl ratio, with an error of about 1e-12. For discs and annuli the number of nodes is increased until two
+        successive results differ by at most 1e-12 (plus rounding); for other apertures the error is proven.
 
     Raises
     ------
-    TypeError
-        If `pupil` is not a Pupil.
+    TypeError, ValueError
+        If `pupil` is not a Pupil, or if no quadrature rule suffices for the phase on this aperture.
     ToleranceError
-        If the phase needs more than 2^24 nodes.
+        If the phase on a disc or an annulus needs more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
     # One pupil at a time, because the numbers of nodes differ.
@@ -132,8 +133,8 @@ def centroid(pupil: Pupil) -> Array:
 
     The centroid of the rays equals the centroid of the light. The centroid of the values in a window,
     :func:`lommel.measures.energy.window_centroid`, converges to it as the window grows. The phase of a complex mask
-    has no gradient: for such a mask the function returns the centroid of one period of the image around the axis or,
-    for ``squares=True``, the limit of the centroid in large windows around the axis.
+    has no gradient. For such a mask the function returns the centroid of one period of the image around the axis or,
+    if the mask has ``squares=True``, the limit of the centroid in large windows around the axis.
 
     Parameters
     ----------
@@ -195,23 +196,23 @@ def _variance(pupil: Pupil) -> Array:
 class _Nodes(NamedTuple):
     """Quadrature nodes of an aperture, with weights whose sum is 1.
 
-    `added`, shape (3, points), is the phase of segments and mask at the nodes and its derivatives along x and y.
+    `extra`, shape (3, points), holds the phase of segments and mask at the nodes, and its derivatives along x and y.
     """
 
     rho: Array
     theta: Array
     weight: Array
-    added: Array | None = None
+    extra: Array | None = None
 
     def phase(self, pupil: Pupil) -> Array:
         """Return the phase at the nodes, shape ``pupil.shape + (points,)``."""
         phase = pupil.wavefront.phase(self.rho, self.theta)
-        return phase if self.added is None else phase + self.added[0]
+        return phase if self.extra is None else phase + self.extra[0]
 
     def rays(self, pupil: Pupil) -> Array:
         """Return the gradient of the phase at the nodes, shape (n, 2, points) for the flattened stack."""
         slope = gradient(pupil.wavefront, self.rho, self.theta)
-        return slope if self.added is None else slope + self.added[1:]
+        return slope if self.extra is None else slope + self.extra[1:]
 
 
 def _polynomial_rule(pupil: Pupil, power: float) -> _Nodes:
@@ -249,25 +250,24 @@ def _rule(pupil: Pupil, power: float, radial: int, around: int) -> _Nodes:
 def _clear_rule(pupil: Pupil, power: float, degree: int) -> _Nodes:
     """Return a quadrature rule for any aperture, exact for polynomials of this `degree` in x and y."""
     x, y, weight = pupil.rule(degree)
-    # The weights of a mask include the amplitude of its cells to the power 1; multiply by amplitude^(power - 1).
+    # The weights of pupil.rule() already include the amplitude of a mask: multiply by amplitude^(power - 1).
     mask_factor = 1.0 if pupil.mask is None else weight ** (power - 1.0)
     # A mask may have a node at rho = 0, where (1 / rho) d/dtheta would divide by 0.
     rho = np.maximum(np.hypot(x, y), 1e-12)
     weight = weight * mask_factor * pupil.illumination.at(rho**2, power)
-    added = None
+    extra = None
     if pupil.segmented:
-        added = pupil.opening.tilted_nodes(degree) if pupil.mask is None else pupil.opening.tilted(x, y)
+        extra = pupil.opening.tilted_nodes(degree) if pupil.mask is None else pupil.opening.tilted(x, y)
     if pupil.phase_mask:
-        added = np.zeros((3, x.size)) if added is None else added
-        added[0] += np.angle(pupil.mask.at(x, y))  # type: ignore[union-attr]
-    return _Nodes(rho, np.arctan2(y, x), weight / weight.sum(), added)
+        extra = np.zeros((3, x.size)) if extra is None else extra
+        extra[0] += np.angle(pupil.mask.at(x, y))  # type: ignore[union-attr]
+    return _Nodes(rho, np.arctan2(y, x), weight / weight.sum(), extra)
 
 
 def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
-    # dPhi/drho and (1/rho) dPhi/dtheta, first for radial terms, then for c R(rho) cos(m theta) and c R(rho) sin(m
-    # theta).
+    # dPhi/drho and (1/rho) dPhi/dtheta: first the radial terms, then terms c R(rho) times cos or sin of m theta.
     radial = ray_height(flat.edge[:, : flat.symmetric], rho)
     tangential = np.zeros_like(radial)
     for (n, m), c in flat.nonradial.items():

@@ -9,11 +9,13 @@ as a fraction of all light per area. The fraction of all light within the radius
 
     E(R) = int OTF(f) B(f) S(f) exp(2 pi i f.c) R J1(2 pi R abs(f)) / abs(f) d^2 f .
 
-Two classes represent the OTF. :class:`PolarImage`, for radially symmetric lenses and lenses seen through turbulence,
-computes it from the pupil, at Gauss nodes along the radial frequency. :class:`CartesianImage`, for all pupils, uses
-the discrete Fourier transform of samples, times a cut-off function. This function is 1 up to the band (the highest
-frequency with a nonzero OTF) and falls smoothly to 0 at twice the band, which does not change the light in a circle.
-The kernel of the cut-off is negligible beyond 12 lambda*N / band, and so are samples that far outside the circle.
+Three classes represent an image. :class:`PolarImage`, for radially symmetric lenses and lenses seen through
+turbulence, computes the OTF from the pupil, at Gauss nodes along the radial frequency. :class:`RayImage` holds the
+light of geometric rays. :class:`CartesianImage`, for all pupils, uses the discrete Fourier transform of samples,
+times a cut-off function. This function is 1 up to the band (the highest frequency with a nonzero OTF, in cycles per
+lambda*N) and falls smoothly to 0 at twice the band. It does not change E(R), because it is 1 wherever the OTF is not
+0. Its Fourier transform, called its kernel, is negligible at distances above 12 / band lambda*N. Samples farther than
+this outside the circle are therefore omitted.
 """
 
 from __future__ import annotations
@@ -60,9 +62,9 @@ _GAUSS = 0.5 / math.sqrt(3.0)  # distance of the two Gauss nodes from the middle
 
 
 # Clear area of each square cell of an aperture. A line of constant y crosses an ellipse or a convex polygon in one
-# interval. The area integrates these intervals over y, by two Gauss nodes between edges of cells, corners of the
-# aperture and, for nearly horizontal edges, crossings of columns. This is exact for straight edges, unless two edges
-# cross within a cell.
+# interval. The area is the integral of the lengths of these intervals over y. The range of y is split at edges of
+# cells, at corners of the aperture, and where an edge of the aperture crosses from one column of cells to the next;
+# each part has two Gauss nodes. The area is exact for straight edges, unless two edges cross within a cell.
 
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
@@ -168,10 +170,10 @@ def _intervals(region: Listed, part: int, y: Array) -> tuple[Array, Array]:
 
 # OTF at low frequencies, for strong blur: the autocorrelation of the pupil at small shifts (docs/certificate.md,
 # "From cells"). Each cell has the mean of the pupil function over its area. The autocorrelation of these means is the
-# autocorrelation of the pupil, convolved twice with the square of a cell. The code corrects the second moment of the
-# squares and sets the value at shift 0 to 1. Cubic splines interpolate between cells. The error of the OTF is about
-# 1e-6, or more if a shift by less than a cell opens or closes a gap; the error of the light is about 1e-6 of all
-# light.
+# autocorrelation of the pupil, convolved twice with the square of a cell. The code corrects the values for the second
+# moment of the squares, and the value at shift 0 for the cusp of the OTF. Cubic splines interpolate between cells.
+# The error of the OTF is about 1e-6, or more if a shift by less than a cell opens or closes a gap; the error of the
+# light is about 1e-6 of all light.
 
 _MIN_CELLS = 32.0  # least number of cells within the largest shift
 
@@ -246,12 +248,12 @@ def transfer(pupil: Pupil, end: float, fx: Array, fy: Array) -> NDArray[np.compl
 
 
 # Cut-off function c(f) = erfc((f / band - _MIDDLE) / _WIDTH) / 2; see docs/certificate.md, "From samples".
-_SEAM = 12.0  # the kernel of the cut-off is below 1e-10 at distances above _SEAM / band, lambda*N
+_KERNEL_REACH = 12.0  # the kernel of the cut-off is below 1e-10 at distances above _KERNEL_REACH / band, lambda*N
 # In units of the band: c differs from 1 at f = band, and from 0 at f = 2 band, by erfc(4) / 2 = 8e-9.
 _MIDDLE, _WIDTH = 1.5, 0.125
-SEAM_NORM = 3.94
+KERNEL_NORM = 3.94
 """Integral of the modulus of the cut-off's kernel over the plane, which bounds the growth of errors of samples."""
-OWN_ERROR = 2e-8
+CUTOFF_ERROR = 2e-8
 """Error of the light within a circle due to the cut-off, as a fraction of all light."""
 _NEGLIGIBLE = 1e-11  # frequencies at which the transfer function of the blur is smaller are omitted
 MOST_SIDE = 6144
@@ -306,8 +308,8 @@ class ImageModel(NamedTuple):
         return [Component(1.0, 1.0, self.pupil)]
 
     @property
-    def finest(self) -> float:
-        """Cutoff frequency of the optics, cycles per lambda*N."""
+    def cutoff(self) -> float:
+        """Cutoff frequency of the optics at the shortest wavelength, cycles per lambda*N."""
         # A cell of a mask extends beyond the rim of the aperture by up to half the diagonal of the cell.
         mask = getattr(self.pupil, "mask", None)
         return self.method.stretch(self.pupil) * (1.0 if mask is None else 1.0 + math.sqrt(2.0) / mask.side)
@@ -319,8 +321,8 @@ class ImageModel(NamedTuple):
 
     @property
     def band(self) -> float:
-        """Highest frequency with a transfer function above 1e-11, cycles per lambda*N; at most `finest`."""
-        scale, f = self.pupil.scale, np.linspace(0.0, self.finest, 1025)
+        """Highest frequency, up to `cutoff`, at which the transfer function of the blur exceeds 1e-11."""
+        scale, f = self.pupil.scale, np.linspace(0.0, self.cutoff, 1025)
         # Gaussian blur passes the highest frequencies along the direction in which it is narrowest.
         variance = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
         transmitted = np.exp(-2.0 * math.pi**2 * variance * f**2)
@@ -334,7 +336,7 @@ class ImageModel(NamedTuple):
 
     @property
     def spread(self) -> tuple[float, float]:
-        """Radius of blur and pixel without seeing, and the width of the seeing, lambda*N."""
+        """Radius of pixel and blur other than seeing, and the largest width of the seeing, lambda*N."""
         scale = self.pupil.scale
         gaussian, streaks = self._short
         # The fraction exp(-6.5^2 / 2) = 7e-10 of a Gaussian lies beyond 6.5 standard deviations.
@@ -352,8 +354,8 @@ class ImageModel(NamedTuple):
     def extent(self) -> float:
         """Approximate distance from the axis within which most of the light falls, lambda*N."""
         rays = float(np.max(self.pupil.geometric_radius(), initial=0.0)) / self.pupil.scale
-        short, seen = self.spread
-        return rays + short + 1.5 * seen + 2.5
+        short, seeing_width = self.spread
+        return rays + short + 1.5 * seeing_width + 2.5
 
 
 @dataclass(frozen=True)
@@ -363,7 +365,7 @@ class CartesianImage:
     table: NDArray[np.complex128]  # amplitudes of the waves, shape (len(fy), len(fx))
     fy: Array  # frequencies, cycles per lambda*N; fx >= 0 only: the table includes both waves of conjugate pairs
     fx: Array
-    band: float  # highest frequency with a nonzero OTF, cycles per lambda*N
+    band: float  # highest frequency with a nonzero OTF (`ImageModel.band`), cycles per lambda*N
     error: float  # bound on the error of the samples, light per area; NaN if the method has no error bound
 
     def derivatives(self, x: float, y: float) -> Array:
@@ -415,16 +417,16 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     # The cut-off adds less than 2e-8 to the error of the light within a circle. With seeing, whose halo has no finite
     # extent, the error is up to about 1e-5.
     pupil, band = model.pupil, model.band
-    finest = model.finest
-    # With 1 / pitch >= finest + 2 band no alias reaches the frequencies that the cut-off passes (docs/certificate.md,
+    cutoff = model.cutoff
+    # With 1 / pitch >= cutoff + 2 band no alias reaches the frequencies that the cut-off passes (docs/certificate.md,
     # "From samples").
-    pitch = 1.0 / max(finest + 2.0 * band, 4.0 * band)
-    short, seen = model.spread
-    # At larger distances the kernel of the cut-off is below 1e-10, so that samples do not matter.
-    half = reach + _SEAM / band + short
-    half += seeing_room(reach, seen)
+    pitch = 1.0 / max(cutoff + 2.0 * band, 4.0 * band)
+    short, seeing_width = model.spread
+    # Farther outside the region of radius `reach` samples are omitted: the kernel of the cut-off is below 1e-10.
+    half = reach + _KERNEL_REACH / band + short
+    half += seeing_margin(reach, seeing_width)
     period = model.method.period(pupil)
-    if reach <= 0.5 * period < half and period == pupil.period and not seen:
+    if reach <= 0.5 * period < half and period == pupil.period and not seeing_width:
         # The image of a sampled mask is periodic, with or without blur: one period is the whole image.
         side = fft.next_fast_len(math.ceil(period / pitch), real=True)
         pitch, half = period / side, 0.5 * period
@@ -463,10 +465,10 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
             yield CartesianImage(table, fy, fx, band, float(error[k]))
 
 
-def seeing_room(reach: float, seen: float) -> float:
-    """Return the margin of samples beyond the radius `reach` for seeing of the width `seen`, all in lambda*N."""
+def seeing_margin(reach: float, seeing_width: float) -> float:
+    """Return the margin of samples beyond the radius `reach` that seeing of this width needs, all in lambda*N."""
     # With this margin at most 1e-5 of all light is missing or wraps around (docs/certificate.md, "From samples").
-    return min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
+    return min(max(2.0 * reach, 20.0 * seeing_width), 30.0 * seeing_width)
 
 
 def _radius_error(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
@@ -485,8 +487,8 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     # The error of the OTF is below 1e-3 up to a fifth of the cutoff (3e-4 without straight edges), and below 1e-4 at
     # higher frequencies.
     far = model.extent + _TAPER
-    finest = model.finest
-    pitch, pupil = 0.25 / finest, model.pupil
+    cutoff = model.cutoff
+    pitch, pupil = 0.25 / cutoff, model.pupil
     side = 2 * math.ceil(far / pitch)
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
     position = pitch * (np.arange(side) - side // 2)
@@ -497,7 +499,7 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     weights = weight(np.hypot(position, position[:, None]))
     columns = np.exp(-2j * math.pi * np.outer(position, fx))
     rows = np.exp(-2j * math.pi * np.outer(fy, position))
-    # The tail r^-3 (2 pi r dr) has a constant density in u = 1 / r, on a finite interval.
+    # The light of the tail, r^-3 (2 pi r dr), has a constant density in u = 1 / r, and the range of u is finite.
     u, rule = gauss_legendre(4096, 0.0, 1.0 / (far - _TAPER))
     tail = (rule * (1.0 - weight(1.0 / u))) @ j0(2.0 * math.pi * np.hypot(fx, fy) / u[:, None])
     tail /= rule @ (1.0 - weight(1.0 / u))
@@ -505,7 +507,7 @@ def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.comp
     parts = model.parts
     for light, stretch, part in parts:
         singles = [part[index] for index in np.ndindex(part.shape)] if part.shape else [part]
-        response = model.response(fx, fy, part.wavelength) * (np.hypot(fx, fy) < finest)
+        response = model.response(fx, fy, part.wavelength) * (np.hypot(fx, fy) < cutoff)
         factor = stretch**2 * math.pi / (4.0 * part.transmission) * pitch**2
         for k, one in enumerate(singles):
             image = factor * weights * _sample(one, model.method, grid, whole=len(parts) == 1).values[0]
@@ -535,7 +537,7 @@ class PolarImage:
     model: ImageModel
     parts: list[PolarPart]
     band: float
-    reach: float  # largest distance of points and corners from the axis
+    reach: float  # largest distance of points from the axis in `on` and `derivatives`
 
     def circles(self, radius: Array, center: tuple[float, float] = (0.0, 0.0)) -> Array:
         """Return the light within circles of each radius about `center`."""
@@ -549,30 +551,30 @@ class PolarImage:
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
         (x, y), (right, bottom) = low, high
-        found = 0.0
+        total = 0.0
         far = max(math.hypot(a, b) for a in (x, right) for b in (y, bottom))
         for _, fx, fy, light in self._waves(far):
             part = (right - x) * np.sinc(fx * (right - x)) * (bottom - y) * np.sinc(fy * (bottom - y))
             turned = light * np.exp(1j * math.pi * ((x + right) * fx + (y + bottom) * fy))
-            found += float((part * turned.real).sum())
-        return found
+            total += float((part * turned.real).sum())
+        return total
 
     def on(self, x: Array, y: Array) -> Array:
         """Return light per area on a lattice of points at equal steps, shape ``(len(y), len(x))``."""
-        found = np.zeros((y.size, x.size))
+        total = np.zeros((y.size, x.size))
         for _, fx, fy, light in self._all_waves:
             columns, rows = _plane_waves(fx.ravel(), x), _plane_waves(fy.ravel(), y) * light.ravel()
-            found += product(rows.real, columns.real.T, 0) - product(rows.imag, columns.imag.T, 0)
-        return found
+            total += product(rows.real, columns.real.T, 0) - product(rows.imag, columns.imag.T, 0)
+        return total
 
     def derivatives(self, x: float, y: float) -> Array:
         """Return light per area at a point and its derivatives, [i, j] of order i along y and j along x, (3, 3)."""
-        orders, found = np.arange(3), np.zeros((3, 3))
+        orders, total = np.arange(3), np.zeros((3, 3))
         for _, fx, fy, light in self._all_waves:
             turned = (light * np.exp(2j * math.pi * (x * fx + y * fy))).ravel()
             rows, columns = ((2j * math.pi * f.ravel()[:, None]) ** orders for f in (fy, fx))
-            found += ((rows * turned[:, None]).T @ columns).real
-        return found
+            total += ((rows * turned[:, None]).T @ columns).real
+        return total
 
     @cached_property
     def _all_waves(self) -> list[Waves]:
@@ -608,7 +610,7 @@ def _plane_waves(f: Array, x: Array) -> NDArray[np.complex128]:
     waves = np.empty((x.size, f.size), dtype=np.complex128)
     waves[0] = np.exp(2j * math.pi * x[0] * f)
     done = 1
-    # Each pass doubles the number of rows by exp(i f (x + d)) = exp(i f x) exp(i f d): products, not exponentials.
+    # Each pass doubles the number of rows by exp(i f (x + d)) = exp(i f x) exp(i f d), with one factor for all rows.
     while done < x.size:
         more = min(done, x.size - done)
         np.multiply(waves[:more], np.exp(2j * math.pi * (x[done] - x[0]) * f), out=waves[done : done + more])
@@ -626,7 +628,7 @@ class PolarPart(NamedTuple):
 
 
 class RayImage(NamedTuple):
-    """Fractions of all light that geometric rays bring to square cells; lengths in lambda*N."""
+    """Fractions of all light in square cells according to geometric optics; lengths in lambda*N."""
 
     light: Array  # shape (n, n), with the axis at the middle cell
     side: float  # side of a cell
@@ -682,8 +684,8 @@ def images(model: ImageModel, reach: float) -> Iterator[Image]:
 def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
     """Return :func:`images`; ValueError, with the name `what`, if `reach` exceeds half a period of the image."""
     if (period := model.method.period(model.pupil)) < math.inf:
-        short, seen = model.spread
-        far = reach + (short + seeing_room(reach, seen) if seen else 0.0)
+        short, seeing_width = model.spread
+        far = reach + (short + seeing_margin(reach, seeing_width) if seeing_width else 0.0)
         if far > 0.5 * period * (1.0 + 1e-9):
             raise beyond_period(what if far == reach else f"{what} with the halo of the seeing", far, period)
     return images(model, reach)
@@ -716,7 +718,8 @@ def point_images(model: ImageModel, reach: float) -> Iterator[CartesianImage | P
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     """Yield the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
-    # The error is about 1e-9 of all light for radially symmetric lenses, and about 1e-6 for others, from transfer().
+    # The error is about 1e-9 of all light for radially symmetric lenses. For other lenses transfer() computes the
+    # OTF, and the error is about 1e-6 of all light.
     reach = math.sqrt(2.0) * reach  # the corner of the square of half-side `reach`
     if not polar(model):
         for one in model.singles:
@@ -740,7 +743,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
 
 
 def _directed_parts(model: ImageModel, reach: float) -> Iterator[PolarPart]:
-    """Yield the wavelengths of a single image whose OTF is not radially symmetric."""
+    """Yield a part for each wavelength of a single image whose OTF is not radially symmetric."""
     band, (short, _) = model.band, model.spread
     blur = float(np.max(model.pupil.geometric_radius(), initial=0.0)) / model.pupil.scale
     for light, stretch, part in model.method.components(model.pupil):

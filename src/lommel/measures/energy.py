@@ -13,7 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, CartesianImage, Image, ImageModel, energy_images
+from lommel.measures.continuous_image import (
+    CUTOFF_ERROR,
+    KERNEL_NORM,
+    CartesianImage,
+    Image,
+    ImageModel,
+    energy_images,
+)
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod, require_period
@@ -54,7 +61,7 @@ def encircled_energy(psf: PSFLike, radius: ArrayLike, *, about: str = "axis", of
         If a radius is negative or not finite; if it is too large for a pupil that is not radially symmetric (the
         limit is about 700 lambda*N minus the extent of the blur, and none with seeing); if the circle extends beyond
         half of the period of a sampled image (:class:`lommel.Mask`, :class:`lommel.MatrixFourier`); or if `about` or
-        `of` is unknown.
+        `of` has an unknown value.
     """
     model, radii = ImageModel.of(psf, of), validation.real_array("radius", radius, least=0.0)
     centers = energy_centers(psf, about) / psf.pupil.scale
@@ -175,7 +182,7 @@ def window_centroid(psf: PSFLike) -> Array:
 
 
 def energy_centers(psf: PSFLike, about: str) -> Array:
-    """Return the axis or the centroids (x, y) of the flattened stack, as `about` requests, shape (n, 2)."""
+    """Return the position (x, y) of the axis or of the centroid for each PSF of the flattened stack, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
     # The centroid of a radially symmetric image is the axis.
     if about == "axis" or all(part.pupil.radial for part in psf.method.components(psf.pupil)):
@@ -222,10 +229,10 @@ def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> 
     # v refers to the reference wavelength; at the shortest wavelength I oscillates faster by the factor `stretch`.
     stretch = method.stretch(pupil)
     edges, index = np.unique(_v_within_reach(pupil, "radius", at, stretch), return_inverse=True)
-    # A node on the axis with weight 0: the error of the profile is relative to the largest value at the nodes.
+    # A node on the axis, with weight 0, because the error of a profile is relative to its largest value.
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
-        # I v is of exponential type 2 * stretch, so that these numbers of nodes have spectral accuracy.
+        # I v is of exponential type 2 * stretch: with this number of nodes the accuracy is spectral.
         x, w = gauss_panels(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
         nodes.append(x)
         weights.append(w * x)
@@ -375,8 +382,9 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     Returns
     -------
     Encircled
-        The error bound is 2e-8 plus the error bound of the image integrated over the circle: at most a few times 1e-4
-        for a radius of 10 lambda*N and a tolerance of 1e-6. The actual error is mostly far smaller.
+        The error bound is ``2e-8 + 3.94 A e``, with the area A of the largest circle and the error bound e of the
+        light per area: at most a few times 1e-4 for a radius of 10 lambda*N and a tolerance of 1e-6. The actual error
+        is mostly far smaller.
 
     Raises
     ------
@@ -402,7 +410,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     # In the worst case the errors of all samples have the same sign (docs/certificate.md, "From samples").
     area = math.pi * float(reach.max(initial=0.0)) ** 2
     has_bound = isinstance(image, CartesianImage) and not math.isnan(image.error)
-    error = OWN_ERROR + SEAM_NORM * area * cast("CartesianImage", image).error if has_bound else None
+    error = CUTOFF_ERROR + KERNEL_NORM * area * cast("CartesianImage", image).error if has_bound else None
     return Encircled(image.circles(reach), error)
 
 
@@ -439,7 +447,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     Notes
     -----
     The function scans defocus in steps of half a radian over the range in which some zone of the pupil is in focus,
-    extended by 6 rad at both ends. Brent's method refines the best step to 1e-6 rad.
+    extended by 6 rad at both ends. Brent's method refines the maximum of the scan to 1e-6 rad.
     """
     from scipy.optimize import minimize_scalar
 

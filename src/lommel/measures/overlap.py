@@ -6,8 +6,9 @@ With f in units of the cutoff frequency ``1 / (lambda N)`` and pupil coordinates
 
 Let u and y be the coordinates along and across f. The overlap of two discs extends over
 ``abs(u) <= cos(theta) - f`` at ``y = sin(theta)``. These limits are entire functions of theta, so that Gauss-Legendre
-quadrature in theta and u converges spectrally. For annuli the range of y is split at the heights at which circles of
-the two apertures meet, and ``y = eps sin(theta)`` beside the obscuration of radius eps.
+quadrature in theta and u converges spectrally. For annuli with an obscuration of radius eps, the range of y is split
+at the heights at which circles of the two apertures intersect; for ``y < eps`` theta is defined by
+``y = eps sin(theta)``.
 
 Other apertures use quadrature rules with a proven error, and masks use sums over cells: docs/certificate.md,
 section 18.
@@ -46,9 +47,9 @@ from lommel.special.legendre import gauss_legendre
 # exactly the bilinear interpolation of ``A(d) = sum_k P_k conj(P_(k + d))`` between shifts d by whole cells.
 #
 # If the mask represents point samples instead of square cells, the image is one period of
-# ``sum_d A(d) exp(2 pi i d.r / side)``. Its transform at shifts by whole cells is also A(d).
+# ``sum_d A(d) exp(2 pi i d.r / side)``. The Fourier coefficients of this image are also A(d).
 
-_MAX_TABLE = 2048  # largest number of cells along a side for which all shifts are tabulated, in 270 MB
+_MAX_TABLE = 2048  # largest number of cells along a side for which A is tabulated at all shifts (270 MB)
 
 
 class Cells:
@@ -85,7 +86,7 @@ class Cells:
         return complex(np.einsum("yx,yx->", first.conj(), second))
 
     def between(self, shift: Array) -> NDArray[np.complex128]:
-        """Return the autocorrelation at any shifts in units of cells, shape (points, 2)."""
+        """Return the autocorrelation at arbitrary shifts, shape (points, 2), in units of the side of a cell."""
         # Bilinear interpolation is exact (docs/certificate.md, "Masks").
         first = np.floor(np.clip(shift, -len(self.field), len(self.field)))
         (x, y), (column, row) = (shift - first).T, first.T.astype(np.int64)
@@ -120,7 +121,7 @@ def cells_of_stack(pupil: Pupil) -> list[Cells]:
 
 
 def of_mask(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
-    """Return the OTF of masks, stack flattened, at f (points, 2) in units of the cutoff frequency."""
+    """Return the OTF of a flattened stack of pupils with masks, at f (points, 2) in units of the cutoff frequency."""
     assert pupil.mask is not None
     return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])
 
@@ -130,7 +131,7 @@ _MAX_NODES = 4096  # largest number of nodes along a line
 
 
 def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF, stack flattened, at f (points, 2) in units of the cutoff frequency, to the tolerance `tol`."""
+    """Return the OTF of a flattened stack to `tol`, at f (points, 2) in units of the cutoff frequency."""
     if pupil.mask is not None:
         return of_mask(pupil, f)
     if pupil.circular and pupil.radial:
@@ -141,18 +142,18 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         # Compute half of the plane only: images are real, so that OTF(-f) = conj(OTF(f)).
         mirrored = (f[:, 1] < 0) | ((f[:, 1] == 0) & (f[:, 0] < 0))
         canonical = np.where(mirrored[:, None], -f, f)
-    # Lattices of frequencies contain many points whose OTF is the same: compute each once.
+    # In lattices of frequencies many points have the same OTF: compute it once for each distinct point.
     points, where = np.unique(canonical, axis=0, return_inverse=True)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
-    # At smaller shifts the OTF is 1 up to rounding. They are excluded, because quotients would overflow and edges of
-    # shapes have rounding errors.
+    # Up to the shift `least` the OTF is 1 up to rounding. It is not computed there, because quotients would overflow
+    # and edges of shapes have rounding errors.
     least = 1e-100 if pupil.circular else 1e-14
     values[:, shift <= least] = 1.0
     within = np.flatnonzero((shift > least) & (shift < 1))
     if pupil.circular:
         blur = float(pupil.v(pupil.geometric_radius()).max())
-        # Group frequencies of similar length, which need similar numbers of nodes.
+        # Group frequencies of similar modulus, which need similar numbers of nodes.
         within = within[np.argsort(shift[within])]
         for group in np.array_split(within, math.ceil(len(within) / 32)) if len(within) else ():
             values[:, group] = _of_discs(pupil, points[group], shift[group], blur, tol)
@@ -250,8 +251,8 @@ def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[Values, ...]:
     top = np.sqrt((1.0 - shift) * (1.0 + shift))
     panels = [_panel(np.arcsin(np.minimum(eps, top)), end, 1.0, shift, eps, x, w)]
     if eps > 0:
-        # theta of the heights at which a rim meets the obscuration of the other aperture, and at which the two
-        # obscurations meet.
+        # Angles theta, y = eps sin(theta), at which the rim of one aperture intersects the obscuration of the other
+        # aperture, and at which both obscurations intersect.
         meets = shift - (1.0 - eps**2) / (4.0 * shift)
         last = np.arcsin(np.minimum(1.0, top / eps))
         rim = np.arccos(np.minimum(1.0, np.abs(meets) / eps))
@@ -289,12 +290,12 @@ def _panel(
 
 # All other apertures use the quadrature rules of lommel.core.engine.row_rule, with a proven error. The overlap lies
 # in the ellipse with semi-axes ``1 - f`` along f and ``sqrt(1 - f^2)`` across f, which is mapped onto the unit disc.
-# The difference of the two phases is a polynomial on this disc. From the amplitudes of its Zernike terms,
-# lommel.optics.aperture.opening.degree_needed computes the degree of a polynomial that is close to the integrand. The
-# ellipse shifted by f or -f lies in the disc of radius ``sqrt(1 + f (1 - f) / 2)``, on which the apodization is
-# bounded. Each pair of overlapping segments has its own rule and phase.
+# The difference of the two phases is a polynomial on this disc. degree_needed() computes from the amplitudes of its
+# Zernike terms the degree up to which a rule must be exact. The ellipse shifted by f or -f lies in the disc of radius
+# ``sqrt(1 + f (1 - f) / 2)``, on which the apodization is bounded. Each pair of overlapping segments has its own rule
+# and its own phase difference.
 
-_MIN_ERROR = 2e-15  # smallest error requested of a rule, several units of rounding
+_MIN_ERROR = 2e-15  # smallest error bound requested of a rule, several times the rounding error
 
 
 class _ClearParts(NamedTuple):
@@ -319,7 +320,7 @@ def _clear_parts(opening: Opening) -> _ClearParts:
 
 
 def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
-    """Return the OTF of other apertures at one frequency, with an error below `tol` plus rounding of the phase."""
+    """Return the OTF of an aperture of any shape at one frequency; its error is at most `tol` plus rounding."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
     # `back` maps the unit disc to the ellipse around the overlap, and `frame` is its inverse.
     cos, sin = f / shift
@@ -334,9 +335,9 @@ def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, to
     constants = first[:, 0] - second[:, 0] - (first[:, 1:] + second[:, 1:]) @ f
     # About half of the tolerance is for the polynomial approximation of the integrand, half for the rules.
     rule_tol = min(max(0.45 * tol / factor, _MIN_ERROR), 0.05)
-    # Segments that differ in tilt need the same degree as a shift of the window by this difference.
+    # A difference in tilt is linear in position, like the Fourier kernel: degree_needed() treats it as a distance v.
     steepest = float(np.hypot(*(tilts @ back).T).max(initial=0.0))
-    # docs/certificate.md, section 18, "Transfer functions".
+    # Radius of the disc that contains the shifted ellipse: docs/certificate.md, section 18, "Transfer functions".
     rim = math.sqrt(1.0 + 0.5 * shift * (1.0 - shift))
     sizes = _amplitudes(pupil, back, f)
     try:
@@ -390,13 +391,13 @@ def _amplitudes(pupil: Pupil, back: Array, f: Array) -> list[tuple[int, float]]:
     values = _phase_difference(pupil, back @ points, f).reshape(-1, rho.size, theta.size)
     waves = np.fft.rfft(values, axis=2)[:, :, : degree + 1] / theta.size
     sizes = np.abs(np.einsum("mni,sim->snm", table, waves)).max(axis=0).sum(axis=1)
-    # Smaller amplitudes are rounding errors.
+    # Amplitudes below 1e-15 of their sum are rounding errors.
     return [(n, float(size)) for n, size in enumerate(sizes) if n and size > 1e-15 * sizes.sum()]
 
 
 @lru_cache(maxsize=8)
 def _projection(degree: int) -> tuple[Values, Values, Values]:
-    """Return points (rho, theta) at which a polynomial determines its Zernike terms, and weights [m, n, radius]."""
+    """Return the nodes (rho, theta) and weights [m, n, node] of integrals that compute Zernike coefficients."""
     t, weight = gauss_legendre(degree // 2 + 1, 0.0, 1.0)
     rho = np.sqrt(t)
     table = np.zeros((degree + 1, degree + 1, t.size))

@@ -72,7 +72,7 @@ class PSFLike(Recorded):
 
     @property
     def sum_is_light(self) -> bool:
-        """True if the sum of all values is the light: for pixel averages and for samples at most lambda*N apart."""
+        """True if values over the whole plane sum to all light: pixel averages, or samples at most lambda*N apart."""
         # By Poisson's formula the sum of samples equals the sum of the Fourier transform at multiples of 1 / pixel.
         # The transform of an intensity is 0 from the frequency 1 / (lambda*N) on, so that only its value at frequency
         # 0, the light, contributes.
@@ -93,9 +93,9 @@ class PSFLike(Recorded):
         Parameters
         ----------
         radius : array_like, optional
-            Radii at which the method computes point samples. By default the result is part of the row of the central
-            pixel ``(height // 2, width // 2)``, from this pixel to the right edge; the radii of a stack whose pupils
-            have different axes have the shape of the values.
+            Radii at which the method computes point samples. By default the values are those of the pixels from the
+            central one, ``(height // 2, width // 2)``, to the right edge of its row, and the radii are the distances
+            of these pixels from the axis. If the axis differs within a stack, the radii have the shape of the values.
 
         Raises
         ------
@@ -145,7 +145,7 @@ class ColourPSFLike(Recorded):
 
     @property
     def error_bound(self) -> float | None:
-        """Bound on the error of all channels, each relative to its peak; None if a channel has no error bound."""
+        """Largest error bound of the channels, each relative to the channel's peak; None if a channel has none."""
         bounds = [psf.error_bound for psf in self.psfs if psf.error_bound is not None]
         return max(bounds) if len(bounds) == len(self.psfs) else None
 

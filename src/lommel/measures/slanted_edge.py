@@ -16,12 +16,12 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers, plain
 from lommel.base.units import per_mm
 
-_BINS_PER_PIXEL = 32  # bins in which samples of the profile are averaged, both their values and their positions
-_MAX_GAP = 0.25  # largest distance between samples of the profile, pixels: the bins of ISO 12233
+_BINS_PER_PIXEL = 32  # number of bins per pixel; a bin holds the mean position and the mean value of its samples
+_MAX_GAP = 0.25  # largest distance between samples of the profile, pixels: the width of the bins of ISO 12233
 _MARGIN = 5.0  # smallest distance of the edge from the sides of the picture, pixels
 _MIN_ANGLE, _MAX_ANGLE = 2.0, 40.0  # angle between the edge and the rows or columns, degrees
 _MIN_CONTRAST = 5.0  # smallest step at the edge divided by the standard deviation of the noise of a pixel
-_FLAT = 0.5  # fraction of the window over the profile that is 1; the window falls to 0 like cos^2 at both ends
+_FLAT = 0.5  # fraction of the profile over which its window function is 1; it falls to 0 like cos^2 at both ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +89,10 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     Returns
     -------
     EdgeResponse
-        Response of optics, pixels and processing. Its values have three errors: noise (`errors`), less than 0.001 due
-        to the fit of the line, and the light that falls outside the picture, whose fraction makes all values too
-        large. Diffraction alone spreads about 0.3 % of the light beyond 45 pixels of 2 lambda*N.
+        Response of optics, pixels and processing. Its values have three errors. The first is due to noise, estimated
+        by `errors`. The second, below 0.001, is due to the fit of the line. The third is due to light that falls
+        outside the picture: all values are too large by about its fraction. Diffraction alone spreads about 0.3 % of
+        the light beyond 45 pixels if pixels are 2 lambda*N wide.
 
     Raises
     ------
@@ -103,9 +104,9 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     Notes
     -----
     ISO 12233:2017, e-SFR; P. D. Burns, Proc. IS&T PICS, 135 (2000). Their algorithms average the profile in bins of a
-    quarter pixel, which can change the response by up to 0.05 if the bins are filled unevenly. This function keeps
-    the position of each sample (to 1/32 pixel), which avoids this error. In place of a Hamming window, which would
-    suppress the halo of the blur, the window is 1 over the middle half of the profile.
+    quarter pixel, which can change the response by up to 0.05 if the bins are filled unevenly. This function avoids
+    this error by bins of 1/32 pixel and by the mean position of the samples in each bin. In place of a Hamming
+    window, which would suppress the halo of the blur, the window function is 1 over the middle half of the profile.
 
     Examples
     --------
@@ -134,7 +135,7 @@ def sfr(image: ArrayLike, pixel: float) -> EdgeResponse:
     ends = start, start + slope * (height - 1)
     if min(ends) < _MARGIN or max(ends) > width - 1 - _MARGIN:
         raise ValueError(
-            f"image must show the edge from end to end, at least {_MARGIN:g} pixels from the sides beside it, got an "
+            f"image must show the edge from end to end, at least {_MARGIN:g} pixels from the parallel sides, got an "
             f"edge from column {ends[0]:.1f} to {ends[1]:.1f} of {width} (rows for a horizontal edge)"
         )
     rows, columns = np.indices((height, width))
@@ -190,7 +191,7 @@ def _fit_edge(values: Array) -> tuple[float, float]:
 
 
 def _noise(distance: Array, light: Array, reach: float) -> float:
-    """Return the standard deviation of pixels about straight lines fitted to both outer thirds of the profile."""
+    """Return the standard deviation of pixel values from lines fitted to both outer thirds of the profile."""
     squares, count = 0.0, 0
     for outer in (distance < -0.67 * reach, distance > 0.67 * reach):
         line = np.polyfit(distance[outer], light[outer], 1)
@@ -206,8 +207,8 @@ def _response(position: Array, profile: Array, variances: Array) -> tuple[Array,
     frequencies = np.linspace(0.0, 0.5, max(int(reach), 2))
     waves = window * np.exp(-2j * math.pi * np.outer(frequencies, middle)) * np.sinc(np.outer(frequencies, gaps))
     response = waves @ np.diff(profile)
-    # Propagate the noise: `along` is the derivative of abs(response) / abs(response[0]) by each sample of the
-    # profile, times abs(response[0]).
+    # Propagate the noise: the final `along` is the derivative of abs(response) / abs(response[0]) with respect to
+    # each sample of the profile, times abs(response[0]).
     edges = np.zeros((frequencies.size, 1))
     slopes = -np.diff(np.hstack([edges, waves, edges]), axis=1)
     along = np.real(slopes * np.exp(-1j * np.angle(response))[:, None])

@@ -33,12 +33,12 @@ from lommel.optics.layers.objective_pupil import ObjectivePupil
 
 PointImage = CartesianImage | PolarImage
 
-# Spacing of radial tables in v (pi at lambda*N), times the ratio of the reference wavelength to the shortest one.
+# Step of radial tables in the optical unit v of the shortest wavelength; v = pi at the radius lambda*N.
 _STEP = 0.15
 _MAX_RADII = 2**16  # largest number of radii in a table of encircled energy
-# The search for the full width at half maximum ends after the first half-width above this one, lambda*N.
+# Half-width of the sampled square, lambda*N, above which the search for the half maximum does not enlarge it.
 _MAX_HALF_WIDTH = 250.0
-# Largest diameter of encircled energy, lambda*N: by quadrature over the pupil, and from samples of the image.
+# Largest diameter of encircled energy, lambda*N: by quadrature over the OTF, and from samples of the image.
 _MAX_DIAMETER, _MAX_SAMPLED_DIAMETER = 6000.0, 1400.0
 
 
@@ -52,10 +52,10 @@ def peak_position(psf: PSFLike) -> Array:
     Returns
     -------
     ndarray, shape ``pupil.shape + (2,)``
-        Position in metres or units of lambda*N, the vertex of a parabola through the brightest pixel and its
-        neighbours along x and along y. At an edge of the window it is the centre of the pixel. The error is well
-        below a tenth of a pixel if pixels are at most 0.5 lambda*N wide. If several pixels are equally bright, as on
-        a ring of light, the first one in row order is used.
+        Position in metres or units of lambda*N. Each coordinate is the vertex of the parabola through the brightest
+        pixel and its two neighbours in this direction, or at an edge of the window the pixel's centre. The error is
+        well below a tenth of a pixel if pixels are at most 0.5 lambda*N wide. If several pixels are equally bright,
+        as on a ring of light, the first one in row order is used.
     """
     checked(psf)
     height, width = psf.grid.pitch
@@ -111,7 +111,7 @@ def axis_strehl(psf: PSFLike) -> Numbers:
     if psf.blur:
         from lommel.blur.recorded import recorded_images
 
-        # The tolerance of psf.method may be far below the one requested; the default tolerance suffices here.
+        # psf.method may have a far smaller tolerance than the user requested; the default tolerance suffices here.
         requested, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)
         images = recorded_images(requested, tol, pupil, Grid(1, pupil.scale), psf.blur, Wanted(1.0))[1]
         center = images.values[:, 0, 0].reshape(pupil.shape)
@@ -229,7 +229,8 @@ def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tu
     tops = np.ones(inner.shape, dtype=bool)
     for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
         tops &= inner >= values[i : i + inner.shape[0], j : j + inner.shape[1]]
-    # A local maximum is at most a sixth larger than its sample: samples below 0.85 of the largest cannot exceed it.
+    # A local maximum is at most a sixth larger than its sample. Near samples below 0.85 of the largest sample it is
+    # therefore smaller than the largest sample.
     rows, columns = np.nonzero(tops & (inner > 0.85 * values.max()))
     order = np.argsort(inner[rows, columns])[::-1][:6]
     row, column = np.unravel_index(int(values.argmax()), values.shape)
@@ -249,7 +250,7 @@ def _maximum(image: PointImage, values: Array, places: Array, step: float) -> tu
 
 
 def _end(image: PointImage, values: Array, places: Array, half: float, sign: float, *, transposed: bool) -> float:
-    """Return the largest (`sign` 1) or smallest (-1) x, or y if `transposed`, at which the light is `half`."""
+    """Return the largest (`sign` 1) or smallest (-1) x, or y if `transposed`, with `half` as the light per area."""
     lines = (values.T if transposed else values)[:, :: int(sign)]
     at = places[:: int(sign)]
     last = lines.shape[1] - 1 - np.argmax((lines >= half)[:, ::-1], axis=1)
@@ -292,8 +293,8 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     for i, values in enumerate(table):
         line = _EvenInterpolation(values)
         top = int(values.argmax())
-        # Two scans suffice, of the steps beside the largest sample and then of 1/32 of a step: an error of the
-        # position of a maximum hardly changes its value.
+        # Scan both steps beside the largest sample, then 1/32 of a step around the best point. This suffices, because
+        # an error of the position of a maximum hardly changes its value.
         near = np.concatenate([max(top - 1, 0) + fine, top + fine])
         best = float(near[np.argmax(line(near))])
         peak = float(line(np.clip(best + (fine - 0.5) / 32.0, 0.0, None)).max())
@@ -351,7 +352,8 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
             limit = _MAX_DIAMETER if polar(one) or in_seeing(one) else _MAX_SAMPLED_DIAMETER
             if reach >= within or 4.0 * reach > limit:
                 raise ValueError(
-                    f"fraction must lie within a circle of diameter {2.0 * reach:.4g} lambda*N, got {target:g}"
+                    f"fraction must be reached within a diameter of {2.0 * reach:.4g} lambda*N, got {target:g}; "
+                    "use a smaller fraction"
                 )
             reach = min(2.0 * reach, within)
         out.append(2.0 * brentq(excess, 0.0, reach, xtol=1e-10))
@@ -371,8 +373,8 @@ def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> 
             break
         if count >= _MAX_RADII:
             raise ValueError(
-                f"fraction must lie within a circle of diameter {2 * step * count / math.pi:.4g} lambda*N, "
-                f"got {target:g}"
+                f"fraction must be reached within a diameter of {2 * step * count / math.pi:.4g} lambda*N, "
+                f"got {target:g}; use a smaller fraction"
             )
         count = min(4 * count, _MAX_RADII)
     out = np.empty(len(table))
@@ -476,7 +478,7 @@ def axial_fwhm(psf: PSFLike, *, of: str = "image") -> Numbers:
 
 
 def _axial_lines(psf: PSFLike, model: ImageModel) -> Array:
-    """Return the light along the axis, or through the brightest point, in each plane; the shape of the stack."""
+    """Return the light in each plane on the axis, or on a parallel line through the brightest point, as a stack."""
     pupil = psf.pupil
     if model.radial_method is not None:
         on_axis = model.radial_method.profile(pupil, np.zeros(1)).values
@@ -492,5 +494,5 @@ def _axial_lines(psf: PSFLike, model: ImageModel) -> Array:
             place = brightest_place(planes_model._replace(pupil=planes_model.pupil[brightest[k]]))
         images = cartesian_images(planes_model, float(np.abs(place).max()))
         lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
-    # `scale` includes the excitation of each plane, such as that of a light sheet.
+    # `scale` includes the excitation of each plane, for example by a light sheet.
     return np.asarray(psf.scale * np.array(lines).reshape(pupil.shape))

@@ -398,7 +398,7 @@ def _first_crossing(pupil: Pupil, threshold: float, angle: float, sensor: Sensor
     oscillation += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
     steps = math.ceil(max(128.0, 2.0 * oscillation, 0.0 if pupil.mask is None else min(pupil.mask.side, 1024)))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
-    # Circular apertures compute several frequencies together, which large blocks make faster.
+    # For circular apertures several frequencies are computed together, so that larger blocks are faster.
     block = 32 if pupil.circular else 4
     for start in range(1, steps + 1, block):
         k = np.arange(start, min(start + block, steps + 1))

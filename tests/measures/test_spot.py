@@ -192,7 +192,7 @@ def test_what_is_impossible_is_refused_by_name():
         "along must be one of": lambda: radial.fwhm("z"),
         "fraction must be > 0 and < 1, got 1": lambda: radial.energy_diameter(1.0),
         "fraction must be finite": lambda: coma.energy_diameter(math.nan),
-        "fraction must lie within a circle": lambda: radial.energy_diameter(1 - 1e-6),
+        "fraction must be reached within": lambda: radial.energy_diameter(1 - 1e-6),
         "radius must be None for a pupil that is not radial": lambda: coma.profile(1.0),
         "pupil must be radially symmetric|supports radially": lambda: lm.best_focus(coma.pupil, 1.0),
         "supports radially|must be radially": lambda: spot.radial_fwhm(lm.Hankel(), coma.pupil),

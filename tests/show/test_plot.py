@@ -79,7 +79,7 @@ def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
 
 def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
     stack = lm.psf(lm.Pupil(lm.Wavefront(np.arange(65.0))), 5, 0.5)
-    with pytest.raises(ValueError, match=r"at most 64 can be drawn, got a stack of shape \(65,\); index it"):
+    with pytest.raises(ValueError, match=r"at most 64 pictures can be drawn, got a stack of shape \(65,\); index it"):
         stack.plot()
     with pytest.raises(ValueError, match="ax must be None for a stack"):
         stack[:2].plot(plt.subplots()[1])

@@ -410,10 +410,10 @@ def _setting(instrument: Instrument, channels: Channels | None = None) -> str:
 
 
 def _title(axes: Axes, name: str, title: str) -> str:
-    """Return a title of a figure below the name of its lens, which is fitted to the width of the figure."""
-    from lommel.show.drawing import fitted, name_in_words
+    """Return a title of a figure below the name of its lens, wrapped to the width of the figure."""
+    from lommel.show.drawing import fit_to_width, name_in_words
 
-    return f"{fitted(name_in_words(name), axes)}\n{title}".rstrip("\n")
+    return f"{fit_to_width(name_in_words(name), axes)}\n{title}".rstrip("\n")
 
 
 def _entitle_figure(axes: Axes, name: str) -> None:

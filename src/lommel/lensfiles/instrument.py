@@ -82,7 +82,7 @@ class Camera:
 
     @property
     def noise(self) -> Noise:
-        """Noise model of images in counts; a gain that is not stated is 1, and an offset that is not stated is 0.
+        """Noise model of images in counts; by default the gain is 1 electron per count and the offset is 0.
 
         Returns
         -------
@@ -95,7 +95,9 @@ class Camera:
             If the file does not state the read noise.
         """
         if self.read is None:
-            raise ValueError(f"the file of {self.name!r} must state read, the read noise, for its noise")
+            raise ValueError(
+                f"the file of {self.name!r} must state read, the read noise in electrons, for a noise model"
+            )
         return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)
 
 
@@ -124,7 +126,7 @@ class Instrument:
     pixel : float or (float, float)
         Pixel pitch, metres: one number for square pixels, else (height, width).
     shape : tuple of int, or None
-        Height and width of the window in pixels, if the file states them; see :attr:`window`.
+        Height and width of the window in pixels; None if the file does not state them; see :attr:`window`.
     radii : dict of str to float
         Radii on the sensor (metres) for encircled energies; keys are the texts in the file.
     sensor : tuple of float, or None
@@ -214,7 +216,7 @@ class Instrument:
 
     @property
     def window(self) -> tuple[int, int]:
-        """Height and width of the window: `shape`, or a square with about 98 % of the light."""
+        """Height and width of the window: `shape`, or a square of 33 to 1025 pixels for about 98 % of the light."""
         return self.shape or (max(33, min(wide_enough(self.pupil(), min(self.pitch)), 1025)),) * 2
 
     def pupil(self) -> Pupil:
@@ -253,8 +255,8 @@ class Instrument:
 
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:
-    """Return the odd side, in pixels, of a square around the axis that contains about 98 % of the light."""
-    # Diffraction spreads the fraction 2 / (pi^2 x) of the light farther than x lambda*N beyond the geometric blur,
-    # and for an annulus more, by the factor 1 / (1 - obscuration).
+    """Return the side, in pixels (odd), of a square around the axis that contains about 98 % of the light."""
+    # Diffraction spreads about the fraction 2 / (pi^2 x (1 - obscuration)) of the light farther than x lambda*N
+    # beyond the geometric blur.
     tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
     return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1

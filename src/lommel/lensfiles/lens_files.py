@@ -63,7 +63,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 
 _FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
-_Made = TypeVar("_Made")
+_Result = TypeVar("_Result")
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
 
 
@@ -152,11 +152,11 @@ def _read_transmission(path: Path) -> Values:
 
 
 class _Metres(float):
-    """A length in metres; plain numbers are lengths in units of the radius of the aperture."""
+    """A length in metres, unlike a plain float, which is a length in units of the aperture's radius."""
 
 
 def _extent(value: object) -> float:
-    """Return a length of a shape from a text with a unit, or from a number in units of the aperture's radius."""
+    """Return a length from a text with a unit (`_Metres`), or from a number in units of the aperture's radius."""
     if isinstance(value, str):
         return _Metres(finite(parse_length(value, "50 mm")))
     if isinstance(value, bool) or not isinstance(value, int | float):
@@ -282,8 +282,8 @@ def _read_phases(path: Path) -> Values:
             row = [math.nan]
         if len(row) not in (1, 3) or not all(map(math.isfinite, row)) or (rows and len(row) != len(rows[0])):
             raise ValueError(
-                f"{path.name!r}, line {number}: must hold piston, or piston, tip and tilt, one number or "
-                f"three in every line, got {validation.shown(line.strip())}"
+                f"{path.name!r}, line {number}: must hold one number (piston) or three (piston, tip, tilt), in "
+                f"waves, the same count in every line, got {validation.shown(line.strip())}"
             )
         rows.append(row)
     if not rows:
@@ -326,7 +326,7 @@ class ApertureSection(Section):
         found = {"vignetting": edge and edge.build(), "mask": self.mask and self.mask.file}
         if spider is not None:
             found["spider"] = faults.attempt(("spider", "width"), "spider.width", lambda: spider.spider(radius))
-        stop = self._mirror(radius, faults)
+        stop = self._telescope_stop(radius, faults)
         clear, blocked = (_union(name, getattr(self, name), radius, faults) for name in ("clear", "blocked"))
         faults.raise_errors()
         if clear is not None:
@@ -337,8 +337,8 @@ class ApertureSection(Section):
         found["stop"] = stop
         return {name: shape for name, shape in found.items() if shape is not None}
 
-    def _mirror(self, radius: float, faults: _ErrorCollector) -> Shape | Segments | None:
-        """Return the stop of the telescope or of the segments, None without them."""
+    def _telescope_stop(self, radius: float, faults: _ErrorCollector) -> Shape | Segments | None:
+        """Return the stop of `telescope` or of the rings of `segments`, with the segments' phases; None without."""
         stop: Shape | Segments | None = None
         if self.telescope is not None:
             stop = getattr(telescopes, self.telescope)()
@@ -365,7 +365,7 @@ class _ErrorCollector:
     def __init__(self) -> None:
         self.faults: list[tuple[tuple[str, ...], str, str]] = []
 
-    def attempt(self, keys: tuple[str, ...], name: str, make: Callable[[], _Made]) -> _Made | None:
+    def attempt(self, keys: tuple[str, ...], name: str, make: Callable[[], _Result]) -> _Result | None:
         """Return the result of `make`; if it raises an error, collect the error and return None."""
         try:
             return make()
@@ -382,7 +382,7 @@ class _ErrorCollector:
 
 
 def _union(name: str, parts: list[_Part] | None, radius: float, faults: _ErrorCollector) -> Shape | None:
-    """Return the union of the shapes of parts, None without parts."""
+    """Return the union of the shapes of `parts`, None if there are no valid parts."""
 
     def build(part: _Part) -> Shape:
         shape = part.build(radius)
@@ -398,7 +398,7 @@ def _union(name: str, parts: list[_Part] | None, radius: float, faults: _ErrorCo
 
 
 def _lengths(value: Any, info: ValidationInfo) -> Any:
-    """Return a length in metres, or for a list a pair of lengths."""
+    """Return a length in metres, or a tuple of lengths for a list."""
     example = {"focal_length": "50 mm", "focus_distance": "2 m"}.get(info.field_name or "", "3.45 um")
     if isinstance(value, list):
         return tuple(parse_length(text, example) for text in value)
@@ -443,7 +443,7 @@ class _RangesFile(Section):
 
 
 def load_lens_ranges(path: str | PathLike[str]) -> LensRanges:
-    """Read ranges of lens parameters from a file; LensFileError or OSError if it cannot be used.
+    """Read ranges of lens parameters from a file; LensFileError if it is invalid, OSError if it cannot be read.
 
     A range is one value or a list of two values. Keys: ``[lens]`` focal_length, f_number, focus_distance, wavelength
     (one value); ``[aberrations]`` spherical (C_s, radians); ``[sensor]`` pixel. Lengths are texts with a unit.
@@ -459,14 +459,14 @@ def load_lens_ranges(path: str | PathLike[str]) -> LensRanges:
 
 
 def _radius(value: str | float) -> str | float:
-    """Return the text of a radius, a length or an angle, unchanged if it is valid; ValueError otherwise."""
+    """Return a radius, stated as a length or an angle, unchanged if it is valid; ValueError otherwise."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
         raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
     return value
 
 
 def _amplitude(value: Any) -> float | Apodization | str:
-    """Return the apodization: a number, coefficients of powers of rho^2, or "aplanatic"."""
+    """Return the apodization of a lens: a number, coefficients of powers of rho^2 (a list), or "aplanatic"."""
     if value == "aplanatic":
         return "aplanatic"
     powers = value if isinstance(value, list) else [value]
@@ -517,7 +517,7 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: Toml | None = None  # checked by `camera_files.read`
+    zernike: Toml | None = None  # checked by `camera_files.read_zernike`
 
 
 class VignettingSection(BuiltSection):
@@ -541,7 +541,7 @@ class ShadingSection(BuiltSection):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return the error message unless either `distance` or `height` and `light` are present."""
+        """Return the error message unless exactly `distance`, or exactly `height` and `light`, are present."""
         if {"distance", "height", "light"} & set(given) in ({"distance"}, {"height", "light"}):
             return None
         return "needs distance (from the exit pupil to the sensor), or height and light: one of the two"
@@ -617,7 +617,10 @@ class ChannelsSection(BuiltSection):
             return Channels.of_wavelengths(self.wavelengths)
         counts = {len(row) for row in self.weights.values()}
         if counts != {len(self.wavelengths)}:
-            raise ValueError(f"weights of a channel must be one for each of {len(self.wavelengths)} wavelengths")
+            raise ValueError(
+                f"weights of each channel must be numbers, one for each of {len(self.wavelengths)} wavelengths, "
+                f"got {', '.join(str(len(row)) for row in self.weights.values())} numbers"
+            )
         return Channels(self.wavelengths, list(self.weights.values()), list(self.weights))
 
 
@@ -731,18 +734,19 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     the active fraction of a pixel's area or of height and width. ``[report]``: encircled_energy, a list of radii on
     the sensor, as lengths or angles.
 
-    ``[aperture]``: all parts block light together, at all field positions. ``[aperture.spider]`` has width and either
-    vanes, the number of vanes at equal angles from the angle first, or angles, a list (``"45 deg"``, from x to y).
+    ``[aperture]``: its parts act together, at all field positions. ``[aperture.spider]`` has width and either vanes,
+    the number of vanes at equal angles from the angle first, or angles, a list (``"45 deg"``, from x to y).
     ``[aperture.ellipse]`` (a, b, angle) and ``[aperture.cat_eye]`` (shift, a pair [x, y], and radius) are in units of
     the aperture's radius. ``[aperture.mask]`` has file, the name of a square array (.npy, .fits) or grey picture
     (.png, .tif), and holds, "amplitude" or "intensity". ``telescope`` is a name in ``lommel.telescopes``.
     ``[aperture.segments]`` has rings, gap, middle and angle of :meth:`lommel.Segments.hexagonal`, and the phases of
-    the segments in waves at the wavelength of the lens: lists piston, tip and tilt (at the edge of the aperture, from
-    the centre of the segment), or file, a text file with one or three numbers per line and segment. Light passes only
-    in the union of the shapes in ``[[aperture.clear]]``, without the shapes in ``[[aperture.blocked]]``. A shape has
-    the type "disc" (radius, center), "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius
-    of its corners, center, angle) or "strip" (start, end, width); its lengths are texts with a unit, or numbers in
-    units of the aperture's radius.
+    the segments in waves at the wavelength of the lens: either lists piston, tip and tilt (a tilt is the phase at one
+    aperture radius from the segment's centre), or file, a text file with one line of one number (piston) or three
+    numbers for each segment. Light passes through the union of the shapes in ``[[aperture.clear]]`` (by default the
+    whole aperture), except through the shapes in ``[[aperture.blocked]]``. A shape has the type "disc" (radius,
+    center), "ellipse" (a, b, angle, center), "polygon" (corners; convex), "hexagon" (radius of its corners, center,
+    angle) or "strip" (start, end, width); its lengths are texts with a unit, or numbers in units of the aperture's
+    radius.
 
     ``[field]``: sensor, the height and width of the whole sensor, and one of three descriptions of field-dependent
     aberrations, which are added to those of the lens: Seidel coefficients W131, W222, W220, W311 in waves at the edge
@@ -804,7 +808,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     if table is not None:
         aberrations += camera_files.wavefront_of(table, wavelength)
     options: Toml = dict(file.lens) | {"colour": file.colour and file.colour.build()}
-    # Lens() might reject an implausible f-number; a diameter is used as stated.
+    # Lens() warns of an f-number with a focal length of several metres; it accepts any diameter without a warning.
     diameter = aperture(file.lens.focal_length, options.pop("f_number"), options.pop("aperture_diameter"))
     options["aperture_diameter"] = diameter
     radius = 0.5 * Lens(**options).aperture_diameter

@@ -31,14 +31,14 @@ from lommel.io import photos, text_files
 
 _Read = TypeVar("_Read")
 _Model = TypeVar("_Model", bound="Section")
-_Made = TypeVar("_Made")
+_Result = TypeVar("_Result")
 
 Toml: TypeAlias = Json
 """The contents of a TOML file."""
 
 
 class Context(TypedDict, total=False):
-    """Folder of a lens file, relative to which it names other files; and whether these must lie in this folder."""
+    """Folder of a lens file, to which the file names in it are relative, and whether these files must lie in it."""
 
     folder: Path
     folder_only: bool
@@ -57,10 +57,10 @@ def finite(value: float) -> float:
     return value
 
 
-def checked_by(check: Callable[[Any], _Made]) -> Callable[[Any], _Made]:
+def checked_by(check: Callable[[Any], _Result]) -> Callable[[Any], _Result]:
     """Return `check` with TypeErrors converted to ValueErrors, which pydantic collects."""
 
-    def checked(value: object) -> _Made:
+    def checked(value: object) -> _Result:
         try:
             return check(value)
         except TypeError as error:
@@ -197,11 +197,11 @@ def built(
     raw: Toml,
     text: str,
     model: type[_Model],
-    make: Callable[[_Model], _Made],
+    make: Callable[[_Model], _Result],
     *,
     context: Context | None = None,
     found: tuple[str, ...] = (),
-) -> _Made:
+) -> _Result:
     """Return the object ``make(validated file)``; LensFileError with all errors, including earlier errors `found`."""
     errors = list(found)
     try:
@@ -228,7 +228,7 @@ def built(
 
 
 def _error_message(fault: ErrorDetails, text: str, model: type[Section]) -> str:
-    """Return a message with key, line number and text of an error of validation."""
+    """Return the message of a validation error, with the key and the line number."""
     place = [str(part) for part in fault["loc"]]
     keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
     message = with_units(fault["msg"].removeprefix("Value error, "))
@@ -236,7 +236,7 @@ def _error_message(fault: ErrorDetails, text: str, model: type[Section]) -> str:
         section: Any = model
         for part in keys[:-1]:
             section = _section(section.model_fields[part].annotation)
-        message = f"unknown key; {_elsewhere(model, keys) or near(keys[-1], section.model_fields)}"
+        message = f"unknown key; {_section_hint(model, keys) or near(keys[-1], section.model_fields)}"
     elif fault["type"] == "missing":
         message = "is missing"
     elif fault["type"] in ("model_type", "dict_type"):
@@ -245,16 +245,16 @@ def _error_message(fault: ErrorDetails, text: str, model: type[Section]) -> str:
         message += f", got {shown(fault['input'])}"
     if not keys:  # an error of the whole file
         return str(message)
-    # Search the line with the index in arrays of tables, else by the keys alone.
+    # Find the line by keys and indices (in arrays of tables), or else by the keys alone.
     line = text_files.line_of(text, place) or text_files.line_of(text, keys)
     return f"{'.'.join(map(validation.key, keys))}{f' (line {line})' if line else ''}: {message}"
 
 
-def _elsewhere(model: type[Section], keys: list[str]) -> str | None:
-    """Return a hint at the other sections that have a key of this name, None if there are none."""
+def _section_hint(model: type[Section], keys: list[str]) -> str | None:
+    """Return a text that names the other sections with a key of this name, None if there are none."""
     sections = {name: _section(part.annotation) for name, part in model.model_fields.items() if name != keys[0]}
-    homes = [f"[{name}]" for name, part in sections.items() if keys[-1] in getattr(part, "model_fields", ())]
-    return f"it is in {' or '.join(homes)}" if homes else None
+    names = [f"[{name}]" for name, part in sections.items() if keys[-1] in getattr(part, "model_fields", ())]
+    return f"it is in {' or '.join(names)}" if names else None
 
 
 def _section(annotation: object) -> Any:

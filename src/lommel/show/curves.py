@@ -23,7 +23,6 @@ from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
-from lommel.optics.pupil import checked as checked_psf
 from lommel.optics.pupil import checked as checked_pupil
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.show import drawing
@@ -63,8 +62,9 @@ def moved(
     Parameters
     ----------
     thing : Lens or Pupil
-        Lens or single pupil. For a lens the shifts are exact. A pupil with a wavelength keeps its f-number N: a shift
-        by z adds ``C_d = -pi z / (8 lambda N^2)``, valid for z small compared with the sensor distance.
+        Lens or single pupil. A lens is recomputed for each sensor distance. A pupil with a wavelength keeps its
+        f-number N: a shift by z adds ``C_d = -pi z / (8 lambda N^2)``, valid for z small compared with the sensor
+        distance.
     object_distance : float, optional
         Object distance of a lens, metres; by default the focus distance.
     reach : float, optional
@@ -87,7 +87,7 @@ def moved(
     lens = thing if isinstance(thing, Lens) else None
     if lens is None and object_distance is not None:
         raise ValueError("object_distance must be None for a pupil, whose object distance is fixed; pass the lens")
-    pupil = checked_psf(thing if lens is None else lens.pupil(object_distance))
+    pupil = checked_pupil(thing if lens is None else lens.pupil(object_distance))
     if pupil.shape != ():
         raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}; index it")
     low, high = _foci(pupil)
@@ -117,7 +117,7 @@ def section(through: Moved, x: Array) -> Array:
     -------
     ndarray, shape (n, m)
         Intensity relative to the peak of the same aperture without aberrations, in focus at the initial sensor
-        position. At each position the error is below 1e-6 of the peak, the tolerance of the default method.
+        position. For each sensor position the error is below 1e-6 of the largest value at this position.
     """
     middle = through.pupils[len(through.pupils) // 2]
     step = float(x[-1] - x[0]) / max(x.size - 1, 1)
@@ -142,7 +142,7 @@ def section(through: Moved, x: Array) -> Array:
 
 
 def _foci(pupil: Pupil) -> tuple[float, float]:
-    """Return the ends of a range of added defocus C_d, radians, that includes 0, all foci of zones and a margin."""
+    """Return the lowest and the highest added defocus C_d, radians, which enclose 0 and the foci of all zones."""
     t = np.linspace(pupil.obscuration**2, 1.0, 129)
     # Defocus adds the phase C_d (2 t - 1), t = rho^2. A zone is in focus if the slope 2 C_d cancels that of the
     # phase.
@@ -165,7 +165,7 @@ def _shift_range(lens: Lens, low: float, high: float) -> Array:
 
 
 def _even_shifts(reach: float, sensor_distance: float, count: int) -> Array:
-    """Return `count` equally spaced shifts from -reach to reach; ValueError if one would reach the lens."""
+    """Return `count` equally spaced shifts from -reach to reach; ValueError unless reach < sensor_distance."""
     far = validation.real("reach", reach, above=0.0)
     if far >= sensor_distance:
         raise ValueError(f"reach must be below the distance of the sensor, {sensor_distance:g} m, got {far:g}")
@@ -312,7 +312,7 @@ def focus_curves(
 
 
 def _shift(through: Moved) -> tuple[Array, str]:
-    """Return the sensor positions in the unit of the drawn axis, and the axis label."""
+    """Return the sensor shifts, or the added defocus, in the unit of the horizontal axis, and the axis label."""
     if not through.metric:
         return through.at, "added defocus C_d (rad)"
     millimetres = float(np.abs(through.at).max()) >= 1e-3

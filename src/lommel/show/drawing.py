@@ -32,7 +32,7 @@ _Item = TypeVar("_Item")
 
 
 def of_pupils(pupil: BasePupil) -> list[str]:
-    """Return a label for each pupil of the flattened stack: object distance, depth and z, or a coefficient."""
+    """Return a label for each pupil of the flattened stack: the object distance, depth and z, or a coefficient."""
     if isinstance(pupil, ObjectivePupil):
         places = {"depth": pupil.depth, "z": pupil.z}
         varied = [_lengths(f"{name} ", at.ravel()) for name, at in places.items() if np.ptp(at)]
@@ -71,7 +71,7 @@ def _term_labels(flat: Wavefront, column: int) -> list[str]:
 
 
 def _lengths(what: str, at: Array) -> list[str]:
-    """Return lengths as texts in the unit of the largest one, each after the text `what`."""
+    """Return lengths as texts in one unit, which suits the largest finite length; each begins with `what`."""
     finite = np.abs(at[np.isfinite(at)])
     like = float(finite.max()) if finite.size else None
     return [f"{what}{length_in_words(length + 0.0, like=like)}" for length in at.tolist()]
@@ -117,7 +117,7 @@ def evenly_spaced(items: Sequence[_Item], most: int) -> list[_Item]:
 
 
 def evenly_spaced_members(shape: tuple[int, ...], most: int) -> dict[int, tuple[int, ...]]:
-    """Return the indices of at most `most` evenly spaced members of a stack, by index into the flattened stack."""
+    """Return at most `most` evenly spaced members of a stack: flattened index -> index into the stack."""
     members = evenly_spaced(range(math.prod(shape)), most)
     return {member: tuple(int(i) for i in np.unravel_index(member, shape)) for member in members}
 
@@ -164,7 +164,7 @@ _FLOOR = 1e-5  # lower end of logarithmic scales, relative to the peak
 
 
 def norm_of(stretch: str, values: Values) -> Normalize:
-    """Return the brightness scale from 0 (logarithmic: 1e-5) to the largest value, or to 1 if all are 0."""
+    """Return the brightness scale from 0 ("log": 1e-5 of the upper end) to the largest value, or to 1 if it is 0."""
     library("matplotlib", *USER)
     from matplotlib import colors
 
@@ -183,7 +183,7 @@ def even_norm(largest: float) -> Normalize:
 
 
 def stretched(light: Values, stretch: str) -> NDArray[np.float64]:
-    """Return brightness from 0 to 1 for light from 0 to 1."""
+    """Return the brightness, 0 to 1, of values from 0 to 1 on a brightness scale."""
     if stretch == "log":
         return np.asarray(1.0 - np.log10(np.maximum(light, _FLOOR)) / np.log10(_FLOOR))
     return np.asarray(np.sqrt(light) if stretch == "sqrt" else light, dtype=np.float64)
@@ -223,12 +223,12 @@ def picture_axes(ax: Axes | None, height: float, width: float) -> Axes:
 
 
 def lengths(unit: str) -> tuple[float, str]:
-    """Return the factor that converts lengths in the `unit` of a pupil to the unit of axes, and the latter."""
+    """Return the unit of drawn lengths, after the factor that converts lengths in the `unit` of a pupil to it."""
     return (1e6, "µm") if unit == "m" else (1.0, "λN")
 
 
 def frequencies(unit: str) -> tuple[float, str]:
-    """Return the factor that converts cycles per `unit` to the unit of frequency axes, and the latter."""
+    """Return the unit of drawn frequencies, after the factor that converts cycles per `unit` to it."""
     return (1e-3, "cycles/mm") if unit == "m" else (1.0, "cycles/λN")
 
 
@@ -242,7 +242,7 @@ def at_most(shape: tuple[int, ...]) -> None:
     """Raise ValueError for a stack that is too large for one figure."""
     if int(np.prod(shape)) > MOST:
         raise ValueError(
-            f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, for example stack[:8]"
+            f"at most {MOST} pictures can be drawn, got a stack of shape {shape}; index it, for example stack[:8]"
         )
 
 
@@ -253,7 +253,7 @@ def round_length(most: float) -> float:
 
 
 def columns_of(count: int) -> int:
-    """Return the number of columns for `count` pictures: one row up to eight, else rows with few empty places."""
+    """Return the number of columns for `count` pictures: one row of up to eight, else rows with few empty cells."""
     if count <= 8:
         return count
     return min(range(3, 9), key=lambda columns: (-count % columns, abs(columns - math.sqrt(1.5 * count))))
@@ -266,7 +266,7 @@ def figure_of(drawn: Figure | Axes) -> Figure:
     return figure
 
 
-def fitted(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
+def fit_to_width(text: str, drawn: Figure | Axes, size: float = 9.0) -> str:
     """Return a title broken between words into lines that fit the figure's width, for a font size in points."""
     figure = figure_of(drawn)
     letters = int(72.0 * figure.get_figwidth() / (0.56 * size))
@@ -284,7 +284,7 @@ def _wrapped(line: str, most: int) -> list[str]:
 
 def entitle(figure: Figure, text: str) -> None:
     """Set the title of a figure, broken into lines that fit its width."""
-    figure.suptitle(fitted(text, figure), fontsize=9)
+    figure.suptitle(fit_to_width(text, figure), fontsize=9)
 
 
 def circle(axes: Axes, radius: float, **style: Any) -> None:
@@ -303,7 +303,7 @@ def only_outer(axes: Axes, k: int, count: int, columns: int) -> None:
 
 def caption(axes: Axes, title: str, label: str) -> None:
     """Set the title of a picture and add a colour bar with a label."""
-    axes.set_title(fitted(title, axes), fontsize=9)
+    axes.set_title(fit_to_width(title, axes), fontsize=9)
     axes.figure.colorbar(axes.images[-1], ax=axes).set_label(label, fontsize=9)
 
 
@@ -319,7 +319,7 @@ def complete_curves(
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, loc=loc)
     if title is not None:
-        axes.set_title(fitted(title, axes), fontsize=9)
+        axes.set_title(fit_to_width(title, axes), fontsize=9)
 
 
 def tiles(

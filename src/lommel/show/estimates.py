@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 Colours = NDArray[np.uint8]
 
-_GREY, _BACK, _INK = 128, 24, 235  # grey levels of unknown depth, of the background and of letters, 0 to 255
+_GREY, _BACKGROUND, _INK = 128, 24, 235  # grey levels of unknown depth, of the background and of letters, 0 to 255
 _BAR, _TEXT = 24, 12  # height of the colour bar and of its letters, pixels
-_MIN_GRADIENT = 100  # smallest length of the gradient, pixels, if the bar also explains grey
+_MIN_GRADIENT = 100  # smallest length of the colour gradient, pixels, beside which the bar also shows grey
 
 
 class DepthColours:
@@ -40,7 +40,7 @@ class DepthColours:
     block : int
         Side, in pixels of the frames, of a value of the depth map.
     beside : bool
-        True if a grey image is drawn to the right of the depth map.
+        True to reserve space for a grey image to the right of the depth map.
     """
 
     def __init__(self, between: tuple[float, float], shape: tuple[int, int], block: int, beside: bool) -> None:
@@ -51,31 +51,31 @@ class DepthColours:
         self._near, self._far = (1.0 / distance for distance in between)
         self._shape, self._block = shape, block
         height, width = shape[0], shape[1] * (1 + beside)
-        self._picture = np.full((height + _BAR, width, 3), _BACK, np.uint8)
+        self._picture = np.full((height + _BAR, width, 3), _BACKGROUND, np.uint8)
         self._picture[:height] = _GREY
         self._picture[height:] = self._bar(between, width)
 
     def _bar(self, between: tuple[float, float], width: int) -> Colours:
-        """Return the colour bar, labelled with both distances, and if there is room the grey of unknown depth."""
+        """Return the colour bar, labelled with both distances and, if wide enough, with the grey of unknown depth."""
         image, drawing = (
             library(f"PIL.{name}", "the bar of colours needs", "images") for name in ("Image", "ImageDraw")
         )
-        canvas = image.new("RGB", (width, _BAR), (_BACK,) * 3)
+        canvas = image.new("RGB", (width, _BAR), (_BACKGROUND,) * 3)
         draw = drawing.Draw(canvas)
         draw.fontmode = "L"
         font = library("PIL.ImageFont", "the bar of colours needs", "images").load_default(_TEXT)
         ends = [format_length(distance) if math.isfinite(distance) else "infinity" for distance in between]
-        words = [*ends, "not known"]
-        left, right, unknown = (math.ceil(draw.textlength(text, font=font)) for text in words)
+        labels = [*ends, "not known"]
+        left, right, unknown = (math.ceil(draw.textlength(text, font=font)) for text in labels)
         start = left + 10
         stop = width - right - 10
         wide = stop - start - unknown - _BAR - 12 >= _MIN_GRADIENT
         if wide:
             stop -= unknown + _BAR + 12
             draw.rectangle((stop + right + 18, 6, stop + right + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3)
-            draw.text((width - unknown - 4, _BAR // 2), words[2], fill=(_INK,) * 3, font=font, anchor="lm")
-        draw.text((4, _BAR // 2), words[0], fill=(_INK,) * 3, font=font, anchor="lm")
-        draw.text((stop + 6, _BAR // 2), words[1], fill=(_INK,) * 3, font=font, anchor="lm")
+            draw.text((width - unknown - 4, _BAR // 2), labels[2], fill=(_INK,) * 3, font=font, anchor="lm")
+        draw.text((4, _BAR // 2), labels[0], fill=(_INK,) * 3, font=font, anchor="lm")
+        draw.text((stop + 6, _BAR // 2), labels[1], fill=(_INK,) * 3, font=font, anchor="lm")
         bar = np.array(canvas)
         if stop - start > 8:
             places = 1 + np.rint(np.linspace(0.0, 254.0, stop - start)).astype(int)
@@ -83,9 +83,9 @@ class DepthColours:
         return bar
 
     def __call__(self, depth: NDArray[np.float32], image: Colours | None = None) -> Colours:
-        """Return the picture of a depth map (NaN: unknown depth), with a grey image beside it unless `image` is None.
+        """Return the picture of a depth map in metres (NaN: unknown depth), with the grey `image` to its right.
 
-        The next call overwrites the picture.
+        If `image` is None, its space, if reserved, is grey. The next call overwrites the picture.
         """
         with np.errstate(invalid="ignore"):
             fraction = (self._near - 1.0 / depth) / (self._near - self._far)
@@ -113,8 +113,8 @@ def field(
 ) -> Figure:
     """Draw maps of Zernike terms over the sensor, the fitted stars, and the images and models of five stars.
 
-    A map is (name, values, standard errors); `axes` are x, y and their unit; `stars` are x, y, chi^2 and True for the
-    stars that the fit used; `images` are measured images and models.
+    A map is (name, values, standard errors). `axes` are x and y of the maps and their unit. `stars` are x, y and
+    chi^2 of each star, and a mask that is True for the stars of the fit. `images` are measured images and models.
     """
     x, y, length = axes
     across, down, chi2, used = stars
@@ -205,7 +205,10 @@ _AXES = {"z": "stage position z (µm)", "depth": "depth (µm)"}
 def picture(
     rows: NDArray[np.void], size: tuple[float, float], pixel: float | None, along: str, ax: Axes | None
 ) -> Axes:
-    """Draw molecules in a field of `size` (height, width; metres in the sample) with about this pixel pitch."""
+    """Draw molecules in a field of `size` (height, width) with about this `pixel` pitch, metres in the sample.
+
+    `along` is the quantity that colours represent: "z", "depth" or "none".
+    """
     axes = drawing.new_axes(ax, figsize=(6.4, 5.6))
     side = max(_MIN_PIXEL, max(size) / _DEFAULT_PIXELS) if pixel is None else max(pixel, max(size) / _MAX_PIXELS)
     flat = along == "none"
@@ -224,7 +227,7 @@ def picture(
 
 
 def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, colours: Array) -> Array:
-    """Return an RGB image, 0 to 1, of molecules as Gaussians of their localisation error, on black."""
+    """Return an RGB image, 0 to 1, of molecules as Gaussians as wide as their localisation errors, on black."""
     height, width = (max(1, math.ceil(one / side - 1e-9)) for one in size)
     light = np.zeros((4, height, width))
     down, across = (np.floor(rows[name] / side).astype(int) for name in ("y", "x"))
@@ -246,9 +249,9 @@ def rendered(rows: NDArray[np.void], size: tuple[float, float], side: float, col
 
 
 _UNKNOWN = "0.55"  # colour of unknown values
-_SIDE = 3.3  # longer side of xy, inches
-_STACK_SIGMAS = 5.0  # colour scale of residuals: from -5 to 5 standard deviations
-_MIN_XZ_HEIGHT = 0.18  # smallest height of xz, as a fraction of the height of xy
+_SIDE = 3.3  # longer side of an xy projection, inches
+_STACK_SIGMAS = 5.0  # colour scale of the residuals of stacks: from -5 to 5 standard deviations
+_MIN_XZ_HEIGHT = 0.18  # smallest height of an xz projection, as a fraction of the height of the xy projection
 
 
 def projections(
@@ -256,8 +259,9 @@ def projections(
 ) -> Figure:
     """Draw recorded, restored and residual stacks of each channel, projected along z (above) and along y (below).
 
-    `voxel` is the step along z and the pixel, metres. Brightness is the square root of the values, from 0 to the
-    largest value of each projection along z; the residual is in standard deviations.
+    A channel is its name and three pairs of projections, along z and along y. `voxel` is the step along z and the
+    pixel pitch, metres. Brightness is proportional to the square root of the values, from 0 to the largest value of
+    the projection along z; residuals are in standard deviations.
     """
     height, width = channels[0][1][0][0].shape
     planes = len(channels[0][1][0][1])
@@ -306,7 +310,7 @@ def _scale_bar(axes: Axes, width: float) -> None:
 
 
 def maps(depth: Array, errors: Array, light: Values | None) -> Figure:
-    """Draw depth and its standard error (metres; NaN is grey) and, unless None, the all-in-focus image."""
+    """Draw maps of depth and its standard error (metres; NaN is grey) and the all-in-focus image `light`, if any."""
     height, width = depth.shape
     count = 2 if light is None else 3
     high = _MAP * min(max(height / width, 0.4), 2.0)
@@ -356,7 +360,7 @@ def _bar(figure: Figure, shown: AxesImage, axes: Axes, label: str) -> Any:
 
 
 def _plain_log_ticks(axis: Any, low: float, high: float) -> None:
-    """Write plain numbers on a logarithmic axis, at powers of ten and on short axes also between them."""
+    """Label a logarithmic axis with plain numbers at powers of ten, and also between them below 1.5 decades."""
     ticker = library("matplotlib.ticker", *drawing.USER)
     plain = ticker.FuncFormatter(lambda value, _: f"{value:g}")
     axis.set_major_formatter(plain)
@@ -377,11 +381,11 @@ def precision(distance: Array, curves: Mapping[str, Array], title: str, foci: Se
     for name, curve in curves.items():
         axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
     if finite.size:
-        # Limit the axis at poles, near which errors are very large.
+        # Limit the axis, because errors are very large near distances at which depth cannot be determined.
         least = 1e3 * float(finite.min())
         axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
     axes.set(xlabel="distance (m)", ylabel="standard error of depth (mm)")
-    axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
+    axes.set_title(drawing.fit_to_width(title, axes, 10), fontsize=10)
     axes.grid(alpha=0.3)
     for focus in foci:
         if distance[0] <= focus <= distance[-1]:
@@ -408,7 +412,7 @@ def fit(
 ) -> Figure:
     """Draw images (n, height, width), models, residual / noise, and fitted coefficients with standard errors.
 
-    `terms` are names, coefficients, standard errors and their unit.
+    `terms` are names, coefficients, standard errors and their common unit; `titles` are those of the images.
     """
     names, values, errors, unit = terms
     count = min(len(images), _MOST)
@@ -431,7 +435,7 @@ def fit(
     drawn.axvline(0.0, color="0.5", linewidth=0.8)
     drawn.set_yticks(at, names, fontsize=8)
     drawn.set(xlabel=f"coefficient ({unit})", ylim=(len(names) - 0.4, -0.6))  # the first on top
-    # Error bars may be too short to be visible, so that numbers are written beside them.
+    # Error bars may be too short to be visible: write their numbers beside the graph.
     beside = drawn.get_yaxis_transform()
     for k, pair in enumerate(map(with_error, values, errors)):
         number, error = map(drawing.true_minus, pair)
@@ -463,7 +467,7 @@ def spots(
     title: str,
     ax: Axes | None,
 ) -> Axes:
-    """Draw an image with windows around accepted spots, and markers at rejected spots (row, column, reason)."""
+    """Draw an image with windows of size `box` at accepted spots, and markers at rejected (row, column, reason)."""
     axes = drawing.new_axes(ax, figsize=(7.0, 7.0 * min(max(image.shape[0] / image.shape[1], 0.4), 1.4) + 0.8))
     low, high = np.nanpercentile(image, [1.0, 99.8])
     norm = library("matplotlib.colors", *drawing.USER).PowerNorm(0.5, low, max(high, low + 1e-9), clip=True)
@@ -481,5 +485,5 @@ def spots(
     if len(places) or refused:
         axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(0.0, -0.13), ncols=3, frameon=False)
     axes.set(xlabel="column", ylabel="row", xlim=(-0.5, image.shape[1] - 0.5), ylim=(image.shape[0] - 0.5, -0.5))
-    axes.set_title(drawing.fitted(title, axes, 10), fontsize=10)
+    axes.set_title(drawing.fit_to_width(title, axes, 10), fontsize=10)
     return axes

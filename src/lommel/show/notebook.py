@@ -31,8 +31,8 @@ from lommel.show.pupils import pupil_maps
 from lommel.special import zernike
 
 _TILES = 4  # largest number of images of a stack that are shown
-_WINDOW = 1024  # largest side of the central part of a window that is used, pixels
-_MAX_VALUES = 2**21  # largest number of values of which the whole stack is used
+_WINDOW = 1024  # largest side, in pixels, of the part of a PSF about the axis that is drawn
+_MAX_VALUES = 2**21  # largest number of values of a stack for which the table covers all its PSFs
 _TERMS = 8  # largest number of Zernike terms in the table
 _SIDE = 160  # side of a picture, pixels
 _RASTER = 80  # largest number of samples along a side of a phase map
@@ -44,7 +44,7 @@ Row = tuple[str, str | Callable[[], str] | None]
 
 @display.html.register(PSFLike)
 def psf(psf: PSFLike) -> str:
-    """Return a picture of a PSF, or of some PSFs of a stack, and a table of values and method."""
+    """Return a picture of a PSF, or of up to four PSFs of a stack, and a table of its properties."""
     stack, count = psf.pupil.shape, math.prod(psf.pupil.shape)
     windows = [_window(psf, index) for index in drawing.evenly_spaced_members(stack, _TILES).values()]
     whole = psf.values.size <= _MAX_VALUES
@@ -212,7 +212,7 @@ def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
 
 
 def _window(psf: PSFLike, index: tuple[int, ...]) -> Array:
-    """Return the values of one PSF of a stack; of a large window the part about the axis."""
+    """Return the values of one PSF of a stack, for a large window only the part about the axis."""
     values = psf.values[index]
     center = psf.grid[index].axis if psf.grid.stack else psf.grid.axis
     parts = []
@@ -238,12 +238,12 @@ def _sample_scale(psf: PSFLike) -> float:
 
 
 def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
-    """Return the pitch of the columns of `smaller`, to which `values` were averaged."""
+    """Return the pitch of the columns of `smaller`, the averages of `values`, metres or units of lambda*N."""
     return float(psf.grid.pitch[1] * _sample_scale(psf)) * int(values.shape[1] // smaller.shape[1])
 
 
 def _bar(pitch: float, columns: int, enlarged: float, unit: str) -> str:
-    """Return a scale bar of at most half of the columns; a column has a pitch and is `enlarged` pixels wide."""
+    """Return a scale bar below a picture, at most half as wide; a column is drawn `enlarged` screen pixels wide."""
     length = drawing.round_length(0.5 * columns * pitch)
     style = f"width:{length / pitch * enlarged:.1f}px;border-top:3px solid currentColor;margin:4px auto 0"
     return f'<div style="{style}"></div><small>{escape(_length(length, unit))}</small>'
@@ -269,7 +269,7 @@ def _joined_pictures(parts: Sequence[Array], cmap: str, words: str, pitch: float
 
 
 def _smaller(values: Array, most: int = _SIDE) -> Array:
-    """Return averages over squares of pixels, of the smallest size that makes all sides at most `most`."""
+    """Return means over squares of pixels, the smallest squares for which no side of the result exceeds `most`."""
     times = -(-max(values.shape) // most)
     height, width = (max(side // times, 1) for side in values.shape)
     parts = values[: height * times, : width * times]
@@ -296,7 +296,7 @@ def _image(values: Array, cmap: str, words: str, side: int) -> str:
 
 
 def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
-    """Return rows of the eight largest Zernike terms, waves rms, with the range of values in a stack."""
+    """Return rows of the eight largest Zernike terms, waves rms, for a stack as the range of its values."""
     edge = wavefront.edge_terms()
     sizes = {t: float(np.abs(c).max()) for t, c in edge.items() if np.any(c)}
     largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
@@ -310,7 +310,10 @@ def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
 
 
 def _rms(thing: Pupil) -> list[Row]:
-    """Return a row of the rms if it is fast to compute: for uniform full discs, or for small stacks of few terms."""
+    """Return a row of the rms wavefront error if it is fast to compute, else no row.
+
+    It is fast for uniform full discs, and for other circular or annular pupils with few terms in a small stack.
+    """
     wave = thing.wavefront
     if thing.circular and not thing.obscuration and thing.illumination.uniform:
         factors = np.array([zernike.rms_factor(*term) for term in wave.terms])

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 __all__ = ["difference", "encircled_energy", "focus_curves", "mtf", "spots", "through_focus"]
 
-_MAX_RATIO = 3.0  # largest ratio of the sides of a z stack that are drawn to one scale
+_MAX_RATIO = 3.0  # largest ratio of the sides of a z stack that are drawn on one length scale
 _SIDE = 3.4  # length of the longest drawn side, inches
 
 
@@ -44,7 +44,7 @@ class Voxels(NamedTuple):
 
 
 def is_z_stack(psf: PSFLike) -> bool:
-    """Return True for a microscope's PSF in several planes of monotonic z, with the same axis in all planes."""
+    """Return True for a microscope's PSF with increasing or decreasing z and the same optical axis in all planes."""
     pupil = psf.pupil
     if not isinstance(pupil, ObjectivePupil) or len(pupil.shape) != 1 or pupil.z.size < 2 or psf.grid.stack:
         return False
@@ -137,8 +137,8 @@ def _draw_profiles(
 ) -> None:
     """Draw the values along x, y and z through the brightest voxel.
 
-    `distances` from this voxel and the side `lengths` of the sections are in micrometres. `levels` are the values of
-    the sections xy, xz, yz, and `peak` is the row and column of the voxel in xy.
+    `distances` from this voxel and `lengths` of the sections, both along x, y and z, are in micrometres. `levels` are
+    the values of the sections xy, xz, yz, and `peak` is the row and column of the voxel in xy.
     """
     xy, xz, _ = levels
     row, column = peak
@@ -163,7 +163,7 @@ def _draw_profiles(
 
 
 _DARK = 0.05  # largest brightness (0 to 1) of surroundings that are cropped
-_RIM = 0.15  # width of the dark rim that is drawn, as a fraction of the size of the bright region
+_RIM = 0.15  # width of the dark rim drawn around the bright region, as a fraction of the region's size
 
 
 def _limits(places: Sequence[Array], levels: Sequence[Values], stretch: str) -> list[tuple[float, float]]:
@@ -209,9 +209,9 @@ def plot(psf: PSFLike, ax: Axes | None = None, *, stretch: str = "sqrt") -> draw
     Parameters
     ----------
     psf : PSF
-        A single PSF or a stack of at most 64. A stack of shape (rows, columns) is drawn in this arrangement, another
-        stack in rows of at most eight. A z stack of a microscope is drawn as sections through its brightest voxel
-        (:func:`lommel.show.plot.sections`).
+        A single PSF or a stack of at most 64. A stack of shape (rows, columns) is drawn in this arrangement, any
+        other stack in rows of at most eight. A z stack of a microscope is drawn as sections through its brightest
+        voxel (:func:`lommel.show.plot.sections`).
     ax : matplotlib Axes, optional
         Axes for a single PSF. By default the axes of a new figure with a title and a colour bar.
     stretch : {"sqrt", "linear", "log"}
@@ -314,7 +314,7 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
         raise ValueError(f"a stack must have three channels, got {len(psf.psfs)}; plot a channel: psf[0].plot()")
     if len(pictures) > drawing.MOST or (ax is not None and len(pictures) > 1):
         most = 1 if ax is not None else drawing.MOST
-        raise ValueError(f"at most {most} can be drawn here, got {len(pictures)}; use part(index) of a stack")
+        raise ValueError(f"at most {most} PSFs can be drawn here, got {len(pictures)}; use part(index) of a stack")
     first = psf.psfs[0] if not stack else psf.psfs[0][(0,) * len(stack)]
     columns = drawing.columns_of(len(pictures))
     rows = -(-len(pictures) // columns)
@@ -341,7 +341,7 @@ def colour(psf: ColourPSFLike, ax: Axes | None = None, *, stretch: str = "sqrt")
 def compare(
     answers: Mapping[str, PSFLike], reference: str, left_out: Mapping[str, Sequence[str]] | None = None
 ) -> Figure:
-    """Draw a reference PSF, maps of the errors of other PSFs, and slices of both through the central pixel.
+    """Draw a reference PSF, error maps of other PSFs, and the reference and the errors along the central row.
 
     Parameters
     ----------
@@ -350,7 +350,7 @@ def compare(
     reference : str
         Name of the reference PSF.
     left_out : mapping of str to sequence of str, optional
-        Reasons why methods are not drawn, each with the names of the methods; written below the maps.
+        Names of the methods that are not drawn, by the reason; they are written below the maps.
 
     Returns
     -------
@@ -443,7 +443,7 @@ def _label_ends(axes: Axes, ends: list[tuple[float, str, str]]) -> None:
     for k in order:
         last = max(at[k], last + gap)
         places[int(k)] = last
-    # Names above the top of the axes are moved down, and the names below them if necessary.
+    # Move names above the top of the axes down, and also the names below them where they would overlap.
     top = 1.0
     for k in order[::-1]:
         places[int(k)] = min(places[int(k)], top)

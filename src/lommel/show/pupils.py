@@ -37,7 +37,7 @@ class PupilMaps(NamedTuple):
 
 @display.plot.register(Wavefront)
 def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> drawing.Drawn:
-    """Draw the phase of a wavefront over the full disc minus its mean; a stack side by side on one colour scale.
+    """Draw the phase of a wavefront over the full disc, minus its mean; members of a stack share one colour scale.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") 
 
 @display.plot.register(BasePupil)
 def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> drawing.Drawn:
-    """Draw the phase across a pupil minus its mean, or the amplitude; a stack side by side on one colour scale.
+    """Draw the phase across a pupil minus its mean, or the amplitude; members of a stack share one colour scale.
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def _drawable_maps(pupil: BasePupil, ax: Axes | None) -> PupilMaps:
     drawing.only_single(ax, pupil.shape)
     count = math.prod(pupil.shape)
     drawing.at_most(pupil.shape)
-    # Other apertures have narrow vanes and gaps, which need larger images.
+    # Apertures that are not circular may have narrow vanes and gaps, which need larger images.
     side = _SIDE if pupil.circular else 2 * _SIDE
     return pupil_maps(pupil, side if count < 9 else side // 2)
 

@@ -80,7 +80,7 @@ ONES = Mask(np.ones((32, 32)))
         (lambda: lm.psf(Pupil(mask=ONES), 33, 1.0).energy, "the window reaches 16.5 lambda"),
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).encircled_energy(16.1), "radius reaches 16.1 lambda"),
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).ensquared_energy(16.1), "half_width reaches 16.1 lambda"),
-        (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).energy_diameter(0.99999), "fraction must lie within a circle"),
+        (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5).energy_diameter(0.99999), "fraction must be reached within"),
         (lambda: lm.psf(Pupil(), 9, 0.5, method=lm.MatrixFourier(32)).encircled_energy(16.1), "radius reaches 16.1"),
         (lambda: lm.psf(Pupil(), 33, 1.0, method=lm.MatrixFourier(32)).energy, "the window reaches 16.5"),
         (lambda: lm.psf(Pupil(mask=ONES), 9, 0.5, blur=lm.Jitter(1.0)).encircled_energy(16.1), "radius reaches"),

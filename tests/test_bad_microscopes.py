@@ -41,12 +41,12 @@ TABLE = [
     ("depth", 2.0, "must be at least 0 and at most 0.01, got 2; for 2 um give 2e-6, for 2 mm 2e-3"),
     ("depth", "2 um", "depth must hold real numbers, got '2 um'"),
     ("depth", [], "depth must not be empty, got shape (0,)"),
-    ("depth", 180e-6, "focus, or where depth and z lead, must be at most 190 um, where the"),
+    ("depth", 180e-6, "the stage position, set by focus or by depth and z, must be at most 190 um, where the"),
     ("z", [], "z must not be empty, got shape (0,)"),
     ("z", "0", "z must hold real numbers, got '0'"),
     ("z", math.inf, "z must be finite, got inf"),
-    ("z", 1e-3, "focus, or where depth and z lead, must be at most 190 um, where the"),
-    ("z", -2.0, "focus, or where depth and z lead, must be at least -10 mm, got -2 m"),
+    ("z", 1e-3, "the stage position, set by focus or by depth and z, must be at most 190 um, where the"),
+    ("z", -2.0, "the stage position, set by focus or by depth and z, must be at least -10 mm, got -2 m"),
     ("wavelength", 520, "wavelength is in metres and must be from 1e-12 to 1e-2, got 520; for 520 nm give 520e-9"),
     ("wavelength", 0.52, "must be from 1e-12 to 1e-2, got 0.52; for 0.52 um give 0.52e-6"),
     ("wavelength", "520 nm", "wavelength must be a real number, got '520 nm'"),
@@ -124,8 +124,8 @@ def test_depths_and_planes_that_do_not_go_together_are_told():
     ("take", "said"),
     [
         (lambda one: lm.psf(one, 3, 6.5e-6), r"an Objective; objective.pupil\(depth=..., wavelength=...\) is its"),
-        (lambda one: lm.mtf(one.pupil(**PUPIL), 0.1), "that of an Objective, which has no single wavefront"),
-        (lambda one: lm.strehl(one.pupil(**PUPIL)), "lommel.psf takes it, and measures its PSF"),
+        (lambda one: lm.mtf(one.pupil(**PUPIL), 0.1), "the pupil of an Objective, which has no single wavefront"),
+        (lambda one: lm.strehl(one.pupil(**PUPIL)), "pass it to lommel.psf and measure the PSF"),
     ],
 )
 def test_what_takes_the_pupil_of_a_lens_says_what_to_do_with_another(take, said):

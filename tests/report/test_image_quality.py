@@ -105,7 +105,7 @@ def test_depths_out_of_reach_are_left_out_with_the_reason():
     assert [row["depth"] for row in found["focus"]] == [0.0, 1e-6, 5e-6]
     assert len(found["refused"]) == 2
     assert found["refused"][0].startswith(
-        "20 um deep: focus, or where depth and z lead, must be at most 10 um, where"
+        "20 um deep: the stage position, set by focus or by depth and z, must be at most 10 um, where"
     )
 
 

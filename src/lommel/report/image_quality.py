@@ -43,7 +43,7 @@ _LENS_ATTRIBUTES = ("focal_length", "aperture_diameter", "f_number", "working_f_
             "model", "corrected_for")  # fmt: skip
 _ARCSEC = math.pi / 648000.0
 _DIAMETER_FRACTION = 0.8  # fraction of the light within `diameter_80`
-# Above this diameter, in pixels, pixel integration would change a width by less than its last printed digit.
+# Diameter, in pixels, above which pixel integration changes a width by less than the last printed digit.
 _MAX_WIDTH = 60.0
 # Largest number of mirror segments for which MTF50 and focus tolerance are computed; more segments take minutes.
 _MAX_SEGMENTS = 24
@@ -77,7 +77,7 @@ class PointQuality:
             return float(aperture_means.strehl(_with_tilt(pupil, -math.pi * x, -math.pi * y)))
         method, far = of_profiles(), float(pupil.v(pupil.geometric_radius())) + 4.0
         v = np.linspace(0.0, far, 64 + math.ceil(10.0 * far))
-        # Find the brightest radius by coarse samples, then by fine samples around the best coarse one.
+        # Find the brightest radius by coarse samples, then by fine samples around the brightest coarse sample.
         best = v[np.argmax(method.profile(pupil, v).values[0])]
         near = np.abs(best + np.linspace(-v[1], v[1], 101))
         top = method.profile(pupil, np.append(0.0, near)).values.max()
@@ -167,7 +167,8 @@ class ImageQuality(PointQuality):
     @property
     def dark_ring_radius(self) -> float | None:
         """Radius of the first dark ring of the unaberrated aperture; None unless it is a uniform disc or annulus."""
-        # The field of an annulus is the field of a disc minus that of the obscuration, so that J1(v) = eps J1(eps v).
+        # The field of an annulus is the field of the disc minus the field of the obscuration, and is 0 at
+        # J1(v) = eps J1(eps v).
         from scipy.optimize import brentq
         from scipy.special import j1, jn_zeros
 
@@ -301,7 +302,7 @@ class ImageQuality(PointQuality):
 
     @property
     def radii(self) -> dict[str, float]:
-        """Radii for the encircled energy by name: those of the file, the Airy radius, and the radius of all rays."""
+        """Radii for the encircled energy by name: radii in the file, the Airy radius, radius of the geometric blur."""
         radii, blur = dict(self.instrument.radii), float(self.pupil.geometric_radius())
         radii.setdefault("Airy radius", self.pupil.airy_radius)
         if blur > 0:
@@ -321,7 +322,7 @@ class ImageQuality(PointQuality):
         list of float or None
             Fraction for each radius; None if the radius is above 250 lambda*N and the pupil not radially symmetric.
         float or None
-            Bound on the error of the fractions; None if no bound is proven.
+            Bound on the error of the fractions; None if it is not available.
         """
         pupil, radii = self.pupil.unaberrated() if unaberrated else self.pupil, self.radii.values()
         most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
@@ -435,7 +436,7 @@ class ImageQuality(PointQuality):
         return found | {"refused": list(reasons)}
 
     def _widths(self, attempt: Callable[[Callable[[], float]], float | None]) -> dict[str, float | None]:
-        """Return FWHM and diameter of 80 % of the light, with the pixel (None if it hardly matters) and without it.
+        """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur).
 
         `attempt` returns the result of a function, or None if the function raises an error.
         """
@@ -478,7 +479,7 @@ def other_model(instrument: Instrument) -> Json:
     """
     lens = instrument.lens
     model = "aplanatic" if lens.model == "paraxial" else "paraxial"
-    # In a lens that magnifies, such as an objective, the sensor is at its design position, and the object may not be.
+    # In a magnifying lens, such as an objective, the sensor is at its design position, but the object need not be.
     side = "focus" if model == "aplanatic" and magnifies(lens) else lens.corrected_for
     found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
     try:

@@ -49,7 +49,7 @@ def summarize_lens(instrument: Instrument) -> Report:
 
 
 def describe_lens(instrument: Instrument) -> Report:
-    """Return the report of a lens and its object; the facts are those of :class:`lommel.ImageQuality`."""
+    """Return the report of a lens and its object; the facts are `ImageQuality.to_dict()` and the camera."""
     facts = ImageQuality(instrument).to_dict() | {"camera": plain(instrument.camera)}
     heading = Text(instrument.name, "bold"), _setup(facts)
     return Report(facts, [*heading, *_image_parts(facts, instrument.pitch), *_wavefront_parts(facts)])
@@ -148,7 +148,7 @@ def _diameters(facts: Facts, pixel: float) -> RenderableType:
     Telescopes also have diameters in arcseconds, and microscopes in nanometres in the sample.
     """
     fwhm, diameter_80, ring = facts["fwhm"], facts["diameter_80"], facts["dark_ring_radius"]
-    unlike_airy = ring != facts["airy_radius"]  # obscured or otherwise cut
+    unlike_airy = ring != facts["airy_radius"]  # the aperture is not a uniform full disc
     narrow_peak = fwhm is not None and diameter_80 is not None and diameter_80 > _NARROW_PEAK * fwhm
     label_80, rays = "80 % of the light", 2.0 * facts["geometric_radius"]
     if any(term["m"] for term in facts["zernike"]):
@@ -296,7 +296,7 @@ def describe_microscope(microscope: Microscope, *, foci: bool = True) -> Report:
 
 
 def _microscope_parts(facts: Facts) -> Parts:
-    """Return the table of a microscope, and warnings of pixels or steps that are coarser than Nyquist sampling."""
+    """Return the table of a microscope, and a warning if the pixel or the step is coarser than Nyquist sampling."""
     nyquist, design = facts["nyquist"], facts["design"]
     if design is not None:
         design = f"immersion {design['immersion']:g}, cover glass {_layer_in_words(design['coverslip']) or 'none'}"
@@ -405,7 +405,7 @@ def describe_psf(answer: PSF, seconds: float) -> Report:
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     enough = energy >= 0.95 or min(answer.shape) >= side
     facts = how_made(answer, seconds) | {"wide_enough": None if enough else side, "energy": energy}
-    # Print only digits of the peak that its error bound makes significant.
+    # Print only the significant digits of the peak, according to its error bound.
     digits = min(4, max(1, math.floor(-math.log10(answer.error_bound)))) if answer.error_bound else 4
     pixels = f"{HOW[answer.sampling]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"
     parts = _psf_parts(answer, facts, pixels, f"{facts['peak']:.{digits}g}", percent(energy, 2))
@@ -514,7 +514,7 @@ def _values(facts: Facts) -> str:
 
 
 def _error_and_time(facts: Facts, channel: str = "") -> list[tuple[str, str]]:
-    """Return the rows of the error bound and of the time; the bound is relative to the peak (of a `channel`)."""
+    """Return the rows of the error bound, relative to the peak, and of the time; `channel` is added after "peak"."""
     bound = "none proven"
     if facts["error_bound"] is not None:
         bound = f"each value within {facts['error_bound']:.2g} of the peak{channel}"
@@ -554,9 +554,10 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
 
 
 def how_made(answer: PSFLike, seconds: float) -> Facts:
-    """Return facts on the values of a PSF and on their computation; a stack has one sum and one peak for each PSF.
+    """Return facts on the values of a PSF and on their computation; a stack has one peak for each PSF.
 
-    "sum" is None unless the values are normalised to energy and their sum differs from the light in the window.
+    "sum" is None unless the values are normalised to energy and their sum differs from the light in the window; for a
+    stack it is a list with one sum for each PSF.
     """
     undersampled = answer.normalize == "energy" and not answer.sum_is_light
     return {

@@ -331,8 +331,8 @@ PLANE = {"depth": 2e-6, "focus": 2e-6, "wavelength": WAVE}
         ({"depth": [1e-6, math.nan]}, r"depth must be finite, got nan"),
         ({"depth": []}, r"depth must not be empty"),
         ({"depth": [1e-6, 2e-6], "focus": [0.0, 0.0, 0.0]}, r"depth and focus must broadcast, got shapes \(2,\)"),
-        ({"focus": 2.0}, r"focus, or where depth and z lead, must be at most 190 um, .* got 2 m"),
-        ({"focus": -1.0}, r"focus, or where depth and z lead, must be at least -10 mm, got -1 m"),
+        ({"focus": 2.0}, r"the stage position, set by focus or by depth and z, must be at most 190 um, .* got 2 m"),
+        ({"focus": -1.0}, r"the stage position, set by focus or by depth and z, must be at least -10 mm, got -1 m"),
         ({"focus": math.inf}, r"focus must be finite, got inf"),
         ({"focus": []}, r"radius, depth and focus must not be empty"),
         ({"radius": -1e-6}, r"radius must be finite and >= 0, got -1e-06"),
@@ -353,7 +353,10 @@ def test_fields_refuse_what_is_none_in_a_line(change, message):
 @pytest.mark.parametrize(
     ("ask", "message"),
     [
-        (lambda: OBJECTIVE.focus(180e-6, wavelength=WAVE), "focus, or where depth and z lead, must be at most"),
+        (
+            lambda: OBJECTIVE.focus(180e-6, wavelength=WAVE),
+            "the stage position, set by focus or by depth and z, must be at most",
+        ),
         (lambda: OBJECTIVE.focus(math.nan, wavelength=WAVE), r"depth must be finite"),
         (lambda: OBJECTIVE.scalar(0.0, **PLANE, apodization="sine"), "apodization must be one of 'uniform'"),
         (lambda: OBJECTIVE.scalar(0.0, **PLANE, supercritical=1), r"supercritical must be True or False, got 1"),

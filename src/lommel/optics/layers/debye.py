@@ -39,17 +39,18 @@ _ARCS = 1024  # number of discs that cover an ellipse
 _ESTIMATE_POINTS = 24  # points of an ellipse for an estimate of the growth
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
 _ODD = ("radial", "azimuthal", "vortex")
-# End of the central section, in 1 - c and in rho / (n / NA), equally far from the singularities of both sections.
+# End of the central section, as a value of 1 - c and as a value of rho / (n / NA). It is equally far from the
+# singularities of the integrands in the central section and in the next section.
 _CENTRE = 0.3
 _CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
 Complex = NDArray[np.complex128]
 Rows = tuple[int, ...] | None
-"""Indices of some ellipses; None for all."""
+"""Indices of ellipses in `ETA`; None for all ellipses."""
 
 
 @dataclass(frozen=True)
 class Model:
-    """Kind of field integrals (parts): vectorial K0, K1, K2; scalar U; or those of radial, azimuthal, vortex beams.
+    """Kind of field integrals, called parts: vectorial (K0, K1, K2), scalar (U), radial, azimuthal or vortex.
 
     With `aplanatic` the amplitude is ``c_i^(-1/2)``, by the sine condition, else 1. With `supercritical` the
     integrals include light beyond the critical angle of the sample.
@@ -71,7 +72,7 @@ class Model:
 
 
 class At:
-    """Factors of the integrands, cached, at points x of a section or on discs along ellipses around the section."""
+    """Cached factors of the integrands, at points x of a section or on discs that cover ellipses around it."""
 
     def __init__(self, piece: Piece, x: Values) -> None:
         self.piece, self.x, self.square = piece, x, piece.square(x)
@@ -217,8 +218,8 @@ class Piece:
     ) -> Array:
         """Return the log of a bound on the integrands on each ellipse with an index in `rows` (None: all).
 
-        It is infinite for other ellipses and for ellipses with singularities. v is the largest ``k NA r``. `factor`
-        is the log of a bound on an additional factor of the integrands, on each disc.
+        It is infinite for all other ellipses and for ellipses with singularities. v is the largest ``k NA r``.
+        `factor` is, for each disc, the log of a bound on an additional factor of the integrands.
         """
         covered, amplitude = enclosed(self, model, rows)
         fixed, by_depth, by_focus = covered.rates
@@ -245,17 +246,17 @@ class Piece:
             growth = (light - decay + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
         return np.where(at.fit & np.isfinite(growth), growth, np.inf)
 
-    def enough(
+    def proven_count(
         self, model: Model, depth: Array, focus: Array, v: float, error: float, factor: Factor | None = None
     ) -> int:
-        """Return a number of nodes with a proven error of at most `error`; `factor` is as in :func:`debye.rule`."""
+        """Return a number of nodes whose proven error bound is at most `error`; `factor` is as in :func:`rule`."""
         if factor is None:
-            return self.nodes(self.serving(model, depth, focus, v, error), error)
+            return self.nodes(self.growth_on_best(model, depth, focus, v, error), error)
         return self.nodes(self.growth(model, depth, focus, v, factor=factor(self)), error)
 
-    def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
+    def growth_on_best(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
         """Return :meth:`growth` on one or two ellipses that need the fewest nodes according to an estimate."""
-        estimate = self._needed(self._estimated_growth(model, depth, focus, v), error)
+        estimate = self._node_counts(self._estimated_growth(model, depth, focus, v), error)
         best = int(estimate.argmin())
         # The best ellipse nearly always suffices; if its bound is infinite, try its neighbours, then all ellipses.
         for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < ETA.size)):
@@ -268,19 +269,19 @@ class Piece:
         """Return the log of the constant in the error bound ``constant exp(growth - 2 n eta)`` for each ellipse."""
         return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * ETA)))
 
-    def _needed(self, growth: Array, error: float) -> Array:
-        """Return the number of nodes, not rounded, by the error bound of each ellipse."""
+    def _node_counts(self, growth: Array, error: float) -> Array:
+        """Return the number of nodes, not rounded, for which the error bound of each ellipse is `error`."""
         with np.errstate(over="ignore"):
             return np.asarray((growth + self.constant() - math.log(error)) / (2.0 * ETA))
 
     def nodes(self, growth: Array, error: float) -> int:
         """Return the smallest number of nodes with a proven error of at most `error`; ValueError if there is none."""
-        needed = float(self._needed(growth, error).min())
+        needed = float(self._node_counts(growth, error).min())
         if not math.isfinite(needed):
             thinner = "films must be thinner, or " if self.layers.films else ""
             raise ValueError(
                 f"{thinner}NA must be farther below the indices of immersion and cover glass: at {self.layers.NA:g} "
-                "no number of angles is proven to suffice"
+                "no number of quadrature nodes is proven to suffice"
             )
         return max(2, math.ceil(needed))
 
@@ -307,7 +308,7 @@ class Centre(Piece):
 
 
 Factor = Callable[[Piece], Array]
-"""Function that returns the log of a bound on an additional factor of the integrands, on each disc of a section."""
+"""Function that returns, for each disc of a section, the log of a bound on an additional factor of the integrands."""
 
 
 @lru_cache(maxsize=32)
@@ -363,7 +364,7 @@ def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     return tuple(found)
 
 
-# Unit of an allowance for rounding errors, which are not proven: docs/certificate.md, section 14, "Rounding".
+# Unit of the allowance for rounding errors, which is not proven: docs/certificate.md, section 14, "Rounding".
 _ROUNDOFF = 2.0**-53
 _RADII = 2048  # number of radii computed together, to limit the memory
 
@@ -401,7 +402,7 @@ def rule(
     disc.
     """
     sections = pieces(layers, model)
-    counts = tuple(piece.enough(model, depth, focus, v, tol / len(sections), factor) for piece in sections)
+    counts = tuple(piece.proven_count(model, depth, focus, v, tol / len(sections), factor) for piece in sections)
     rho, joined, rates = tabulated(sections, model, counts)
     # The rounding error of phases is proportional to the sum of optical paths: certificate, section 14, "Rounding".
     paths = sum(index * abs(thickness) for index, thickness in layers.paths)
@@ -441,9 +442,9 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
 
 
 def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str | None = None) -> tuple[Array, Array]:
-    """Return the power of each part, near and far from the glass, in units of ``4 pi / (k NA)^2``, or a derivative.
+    """Return the power of each part at each `depth` and far from the glass, in units of ``4 pi / (k NA)^2``.
 
-    `by` is None, "depth" for the derivative by depth, or "wavenumber" for the derivative by ln k.
+    If `by` is "depth" or "wavenumber", return the derivatives of both powers by depth or by ln k.
     """
     model = model or Model()
     # Double the number of nodes until two results agree to 1e-13; convergence is geometric.
@@ -508,7 +509,7 @@ def films(layers: Layers, model: Model) -> bool:
 
 
 class Turning(NamedTuple):
-    """Derivatives by ln k at fixed v: rates of the phase minus constants, and derivatives of the weighted parts."""
+    """Derivatives by ln k at fixed v: `Rule.rates` minus constants, and derivatives of the weighted parts."""
 
     rates: Complex
     changes: Complex | None
@@ -532,7 +533,7 @@ def slope_errors(
     """Return bounds on the errors of a rule for derivatives by depth, by focus, by v, and by ln k at fixed v."""
     each = []
     for piece, n in zip(pieces(layers, model), found.counts, strict=True):
-        growth = piece.serving(model, depth, focus, v, tol / len(found.counts))
+        growth = piece.growth_on_best(model, depth, focus, v, tol / len(found.counts))
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
         covered, _ = enclosed(piece, model, rows)
         _, by_depth, by_focus = covered.rates
@@ -554,7 +555,7 @@ def slope_errors(
 
 
 def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
-    """Return bounds, over the pupil, on the factors of the derivatives by depth, by focus and by ln k."""
+    """Return bounds on the factors by which derivatives by depth, by focus and by ln k multiply the integrands."""
     found = np.zeros(3)
     middle = layers.middle_rates()
     for piece in pieces(layers, model):

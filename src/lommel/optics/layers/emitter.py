@@ -2,8 +2,8 @@ r"""Emitters and beams of microscopes, as Hermitian forms of the radial field in
 
 The intensity is ``h0(r) + h1(r) (a cos phi + b sin phi) + h2(r) (c cos 2 phi + d sin 2 phi)``. phi is the azimuth on
 the camera from columns to rows. h0, h1, h2 are Hermitian forms of the integrals of :mod:`lommel.optics.layers.debye`.
-For a dipole p, let M be the mean of ``p p^T`` over its directions. With K0, K1, K2 of
-:class:`lommel.optics.layers.objective.FocalField` the intensity is
+For a dipole p, let M be three times the mean of ``p p^T`` over its directions. With K0, K1, K2 of
+:class:`lommel.optics.layers.objective.FocalField` the intensity is half of
 
 .. math:: (M_{xx} + M_{yy})(|K_0|^2 + |K_2|^2) + 4 M_{zz} |K_1|^2
    - 4 \, \Im[K_1^* (K_0 + K_2)] (M_{xz} \cos\phi + M_{yz} \sin\phi)
@@ -44,7 +44,9 @@ class Harmonic(NamedTuple):
 
 
 class Waves(NamedTuple):
-    r"""Intensity ``I = sum_ab form[a, b] U_a conj(U_b)`` for any pupil function P and fields U of orders q.
+    r"""Intensity ``I = sum_ab form[a, b] U_a conj(U_b)`` for any pupil function P and fields U_a of orders q_a.
+
+    T_a is the factor of ``exp(i psi) J_m`` in the integrand of part ``parts[a]`` of the model.
 
     .. math:: U_a = \frac{1}{2 \pi} \int\!\!\int P \, T_a(\rho) \, e^{i q_a \theta}
        e^{i \psi - i v \rho \cos(\theta - \phi)} \rho \, d\rho \, d\theta .
@@ -56,7 +58,7 @@ class Waves(NamedTuple):
 
 
 class Light(NamedTuple):
-    """Model of the field integrals, and forms that compute intensities from them; `harmonics` begin with order 0."""
+    """Model of the field integrals, and forms that convert them to intensities; `harmonics[0]` has order 0."""
 
     model: Model
     harmonics: tuple[Harmonic, ...]
@@ -182,8 +184,8 @@ class Beam:
             validation.choice("polarization", self.polarization, (*_JONES, *_VECTOR_BEAMS))
             return
         jones = validation.array("polarization", self.polarization)
-        fit = jones.shape == (2,) and jones.dtype.kind in "iufc"
-        if not fit or not np.isfinite(jones).all() or not np.abs(jones).max() > 0.0:
+        is_pair = jones.shape == (2,) and jones.dtype.kind in "iufc"
+        if not is_pair or not np.isfinite(jones).all() or not np.abs(jones).max() > 0.0:
             got = validation.shown(self.polarization)
             raise ValueError(f"polarization must be a name or two finite numbers, not both 0, got {got}")
         object.__setattr__(self, "polarization", tuple(jones.astype(complex).tolist()))
@@ -309,7 +311,7 @@ _NAMED: dict[str, Emitter] = {"isotropic": Dipole(0.0, 0.0, wobble=1.0), "scalar
 
 
 def emitter_of(value: object) -> Emitter:
-    """Return the emitter with a name, or the emitter itself; TypeError or ValueError for other values."""
+    """Return the emitter of this name, or `value` itself if it is an emitter; else TypeError or ValueError."""
     if isinstance(value, Emitter):
         return value
     if isinstance(value, str) and value in _NAMED:

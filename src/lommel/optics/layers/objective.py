@@ -144,7 +144,7 @@ class Nyquist:
 
 
 _TOL = 1e-11  # tolerance of field integrals in searches of the focus
-_STEPS = 16  # steps of a search per depth of focus, which is half the distance between the zeros beside a focus
+_STEPS = 16  # steps of a search per depth of focus, see _depth_of_focus(), or laterally per 2 pi in v
 _PLANES = 256  # number of planes computed together, to limit the memory
 _DOUBLINGS = 6  # number of ranges that a search tries, each with a margin twice as large
 _ISOTROPIC_WEIGHTS = emitter_of("isotropic").light.shares  # weights of K0, K1, K2 for a freely rotating dipole
@@ -254,14 +254,14 @@ class Objective:
             if not aperture < index:
                 raise ValueError(f"NA must be below the index of {name}, {index:g}, got {aperture:g}")
         if sample is None and coverslip:
-            raise ValueError("sample must be given with a coverslip: the refractive index of what the emitter is in")
+            raise ValueError("sample must be given with a coverslip: the refractive index around the emitter")
         if working_distance is None and (coverslip or used != Design(n, coverslip)):
             raise ValueError("working_distance must be given, in metres, with a coverslip or a design")
         if working_distance is not None:
             working_distance = length("working_distance", working_distance, _DISTANCE_MOST, positive=True)
         light = illumination(apodization)
         if light.error:
-            raise ValueError("apodization must be exact, a sum of powers of rho^2, got a series that is cut off")
+            raise ValueError("apodization must be exact, a sum of powers of rho^2, got a truncated series")
         values = {
             "NA": aperture,
             "magnification": validation.real("magnification", magnification, least=1e-3, below=1e6),
@@ -316,7 +316,7 @@ class Objective:
         f = validation.real_array("focus", focus)
         d, f = validation.broadcast("depth and focus", depths(depth), f)
         # The caller passed either `focus`, or `depth` and `z`, from which the stage position follows.
-        name = "focus, or where depth and z lead,"
+        name = "the stage position, set by focus or by depth and z,"
         if f.size and f.max() > self._clearance:
             touches = self.working_distance is not None
             where = ", where the objective touches the cover glass," if touches else " without a working_distance,"
@@ -544,8 +544,8 @@ class Objective:
         """Return the paraxial and the brightest focus at a depth, for a freely rotating dipole or unpolarized light.
 
         The search for the brightest focus evaluates the intensity on the axis in steps of a sixteenth of the depth of
-        focus. Its range is that of the foci of all rays (up to 0.98 of the critical angle), extended by two depths of
-        focus at both ends. Newton's method refines the largest value.
+        focus. It covers the foci of all rays (up to 0.98 of the pupil radius or of the critical angle) and at least
+        two depths of focus beyond them at both ends. Newton's method refines the maximum.
 
         Parameters
         ----------
@@ -575,10 +575,10 @@ class Objective:
         return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*maxima, strict=True), widths)))
 
     def collected(self, depth: ArrayLike, *, wavelength: float) -> Numbers:
-        """Return (light collected from an emitter at `depth`, metres) / (light from an emitter far from the glass).
+        """Return the light collected from an emitter at `depth` divided by the light from one far from the glass.
 
         The ratio exceeds 1 near the glass if the objective collects supercritical light, else it is 1. The emitter is
-        a freely rotating dipole of constant moment; `wavelength` is in vacuum, metres.
+        a freely rotating dipole of constant moment. `depth` and the vacuum `wavelength` are in metres.
         """
         d = depths(depth)
         layers = self._layers(wavelength)
@@ -670,7 +670,7 @@ def brightest(layers: Layers, depth: float) -> _Axial:
     for index, thickness in (*layers.paths, (layers.sample, depth)):
         length += thickness / (index * cosines(layers.NA, rho, index).real)
     rays = layers.immersion * cosines(layers.NA, rho, layers.immersion).real * length
-    # A maximum lies within about a depth of focus of the crossing of some rays.
+    # The largest maximum lies within about a depth of focus of a point at which some rays cross the axis.
     scale = _depth_of_focus(layers)
     margin = 2.0 * scale + 4.0 * sum(thickness for _, thickness in layers.films)
     for doubling in range(_DOUBLINGS):

@@ -23,8 +23,8 @@ from lommel.optics.wavefront.wavefront import Wavefront, same_path
 class ObjectivePupil(BasePupil):
     """Pupil of a microscope objective, as built by :meth:`lommel.Objective.pupil`.
 
-    The intensity unit depends on the power collected in each plane: a uniform, unaberrated scalar pupil of the same
-    power has a peak of 1.
+    The unit of intensity in each plane is the peak of a uniform, unaberrated scalar pupil whose power is the power
+    collected in this plane.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class ObjectivePupil(BasePupil):
         Aberrations added to the phase of the layers: one wavefront, or a stack with the shape of `depth`.
     """
 
-    pupil_hint = "that of an Objective, which has no single wavefront; lommel.psf takes it, and measures its PSF"
+    pupil_hint = "the pupil of an Objective, which has no single wavefront; pass it to lommel.psf and measure the PSF"
 
     layered: ClassVar[bool] = True
     layers: Layers
@@ -114,8 +114,8 @@ class ObjectivePupil(BasePupil):
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
-        """Return the largest distance of rays from the axis on the camera, metres, for 0.98 of the usable radius."""
-        # The usable radius ends at the pupil's edge or at the critical angle, where the phase slope diverges.
+        """Return the largest distance from the axis, on the camera, of rays up to 0.98 of the usable pupil radius."""
+        # The usable radius extends to the pupil's edge or to the critical angle, where the phase slope diverges.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)

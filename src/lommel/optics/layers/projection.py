@@ -1,9 +1,9 @@
 r"""Series of a microscope's pupil function: Zernike series of amplitudes, azimuthal Fourier series of aberrations.
 
-The truncation error of a Zernike series is orthogonal to polynomials up to its degree D. In a small window the rest
-of the integrand (the Fourier kernel times the aberrations) is nearly such a polynomial, so that the error hardly
-matters, in spite of the kink of the amplitude at the critical angle. Coefficients are integrals by the rules of
-:mod:`lommel.optics.layers.debye`,
+The error of a Zernike series truncated at degree D is orthogonal to all polynomials of degree at most D. In a small
+window the other factors of the integrand (the Fourier kernel and the aberrations) are nearly such a polynomial. The
+truncation error therefore hardly changes the field, in spite of the kink of the amplitude at the critical angle. The
+rules of :mod:`lommel.optics.layers.debye` compute the coefficients
 
 .. math:: c_n = 2 (n + 1) \int_0^1 t(\rho) R_n^q(\rho) \rho \, d\rho , \quad n = q, q + 2, \dots, D .
 """
@@ -42,7 +42,10 @@ Sizes = tuple[tuple[tuple[int, int], float], ...]
 
 
 class Orders(NamedTuple):
-    """Fourier orders -most to most from equally spaced angles; `error` bounds omitted orders plus aliases."""
+    """Fourier orders -most to most, computed at `angles` equally spaced angles.
+
+    `error` bounds the sum of the moduli of omitted orders and aliases.
+    """
 
     most: int
     angles: int
@@ -62,7 +65,7 @@ def checked(wavefront: Wavefront | None) -> Wavefront | None:
 
 @lru_cache(maxsize=64)
 def orders(terms: Sizes, error: float) -> Orders:
-    """Return the orders required for an error of at most `error`; ValueError if there are too many."""
+    """Return the fewest orders whose :attr:`Orders.error` is at most `error`; ValueError if there are too many."""
     # S(b) of docs/certificate.md, section 16, "Angles of the pupil".
     strip = sum((w * np.sinh(m * _HEIGHTS) for (_, m), w in terms), np.zeros(_HEIGHTS.shape))
 
@@ -94,7 +97,10 @@ def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.comple
 
 
 def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
-    """Return P_m at the nodes of a rule, with the smallest `most` for `error`, and the error bound."""
+    """Return P_m at the nodes of a rule, m from -most to most, and a bound on the resulting error of the fields.
+
+    `most` is the smallest one for which the omitted orders add at most `error` to the fields.
+    """
     size = max(float(np.abs(part).sum()) for part in rule.parts)
     kept = orders(terms, 0.01 * error / size)
     found = samples(wavefront, rule.rho, kept)
@@ -143,7 +149,7 @@ def _taylor(n: int, m: int, centre: NDArray[np.complex128], radius: Array) -> tu
     return np.asarray(poly(centre)), np.asarray(spread)
 
 
-_LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6  # smallest scale of the ranges of depth and focus of a cached rule, metres
+_LEAST_DEPTH, _LEAST_FOCUS = 1e-6, 1e-6  # values of `least` in _widened() for depth and focus, metres
 
 
 WAVENUMBER = engine.BY_WAVENUMBER
@@ -207,12 +213,12 @@ def norm(layers: Layers, model: Model) -> float:
 
 @lru_cache(maxsize=32)
 def steepest(layers: Layers, model: Model) -> tuple[float, float]:
-    """Return bounds on the derivatives of the phase by depth and by focus, minus the middle of their ranges."""
+    """Return bounds on the deviations of the phase derivatives by depth and by focus from their middle values."""
     return debye.steepest(layers, model, np.zeros(1), np.zeros(1))[:2]
 
 
 def _each(error: float, degree: int) -> float:
-    """Return the tolerance of an integral; by Bessel's inequality the total error is (degree + 2) times as large."""
+    """Return the tolerance of one integral; by Bessel's inequality a sum has (degree + 2) times this error."""
     return float(2.0 ** math.floor(math.log2(error / (degree + 2.0))))
 
 
@@ -238,7 +244,8 @@ def _integrals(
     turns = max(1.0, debye.steepest(layers, model, d, f)[2]) if by_k else 1.0
 
     def growth(piece: Piece) -> Array:
-        # R_n^m(rho) is a mean of U_n(rho cos(alpha)), at most n + 1 times exp(n b), rho within the ellipse of b.
+        # R_n^m(rho) is a mean of Chebyshev polynomials U_n(rho cos(alpha)). Their moduli are at most
+        # (n + 1) exp(n b) if rho lies within the Bernstein ellipse of parameter b.
         square = piece.covered.square * layers.NA**-2
         size = np.abs(square.centre) + np.abs(square.centre - 1.0) + 2.0 * square.radius
         turned = [
@@ -271,13 +278,13 @@ def _integrals(
 
 
 def _box(layers: Layers, depth: Array, focus: Array) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return ranges of depth and of (focus - paraxial focus), rounded outwards: similar planes share a rule."""
+    """Return ranges of depth and (focus - paraxial focus), rounded outwards so that similar planes share a rule."""
     off = focus - layers.immersion / layers.sample * depth
     return _widened(depth, _LEAST_DEPTH), _widened(off, _LEAST_FOCUS)
 
 
 def _widened(values: Array, least: float) -> tuple[float, float]:
-    """Return the range of values rounded outwards to multiples of a power of 2, of at least ``least / 4``."""
+    """Return the range of values, rounded outwards to multiples of a power of 2 that is at least ``least / 4``."""
     low, high = (values.item(),) * 2 if values.size == 1 else (float(values.min()), float(values.max()))
     step = 0.25 * 2.0 ** math.ceil(math.log2(max(-low, high, least)))
     return step * math.floor(low / step), step * math.ceil(high / step)

@@ -77,7 +77,7 @@ class Layers:
         return fixed, cosine(self.sample) * (k * self.sample), by_focus
 
     def middle_rates(self) -> tuple[float, float, float]:
-        """Return the means of :meth:`rates` between rho = 0 and rho = 1, constants that change no intensity."""
+        """Return the means of the real :meth:`rates` at rho = 0 and rho = 1, constants that change no intensity."""
         of = self.rates(self.cosine(np.array([0.0, 1.0])))
         fixed, by_depth, by_focus = (0.5 * float(each.real.sum()) for each in of)
         # Subtracting the middle of the range makes bounds smaller (docs/certificate.md, section 15, "The
@@ -85,7 +85,7 @@ class Layers:
         return fixed, by_depth, by_focus
 
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
-        """Return the amplitudes at `square` = ``(NA rho)^2``; only films cause interference, not the thick glass."""
+        """Return the amplitudes at `square` = ``(NA rho)^2``; waves interfere in films, not in the thick glass."""
         indices = (self.immersion, self.glass, self.sample)
         # Fresnel amplitudes; glass and immersion of equal index have no surface between them.
         c_i, c_g, c_s = (cosine(index) for index in indices)
@@ -111,7 +111,7 @@ class Layers:
         return total
 
     def log_slopes(self, cosine: Callable[[float], Values], square: Values) -> tuple[Values, Values]:
-        """Return ``d ln(t) / d ln(k)`` of the amplitudes t of s and p waves, which only films cause."""
+        """Return ``d ln(t) / d ln(k)`` of the amplitudes t of s and p waves; it is 0 without films."""
         n_g, n_s = self.glass, self.sample
         c_g, c_s = cosine(n_g), cosine(n_s)
         found = []

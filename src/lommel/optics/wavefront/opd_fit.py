@@ -24,15 +24,15 @@ MAX_RADIAL = 2 * (2 + MAX_HIGHER)
 """Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
 
 MAX_GROWTH = 1e4
-"""Largest accepted amplification of measurement errors, in single coefficients or else in the phase."""
+"""Largest amplification of measurement errors: of coefficients, or where exceeded of the phase in the pupil."""
 
 MAX_ROUNDING = 1e7
 """Largest condition number at which the terms are still orthogonalised on the samples."""
 
 # Absolute values below this fraction of the largest one count as 0: a change of units can leave rounding errors.
 _RESIDUE = 1e-9
-# A value counts as a marker of missing pixels if it occurs at this many pixels with an equal neighbour, at this
-# fraction of the pupil's pixels, and this many times as often as any other value.
+# Count, for each value, the pixels with an equal neighbour. A value is taken as a marker of missing pixels if its
+# count is at least this number, this fraction of the pupil's pixels, and this multiple of every other count.
 _MIN_BLANK_PIXELS, _MIN_BLANK_FRACTION, _MIN_BLANK_RATIO = 8, 0.002, 8
 _BLOCK = 16384  # samples processed together; bounds the memory of fits to large maps
 _RADIAL_NODES = 400  # Gauss-Legendre nodes at which a radial phase function is sampled
@@ -381,8 +381,9 @@ def _least_squares(
 
     `test_points` holds rho and theta of the points at which the samples must determine the phase.
     """
-    # Up to MAX_GROWTH normal equations with one refinement are exact to rounding. Above it the terms are first made
-    # orthonormal on the samples (Cholesky factor), provided that the samples determine the phase at `test_points`.
+    # Up to a condition number of MAX_GROWTH, normal equations with one refinement are exact to rounding. For larger
+    # ones the terms are first made orthonormal on the samples (by a Cholesky factor). This requires that the samples
+    # determine the phase at `test_points`.
     over_disc = _over_disc(terms, obscuration)
     if rho.size < len(terms):
         raise ValueError(f"{len(terms)} terms need at least as many samples, got {rho.size}; lower degree")
@@ -407,7 +408,7 @@ def _least_squares(
         norm_before = _largest_norm(test_points, terms, over_disc)
         orthonormal = np.linalg.inv(np.linalg.cholesky(gram)).T
         over_disc = orthonormal if over_disc is None else over_disc @ orthonormal
-        # Where the orthonormal terms have a large norm, the samples do not determine the phase.
+        # At points at which the orthonormal terms have a large norm, the samples do not determine the phase.
         if not 0.0 < _largest_norm(test_points, terms, over_disc) <= MAX_GROWTH * norm_before:
             raise undetermined
         gram = np.zeros_like(gram)
@@ -448,7 +449,7 @@ def _undetermined(samples: int, terms: list[tuple[int, int]], condition: float, 
 
 
 def _over_disc(terms: list[tuple[int, int]], obscuration: float) -> Array | None:
-    """Return the matrix from coefficients of annular terms to those over the disc, or None without an obscuration."""
+    """Return the matrix that converts annular coefficients to coefficients over the disc; None for a full disc."""
     if obscuration == 0.0:
         return None
     matrix = np.zeros((len(terms), len(terms)))
@@ -482,7 +483,7 @@ def _finish(
     tol: float,
     weights: Array | None = None,
 ) -> WavefrontFit:
-    """Return the fit of the maps (axis 0; NaN at unused samples); ValueError if an rms residual exceeds `tol`."""
+    """Return the fit from residuals of maps (axis 0; NaN: unused); ValueError if an rms residual exceeds `tol`."""
     flat = residual.reshape(len(residual), -1)
     count = np.isfinite(flat).sum(axis=1)
     # The constant is among the terms, so that the mean of the residual is 0.
@@ -505,7 +506,10 @@ def _finish(
 
 
 def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.bool_]]:
-    """Return maps and their valid pixels: True in `mask`, else neither NaN nor hidden in a masked array."""
+    """Return maps and their valid pixels.
+
+    They are True in `mask` (if any) and not hidden in a masked array; without either, they are not NaN.
+    """
     data, hidden = validation.parted("opd", opd)
     maps = _real_maps("opd", data)
     if mask is None:
@@ -519,7 +523,7 @@ def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, NDArray[np.boo
 
 
 def _require_filled(valid: NDArray[np.bool_]) -> None:
-    """Raise ValueError if a circle clearly smaller than the one inscribed in the map encloses all samples."""
+    """Raise ValueError if all samples lie in a circle clearly smaller than the circle inscribed in the map."""
     rows = np.flatnonzero(valid.any(axis=1))
     ends = valid[rows].argmax(axis=1), valid.shape[1] - 1 - valid[rows, ::-1].argmax(axis=1)
     middle, radius = _enclosing_circle(np.column_stack([np.tile(rows, 2), np.concatenate(ends)]).astype(np.float64))

@@ -1,9 +1,9 @@
 """Wavefront, the phase across the pupil, and the phase of defocus of a lens that obeys the sine condition.
 
-The second part expands the phase of defocus in radial Zernike terms. A spherical wave and a reference sphere pass
-through the vertex of the pupil; their centres are two points of the axis. The reference sphere has the curvature a,
-the wave has the curvature a + delta. The reference sphere at the height h from the axis is displaced from the plane
-of the vertex by ``a p``, and the path difference W between the wave and the reference sphere is, by geometry,
+The second part of the module expands the phase of defocus in radial Zernike terms. A spherical wave of curvature
+a + delta and a reference sphere of curvature a pass through the vertex of the pupil; their centres lie on the axis.
+At the height h from the axis, the reference sphere is displaced by ``a p`` from the plane of the vertex. The path
+difference W between the wave and the reference sphere is, by geometry,
 
 ``W(h) = 2 p delta / (1 + sqrt(1 + 2 p (a + delta) delta)), p = h^2 / (1 + sqrt(1 - a^2 h^2)) .``
 
@@ -61,7 +61,7 @@ def _coefficients(name: str, value: ArrayLike) -> Array:
 
 
 def radians_per(unit: str, wavelength: float | None) -> float:
-    """Return how many radians of phase one radian, one wave or one metre of optical path is, as `unit` states."""
+    """Return the factor that converts a phase in `unit` (radians, waves, metres of optical path) to radians."""
     validation.choice("unit", unit, UNITS)
     if wavelength is not None:
         wavelength = validation.wavelength(wavelength)
@@ -210,7 +210,10 @@ class Wavefront(EqualByContent, display.Shown):
         self._set((*symmetric_terms(len(columns)), *sorted(others)), edge, error, powers)
 
     def _set(self, terms: tuple[Term, ...], edge: Array, error: float, powers: Array | None) -> None:
-        """Set checked arrays; write radial terms converted from `powers`, coefficients of rho^2, ..., into `edge`."""
+        """Set the attributes from checked arrays.
+
+        Unless `powers` (coefficients of rho^2, rho^4, ...) is None, compute the radial terms in `edge` from it.
+        """
         if powers is not None:
             with np.errstate(over="ignore", invalid="ignore"):  # a result that is not finite is rejected below
                 # Methods use Zernike terms, which do not cancel; the powers are kept for exact output.
@@ -234,24 +237,24 @@ class Wavefront(EqualByContent, display.Shown):
         return instance
 
     @classmethod
-    def from_edge(cls, given: Mapping[Term, Array], error: float = 0.0) -> Self:
+    def from_edge(cls, coefficients: Mapping[Term, Array], error: float = 0.0) -> Self:
         """Build a wavefront with this `error` from a mapping of (n, m) to coefficients, radians at the edge.
 
         Raises ValueError if the coefficients do not broadcast.
         """
         # Piston also contributes to the shape: a stack of pistons only would otherwise lose its axes.
-        shape = common_shape("the coefficients of the terms (n, m)", given)
-        radial = [n // 2 for (n, m), c in given.items() if m == 0 and n > 0 and np.any(c)]
+        shape = common_shape("the coefficients of the terms (n, m)", coefficients)
+        radial = [n // 2 for (n, m), c in coefficients.items() if m == 0 and n > 0 and np.any(c)]
         count = max([2, *radial])
-        terms = (*symmetric_terms(count), *sorted(term for term in given if term[1]))
-        edge = _columns([given.get(term, 0.0) for term in terms], shape)
+        terms = (*symmetric_terms(count), *sorted(term for term in coefficients if term[1]))
+        edge = _columns([coefficients.get(term, 0.0) for term in terms], shape)
         return cls.trusted(terms, edge, error, None if radial else np.zeros((*shape, count)))
 
     @classmethod
     def of_defocus(cls, defocus: float | Array) -> Self:
         """Build a wavefront from defocus coefficients C_d that the caller has checked, radians."""
         if isinstance(defocus, float) and math.isfinite(2.0 * defocus):
-            # Same result as the general case below in half the time: most pupils have one defocus and no other term.
+            # Half the time of the general case below, with the same result: most pupils have only one defocus.
             powers, edge = np.zeros(2), np.zeros(2)
             powers[0], edge[0] = 2.0 * defocus, defocus + 0.0
             powers.setflags(write=False)
@@ -451,7 +454,7 @@ class Wavefront(EqualByContent, display.Shown):
 
     @classmethod
     def balanced_spherical(cls, rms: ArrayLike, obscuration: float = 0.0) -> Self:
-        r"""Build primary spherical aberration with a prescribed rms, balanced by the defocus of least variance.
+        r"""Build primary spherical aberration with a prescribed rms, balanced by the defocus that minimises the rms.
 
         On the annulus ``eps <= rho <= 1`` this is the annular Zernike term
         ``C_s (rho^4 - (1 + eps^2) rho^2 + ...)`` with ``C_s = 6 sqrt(5) rms / (1 - eps^2)^2``.
@@ -589,7 +592,7 @@ class Wavefront(EqualByContent, display.Shown):
         return self._map_coefficients(part)
 
     def broadcast(self, shape: tuple[int, ...]) -> Self:
-        """Return the stack broadcast to `shape`, at most 2^28 wavefronts; TypeError or ValueError if impossible."""
+        """Return the stack broadcast to `shape`; TypeError or ValueError if impossible or above 2^28 wavefronts."""
         stack = validation.stack_shape(shape, self.shape)
         return self._map_coefficients(lambda c: np.broadcast_to(c, (*stack, c.shape[-1])).copy())
 
@@ -660,7 +663,7 @@ class Wavefront(EqualByContent, display.Shown):
 
     @cached_property
     def _terms_and_edges(self) -> tuple[object, ...]:
-        """Shape, error and coefficients, without terms that are zero throughout and signs of zeros."""
+        """Shape, error, and the coefficients of terms that are not zero throughout the stack, with -0 as 0."""
         return self.shape, self.error, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
 
     def __reduce__(self) -> tuple[object, ...]:
@@ -720,7 +723,7 @@ class Wavefront(EqualByContent, display.Shown):
         return self.trusted(self.terms, signs * self.edge, self.error, self._powers)
 
     def scaled(self, radius: ArrayLike) -> Self:
-        """Return the wavefront across a smaller, concentric pupil of a `radius` relative to this pupil's, (0, 1].
+        """Return the wavefront across a smaller concentric pupil; `radius`, in (0, 1], is relative to this pupil's.
 
         ``scaled.phase(rho, theta) = phase(radius * rho, theta)``, exact up to piston and rounding. Radii broadcast
         with the stack. Raises TypeError or ValueError if a radius is out of range or if the shapes do not broadcast.
@@ -805,12 +808,12 @@ def _constant_or_list(value: Array) -> object:
 
 
 def _edge_factor(term: Term, normalization: str) -> float:
-    """Return the coefficient at the edge of a Zernike term over the disc whose coefficient is 1."""
+    """Return the value at the edge of a Zernike term over the disc with the coefficient 1 in this normalization."""
     return zernike.rms_factor(*term) if normalization == "rms" else 1.0
 
 
 def _edge_from_annular(terms: Mapping[Term, Array], normalization: str, eps: float) -> dict[Term, Array]:
-    """Return edge coefficients of terms over the disc from annular coefficients times _edge_factor()."""
+    """Return edge coefficients of terms over the disc; `terms` are annular coefficients times _edge_factor()."""
     # An annular term is a sum of terms over the disc with the same m and at most the same n.
     rms = {(n, m): c / _annular_factor((n, m), normalization, eps) for (n, m), c in terms.items()}
     return {term: zernike.rms_factor(*term) * c for term, c in zernike.over_disc(rms, eps).items()}
@@ -825,7 +828,7 @@ def _annular_from_edge(terms: Mapping[Term, Array], normalization: str, eps: flo
 
 
 def _annular_factor(term: Term, normalization: str, eps: float) -> float:
-    """Return the annular coefficient times _edge_factor() of an annular term with an rms of 1."""
+    """Return the coefficient, times _edge_factor(), of an annular term with an rms of 1."""
     return zernike.rms_factor(*term) if normalization == "rms" else zernike.annular_edge(*term, eps)
 
 
@@ -839,9 +842,9 @@ def _number_text(value: Array, *, shape: bool = False) -> str:
     return f"<array {value.shape} from {value.min():g} to {value.max():g}>"
 
 
-def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
-    """Convert a wavefront at the wavelength `known` to `wavelength`, metres, with equal optical path differences."""
-    return known / wavelength * wavefront
+def same_path(wavefront: Wavefront, reference: float, wavelength: float) -> Wavefront:
+    """Convert a wavefront from the wavelength `reference` to `wavelength`, metres, with equal path differences."""
+    return reference / wavelength * wavefront
 
 
 _DEGREE = 80  # degree of the Chebyshev series of the phase of defocus before truncation

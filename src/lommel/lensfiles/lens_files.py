@@ -599,7 +599,7 @@ class ChannelsSection(BuiltSection):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return the error message unless exactly one of `file` and `wavelengths` is present, with its options."""
+        """Return the error message unless either `file` or `wavelengths` is present, and no option of the other."""
         if ("file" in given) == ("wavelengths" in given):
             return "needs file (a table of the sensor) or wavelengths: exactly one of the two"
         way, excluded = "file", {"weights"}

@@ -302,7 +302,7 @@ class ImageModel(NamedTuple):
 
     @property
     def parts(self) -> list[Component]:
-        """Components of one wavelength each if there is seeing, which depends on wavelength, else one component."""
+        """With seeing, which depends on wavelength, one component for each wavelength; else a single component."""
         if any(isinstance(blur, Seeing) for blur in self.blur):
             return self.method.components(self.pupil)
         return [Component(1.0, 1.0, self.pupil)]

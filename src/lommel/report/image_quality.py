@@ -189,7 +189,7 @@ class ImageQuality(PointQuality):
 
     @cached_property
     def image(self) -> PSF:
-        """PSF of one integrated pixel; its measures refer to the continuous image, so that one pixel suffices."""
+        """Pixel-integrated PSF of one pixel, which suffices because its measures refer to the continuous image."""
         instrument = self.instrument
         return psf(self.pupil, 1, instrument.pixel, integrate=True, fill=instrument.fill)
 
@@ -302,7 +302,7 @@ class ImageQuality(PointQuality):
 
     @property
     def radii(self) -> dict[str, float]:
-        """Radii for the encircled energy by name: radii in the file, the Airy radius, radius of the geometric blur."""
+        """Radii for the encircled energy by name: from the file, the Airy radius, the geometric blur."""
         radii, blur = dict(self.instrument.radii), float(self.pupil.geometric_radius())
         radii.setdefault("Airy radius", self.pupil.airy_radius)
         if blur > 0:
@@ -368,8 +368,8 @@ class ImageQuality(PointQuality):
     def to_dict(self) -> Json:
         """Return all measures as plain data; infinite values and failed computations are None.
 
-        Names of measures along y end in "_y", those along x have no ending. "refused" lists the reasons of failed
-        computations.
+        Names of measures along y end in "_y"; names of measures along x have no ending. "refused" lists the reasons
+        of failed computations.
 
         Returns
         -------
@@ -651,8 +651,8 @@ def compare_methods(
     """Return errors and times of several methods, one row each, and the PSFs of the methods that apply.
 
     Errors are relative to :func:`lommel.methods.choice.reference`, whose PSF comes first, under the name of its class
-    or its ``repr``. PSFs with another kind of sampling than the reference are omitted. `started` is called with the
-    name of each method before it runs.
+    or its ``repr``. PSFs whose :attr:`lommel.PSF.sampling` differs from that of the reference are omitted. `started`
+    is called with the name of each method before it runs.
     """
     pupil = instrument.pupil()
     exact_method = reference(pupil)

@@ -236,7 +236,7 @@ def model_in_words(other: Facts) -> str:
 
 
 def _identical(other: Facts) -> bool:
-    """Return True if the PSFs of both models differ by less than 1e-6 of the peak, their tolerance."""
+    """Return True if the PSFs of both models differ by less than their tolerance, 1e-6 of the peak."""
     return other["reason"] is None and bool(other["peak_error"] < 1e-6)
 
 
@@ -525,7 +525,7 @@ def describe_mtf(instrument: Instrument, places: Sequence[Place], channels: Chan
     """Return the report of the MTF, pixel included, at the Nyquist frequency and at half the Nyquist frequency.
 
     There is one row for each combination of `places` in the field and `channels` (without channels, the wavelength of
-    the file). Directions are sagittal and tangential, or x and y if the only place is the axis.
+    the file). Directions are sagittal and tangential, or x and y if the file has no field aberrations.
     """
     facts = sensor_mtf(instrument, places, channels)
     over_field = places[0][0] is not None

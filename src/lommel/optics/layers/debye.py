@@ -112,8 +112,8 @@ class At:
         return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
 
     @cached_property
-    def fit(self) -> NDArray[np.bool_]:
-        """True for each ellipse that contains no singularity: a proof for discs, an estimate for points."""
+    def analytic(self) -> NDArray[np.bool_]:
+        """True for each ellipse on which the integrands are analytic: proven if `x` is a Disc, else estimated."""
         analytic = self._cosines_analytic()
         # By the argument principle, an analytic denominator has no zero in an ellipse if its winding number is 0.
         for function in (*self.amplitudes.denominators, *([self.square] if self.piece.odd else [])):
@@ -122,24 +122,27 @@ class At:
 
     def _cosines_analytic(self) -> NDArray[np.bool_]:
         """Return True for each ellipse on which cosines are finite and that contains no branch point of cosines."""
-        fit, rooted = np.ones(disc(self.x).radius.shape[:-1], np.bool_), self.piece.rooted
+        analytic, rooted = np.ones(disc(self.x).radius.shape[:-1], np.bool_), self.piece.rooted
         for index in {*rooted, self.piece.layers.sample}:
             c = self(index)
             if isinstance(c, Disc):
-                fit &= np.isfinite(c.radius).all(axis=-1)
+                analytic &= np.isfinite(c.radius).all(axis=-1)
                 # If Re c > 0 on all discs, c^(-1/2) is analytic: docs/certificate.md, section 14, "Which ellipses".
                 if index in rooted:
-                    fit &= (c.centre.real > c.radius).all(axis=-1)
+                    analytic &= (c.centre.real > c.radius).all(axis=-1)
             elif self.piece.is_root(index):
-                fit &= ((c * c).real > 0.0).all(axis=-1)
+                analytic &= ((c * c).real > 0.0).all(axis=-1)
             elif index in rooted:
-                fit &= (c.real > 0.0).all(axis=-1)
-        return fit
+                analytic &= (c.real > 0.0).all(axis=-1)
+        return analytic
 
 
 @dataclass(frozen=True)
 class Piece:
-    """Section of the pupil, `low` to `high` in its variable; for `odd` integrands ellipses must exclude rho = 0."""
+    """Section of the pupil from `low` to `high` in the section's variable.
+
+    `above` is True beyond the critical angle, `odd` for integrands odd in rho, whose ellipses must exclude rho = 0.
+    """
 
     layers: Layers
     low: float
@@ -231,7 +234,7 @@ class Piece:
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
             grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
         logs = np.full(ETA.shape, np.inf)
-        logs[list(rows or range(ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
+        logs[list(rows or range(ETA.size))] = np.where(covered.analytic & np.isfinite(grown), grown + 1e-9, np.inf)
         return logs
 
     def _estimated_growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
@@ -244,7 +247,7 @@ class Piece:
             light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
             decay = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
             growth = (light - decay + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
-        return np.where(at.fit & np.isfinite(growth), growth, np.inf)
+        return np.where(at.analytic & np.isfinite(growth), growth, np.inf)
 
     def proven_count(
         self, model: Model, depth: Array, focus: Array, v: float, error: float, factor: Factor | None = None
@@ -313,7 +316,7 @@ Factor = Callable[[Piece], Array]
 
 @lru_cache(maxsize=32)
 def enclosed(piece: Piece, model: Model, rows: Rows) -> tuple[At, Array]:
-    """Return the discs of ellipses, and on each disc the log of a bound on the factors :meth:`Piece.parts`."""
+    """Return the discs of ellipses, and on each disc the log of a bound on the moduli of :meth:`Piece.parts`."""
     at = piece.covered if rows is None else piece._cover(ETA[list(rows)])
     t_s, t_p, _ = at.amplitudes
     with np.errstate(all="ignore"):
@@ -542,7 +545,7 @@ def slope_errors(
         factors = by_depth.largest, by_focus.largest, rho, phases(covered, model, depth, focus)
         proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
         each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
-    # docs/certificate.md, section 15, "The wavelength".
+    # Largest factor of derivatives by ln k, for rounding errors: docs/certificate.md, section 15, "The wavelength".
     by_k = turning(found, layers, model)
     phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
     if by_k.changes is not None:
@@ -559,8 +562,8 @@ def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[
     found = np.zeros(3)
     middle = layers.middle_rates()
     for piece in pieces(layers, model):
-        # By the maximum principle a bound on the narrowest ellipse without singularity holds inside.
-        row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
+        # By the maximum principle a bound on the narrowest ellipse without singularity holds on the section inside.
+        row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].analytic[0])
         covered, _ = enclosed(piece, model, (row,))
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
         found = np.maximum(found, [*(each.max() for each in rates), phases(covered, model, depth, focus).max()])

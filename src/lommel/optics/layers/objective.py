@@ -106,7 +106,7 @@ class Focus:
         Stage positions of the paraxial focus and of the maximum intensity on the axis, metres towards the sample,
         relative to the paraxial focus on the surface of the glass.
     peak : float or ndarray
-        Intensity at the brightest focus, relative to the peak of an ideal scalar pupil of the same power.
+        Intensity at the brightest focus, relative to the peak of an ideal scalar pupil that collects the same power.
     axial_fwhm, lateral_fwhm : float or ndarray
         Full widths at half maximum at the brightest focus, metres of stage travel and metres in the sample.
     """
@@ -149,7 +149,7 @@ _PLANES = 256  # number of planes computed together, to limit the memory
 _DOUBLINGS = 6  # number of ranges that a search tries, each with a margin twice as large
 _ISOTROPIC_WEIGHTS = emitter_of("isotropic").light.shares  # weights of K0, K1, K2 for a freely rotating dipole
 _DISTANCE_MOST = 0.1  # largest working distance, metres
-_VALUES_MOST = 2**26  # largest number of radii times planes
+_VALUES_MOST = 2**26  # largest product of the numbers of radii and planes
 _ORIGINS = ("coverslip", "paraxial", "brightest")
 
 
@@ -605,11 +605,13 @@ class Objective:
         if not r.size or not d.size:
             raise ValueError(f"radius, depth and focus must not be empty, got shapes {r.shape} and {shape}")
         if r.size * d.size > _VALUES_MOST:
-            raise ValueError(f"radius and planes must be at most {_VALUES_MOST} values, got {r.size} times {d.size}")
+            raise ValueError(
+                f"radii times planes must be at most {_VALUES_MOST}, got {r.size} radii and {d.size} planes"
+            )
         v = layers.wavenumber * self.NA * r.ravel()
         validation.reach("radius", float(v.max()), math.pi / (layers.wavenumber * self.NA), "metres")
         rule = debye.rule(layers, model, d, f, float(v.max()), error)
-        distinct, place = np.unique(v, return_inverse=True)  # about an eighth of the pixels of an image
+        distinct, place = np.unique(v, return_inverse=True)  # an image has about an eighth as many radii as pixels
         parts = debye.fields(rule, model, d, f, distinct)
         return [part[:, place.ravel()].reshape(shape + r.shape) for part in parts], rule.error
 

@@ -24,7 +24,7 @@ MAX_RADIAL = 2 * (2 + MAX_HIGHER)
 """Highest power of rho in a radial fit, and highest degree n of a fit to a map."""
 
 MAX_GROWTH = 1e4
-"""Largest amplification of measurement errors: of coefficients, or where exceeded of the phase in the pupil."""
+"""Largest accepted amplification of measurement errors in coefficients or, for ill-conditioned fits, in the phase."""
 
 MAX_ROUNDING = 1e7
 """Largest condition number at which the terms are still orthogonalised on the samples."""
@@ -138,8 +138,9 @@ class WavefrontFit:
     samples : ndarray of int, shape ``wavefront.shape``
         Number of samples that the fit used.
     condition : float
-        Condition number of the fit, the amplification of measurement errors in single coefficients: near 1 for a full
-        pupil, and the largest among a stack of maps. Above 1e4 only the phase is determined, not single coefficients.
+        Condition number of the fit, the largest amplification of measurement errors in a coefficient: near 1 for a
+        full pupil. For a stack it is the largest one of the maps. Above 1e4 only the phase is determined, not single
+        coefficients.
     unit : str
         Unit of `piston`, `rms`, `peak_to_valley` and `residual`.
     """
@@ -170,8 +171,8 @@ def fit_radial(
     phase : callable, or array_like of shape (samples,)
         A function that maps an array of pupil radii in [0, 1] to an array of phases, or phases at the radii `rho`.
     rho : array_like, shape (samples,), optional
-        Pupil radii of an array `phase`, 0 to 1; all have equal weights. Omit it for a function, which is sampled at
-        400 Gauss-Legendre nodes in rho^2, with weights proportional to pupil area.
+        Pupil radii, 0 to 1, of the values in an array `phase`; all values have equal weights. Omit it for a function,
+        which is sampled at 400 Gauss-Legendre nodes in rho^2, with weights proportional to pupil area.
     degree : int, default 20
         Highest power of rho, even, 2 to 20.
     unit : {"radians", "waves", "metres"}, default "radians"

@@ -296,7 +296,7 @@ def _strehl(pupil: Pupil) -> float:
     if not pupil.circular:
         # The error is below 1e-12, by the proven bound of degree_needed() for rules with positive weights.
         sizes = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
-        # The tilt of a segment needs the same degree as an equal shift of the window.
+        # A segment's tilt is linear in position, like the Fourier kernel: degree_needed() treats it as a distance v.
         largest_tilt = float(np.hypot(*pupil.opening.phases[:, 1:].T).max())
         nodes = _clear_rule(pupil, 1.0, degree_needed(sizes, largest_tilt, pupil.illumination, 1e-13))
         mean = np.sum(nodes.weight * np.exp(1j * nodes.phase(pupil)))

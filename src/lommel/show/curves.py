@@ -144,8 +144,8 @@ def section(through: Moved, x: Array) -> Array:
 def _foci(pupil: Pupil) -> tuple[float, float]:
     """Return the lowest and the highest added defocus C_d, radians, which enclose 0 and the foci of all zones."""
     t = np.linspace(pupil.obscuration**2, 1.0, 129)
-    # Defocus adds the phase C_d (2 t - 1), t = rho^2. A zone is in focus if the slope 2 C_d cancels that of the
-    # phase.
+    # Defocus adds the phase C_d (2 t - 1), t = rho^2. A zone is in focus if its slope 2 C_d cancels the slope of the
+    # pupil's phase.
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     low, high = min(-0.5 * float(slope.max()), 0.0), max(-0.5 * float(slope.min()), 0.0)
     margin = _MARGIN + 0.25 * (high - low)
@@ -199,7 +199,8 @@ def through_focus(
     object_distance : float, optional
         Object distance of a lens, metres; by default the focus distance.
     reach : float, optional
-        Largest shift of the sensor in both directions: metres, or radians; see :func:`lommel.show.curves.moved`.
+        Largest shift of the sensor in both directions, metres, or largest added defocus C_d, radians, for a pupil in
+        units of lambda*N; see :func:`lommel.show.curves.moved`.
     half_width : float, optional
         Half width in x, metres or units of lambda*N; by default slightly more than the radius of the geometric blur.
         If the range is long, a sharp focus may be missed between the 241 points along x: then set a smaller
@@ -438,7 +439,7 @@ _FRACTIONS = (0.5, 0.8)  # fractions of the light whose radii are marked
 
 @display.register("encircled energy")
 def encircled_energy(psf: PSFLike, ax: Axes | None = None, *, radius: float | None = None) -> Axes:
-    """Draw the encircled energy about the axis, for comparison also that of the unaberrated aperture.
+    """Draw the encircled energy about the axis, and for comparison the curve of the unaberrated aperture.
 
     Parameters
     ----------

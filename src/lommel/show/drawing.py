@@ -208,7 +208,7 @@ def new_axes(ax: Axes | None, **options: object) -> Axes:
 
 
 _PICTURE_SIDE = 3.9  # longer side of a picture, inches
-_EXTRA_WIDTH, _EXTRA_HEIGHT = 2.5, 0.9  # room for the colour bar with labels, and for title and x labels, inches
+_EXTRA_WIDTH, _EXTRA_HEIGHT = 2.5, 0.9  # space for the colour bar with labels, and for title and x labels, inches
 
 
 def picture_axes(ax: Axes | None, height: float, width: float) -> Axes:

@@ -38,7 +38,7 @@ class DepthColours:
     shape : (int, int)
         Height and width of the frames, pixels.
     block : int
-        Side, in pixels of the frames, of a value of the depth map.
+        Side, in pixels, of the square of the frames that one value of the depth map covers.
     beside : bool
         True to reserve space for a grey image to the right of the depth map.
     """

@@ -238,7 +238,7 @@ def _sample_scale(psf: PSFLike) -> float:
 
 
 def _pitch(psf: PSFLike, values: Array, smaller: Array) -> float:
-    """Return the pitch of the columns of `smaller`, the averages of `values`, metres or units of lambda*N."""
+    """Return the pitch of the columns of `smaller`, which holds averages of `values`; metres or lambda*N."""
     return float(psf.grid.pitch[1] * _sample_scale(psf)) * int(values.shape[1] // smaller.shape[1])
 
 

@@ -46,7 +46,7 @@ class Harmonic(NamedTuple):
 class Waves(NamedTuple):
     r"""Intensity ``I = sum_ab form[a, b] U_a conj(U_b)`` for any pupil function P and fields U_a of orders q_a.
 
-    T_a is the factor of ``exp(i psi) J_m`` in the integrand of part ``parts[a]`` of the model.
+    T_a is the factor of ``exp(i psi) J_m rho d rho`` in the integrand of part ``parts[a]`` of the model.
 
     .. math:: U_a = \frac{1}{2 \pi} \int\!\!\int P \, T_a(\rho) \, e^{i q_a \theta}
        e^{i \psi - i v \rho \cos(\theta - \phi)} \rho \, d\rho \, d\theta .
@@ -114,7 +114,7 @@ class Dipole:
     azimuth : float
         Azimuth from the columns (x) of the camera towards its rows (y), radians.
     wobble : float, default 0
-        Isotropic fraction of its directions: 0 for a fixed dipole, 1 for a freely rotating dipole.
+        Isotropic fraction of the distribution of orientations: 0 for a fixed dipole, 1 for a freely rotating dipole.
 
     Raises
     ------
@@ -206,7 +206,7 @@ class Beam:
 
     @property
     def _vector_beam(self) -> str | None:
-        """The polarization if it, or its phase, depends on the azimuth, else None."""
+        """The name of the polarization if its direction or its phase depends on the azimuth, else None."""
         named = isinstance(self.polarization, str) and self.polarization in _VECTOR_BEAMS
         return str(self.polarization) if named else None
 

@@ -666,7 +666,7 @@ def brightest(layers: Layers, depth: float) -> _Axial:
     """
     from scipy.optimize import brentq
 
-    # Stage positions at which rays cross the axis, from paraxial rays up to 0.98 of the critical angle.
+    # Stage positions at which rays cross the axis, from paraxial rays up to 0.98 of the edge or the critical angle.
     rho = np.linspace(0.0, 0.98, 50) * min(1.0, layers.sample / layers.NA)
     length = np.zeros(rho.shape)
     for index, thickness in (*layers.paths, (layers.sample, depth)):

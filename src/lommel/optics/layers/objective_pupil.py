@@ -114,7 +114,7 @@ class ObjectivePupil(BasePupil):
         return np.asarray(self.power / (far @ self.light.shares)).reshape(self.shape)
 
     def geometric_radius(self) -> Array:
-        """Return the largest distance from the axis, on the camera, of rays up to 0.98 of the usable pupil radius."""
+        """Return the largest distance from the axis, metres on the camera, of rays within 0.98 of the pupil."""
         # The usable radius extends to the pupil's edge or to the critical angle, where the phase slope diverges.
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
         rates = self.layers.rates(self.layers.cosine(rho))

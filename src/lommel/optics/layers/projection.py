@@ -207,7 +207,7 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
 
 @lru_cache(maxsize=32)
 def norm(layers: Layers, model: Model) -> float:
-    """Return a bound on ``sqrt(2 int abs(t)^2 rho drho)`` for all parts t and depths: its value at depth 0."""
+    """Return the largest ``sqrt(2 int abs(t)^2 rho drho)`` of the parts t at depth 0, a bound for all depths."""
     return math.sqrt(float(debye.power(layers, np.zeros(1), model)[0].max())) * (1.0 + 1e-12)
 
 

@@ -135,7 +135,7 @@ def test_the_sensor_goes_to_where_the_lens_focuses_but_not_into_the_lens():
         ({"reach": 0.0}, "reach must be > 0, got 0"),
         ({"reach": 1.0}, "reach must be below the distance of the sensor, 0.0512821 m, got 1"),
         ({"count": 2}, "count must be from 3 to 4096, got 2"),
-        ({"object_distance": [1.0, 2.0]}, r"there must be a single pupil, got a stack of shape \(2,\)"),
+        ({"object_distance": [1.0, 2.0]}, r"must describe a single pupil, got a stack of shape \(2,\)"),
     ],
 )
 def test_what_is_out_of_range_is_refused(camera, options, told):

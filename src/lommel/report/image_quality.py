@@ -326,9 +326,9 @@ class ImageQuality(PointQuality):
         """
         pupil, radii = self.pupil.unaberrated() if unaberrated else self.pupil, self.radii.values()
         most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
-        found = encircled(pupil, [r for r in radii if r <= most])
-        within = iter(found.fraction.tolist())
-        return [next(within) if r <= most else None for r in radii], found.error
+        result = encircled(pupil, [r for r in radii if r <= most])
+        within = iter(result.fraction.tolist())
+        return [next(within) if r <= most else None for r in radii], result.error
 
     def setup(self) -> Json:
         """Return the parameters of lens, object and sensor as plain data, without measures of image quality.
@@ -342,7 +342,7 @@ class ImageQuality(PointQuality):
         height, width = instrument.pitch
         telescope = math.isinf(lens.focus_distance) and math.isinf(instrument.object_distance)
         sharp = field and {"near": field[0], "far": field[1], "blur": IN_FOCUS * max(height, width)}
-        found = {
+        result = {
             "name": instrument.name,
             "source": instrument.source,
             **{name: getattr(lens, name) for name in _LENS_ATTRIBUTES},
@@ -363,7 +363,7 @@ class ImageQuality(PointQuality):
             },
             "clear_area": self.pupil.area,
         }
-        return dict(plain(found))
+        return dict(plain(result))
 
     def to_dict(self) -> Json:
         """Return all measures as plain data; infinite values and failed computations are None.
@@ -390,7 +390,9 @@ class ImageQuality(PointQuality):
             return {name: attempt(partial(getattr, of, name)) for name in names}
 
         nothing: tuple[list[float | None], None] = [None] * len(radii), None
-        seen, ideal = (attempt(partial(self.encircled_energy, unaberrated=flat)) or nothing for flat in (False, True))
+        actual, ideal = (
+            attempt(partial(self.encircled_energy, unaberrated=flat)) or nothing for flat in (False, True)
+        )
         transfers: Json = {}
         for end, angle, side in (("", 0.0, pitch[1]), ("_y", 0.5 * math.pi, pitch[0])):
             nyquist = 0.5 / side
@@ -400,7 +402,7 @@ class ImageQuality(PointQuality):
                 f"mtf_at_nyquist{end}": attempt(partial(self.mtf, nyquist, angle)),
                 f"mtf_at_nyquist_with_pixel{end}": attempt(partial(self.mtf, nyquist, angle, pixel=True)),
             }
-        found = self.setup() | {
+        result = self.setup() | {
             "rim_amplitude": float(np.divide(*self.lens.illumination.value([1.0, 0.0]))),
             "other_model": other_model(self.instrument),
             "defocus": float(pupil.wavefront.defocus),
@@ -421,19 +423,19 @@ class ImageQuality(PointQuality):
             "focus_tolerance": attempt(self.focus_tolerance),
         }
         places = None if self.instrument.aberrations_of_field is None else self._places()
-        found["field"] = places and {
+        result["field"] = places and {
             **places,
             "places": [
                 place | attributes(one, "strehl", "rms_waves", "strehl_at_peak", "rms_waves_without_tilt")
                 for place, one in places["places"]
             ],
         }
-        found["encircled_energy"] = [
+        result["encircled_energy"] = [
             {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
-            for (name, radius), a, b in zip(radii.items(), seen[0], ideal[0], strict=True)
+            for (name, radius), a, b in zip(radii.items(), actual[0], ideal[0], strict=True)
         ]
-        found["encircled_energy_error"] = max((e for e in (seen[1], ideal[1]) if e is not None), default=None)
-        return found | {"refused": list(reasons)}
+        result["encircled_energy_error"] = max((e for e in (actual[1], ideal[1]) if e is not None), default=None)
+        return result | {"refused": list(reasons)}
 
     def _widths(self, attempt: Callable[[Callable[[], float]], float | None]) -> dict[str, float | None]:
         """Return FWHM and diameter of 80 % of the light, without the pixel and with it (None for a wide blur).
@@ -441,12 +443,12 @@ class ImageQuality(PointQuality):
         `attempt` returns the result of a function, or None if the function raises an error.
         """
         measures: dict[str, Callable[..., float]] = {"fwhm": self.fwhm, "diameter_80": self.diameter_80}
-        found = {name: attempt(measure) for name, measure in measures.items()}
-        wide = (found["diameter_80"] or math.inf) > _MAX_WIDTH * min(self.instrument.pitch)
+        result = {name: attempt(measure) for name, measure in measures.items()}
+        wide = (result["diameter_80"] or math.inf) > _MAX_WIDTH * min(self.instrument.pitch)
         for name, measure in measures.items():
-            omitted = found[name] is None or wide
-            found[f"{name}_with_pixel"] = None if omitted else attempt(partial(measure, pixel=True))
-        return found
+            omitted = result[name] is None or wide
+            result[f"{name}_with_pixel"] = None if omitted else attempt(partial(measure, pixel=True))
+        return result
 
     def _places(self) -> Json:
         """Return the field aberrations as plain data, with positions from the axis to a corner of the sensor."""
@@ -481,22 +483,22 @@ def other_model(instrument: Instrument) -> Json:
     model = "aplanatic" if lens.model == "paraxial" else "paraxial"
     # In a magnifying lens, such as an objective, the sensor is at its design position, but the object need not be.
     side = "focus" if model == "aplanatic" and magnifies(lens) else lens.corrected_for
-    found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
+    result = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
     try:
         # Keep the amplitude, also if it is defined by ray angles, which a paraxial lens lacks.
         changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
         other = changed.pupil(instrument.object_distance)
         pupils = {lens.model: instrument.pupil(), model: other}
-        seen = {
+        psfs = {
             name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)
             for name, p in pupils.items()
         }
     except ToleranceError:
-        return found | {"reason": "cannot be computed to the tolerance"}
+        return result | {"reason": "cannot be computed to the tolerance"}
     except (ValueError, ArithmeticError, ImportError) as error:
-        return found | {"reason": str(error)}
-    blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])
-    return found | {"geometric_radius": float(blur), "peak_error": difference}
+        return result | {"reason": str(error)}
+    blur, difference = other.geometric_radius(), errors.peak_error(psfs["paraxial"], psfs["aplanatic"])
+    return result | {"geometric_radius": float(blur), "peak_error": difference}
 
 
 def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channels | None = None) -> Json:
@@ -519,7 +521,7 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
             radial = np.array([x, y]) / math.hypot(x, y)
             directions["radial"] = min(nyquist) * np.array([[-radial[1], radial[0]], radial])
         for name, light in lights:
-            found = {
+            result = {
                 key: [
                     transfer.mtf(pupil, *(factor * f.T), spectrum=light, **sensor).tolist() for factor in (1.0, 0.5)
                 ]
@@ -529,11 +531,11 @@ def sensor_mtf(instrument: Instrument, places: Sequence[Place], channels: Channe
                 "x": x,
                 "y": y,
                 "channel": name,
-                "nyquist": found["nyquist"][0],
-                "half_nyquist": found["nyquist"][1],
+                "nyquist": result["nyquist"][0],
+                "half_nyquist": result["nyquist"][1],
             }
-            if "radial" in found:
-                row["sagittal"], row["tangential"] = map(list, zip(*found["radial"], strict=True))
+            if "radial" in result:
+                row["sagittal"], row["tangential"] = map(list, zip(*result["radial"], strict=True))
             rows.append(row)
     return {"frequency": nyquist, "rows": rows}
 
@@ -633,13 +635,13 @@ def _foci(microscope: Microscope) -> tuple[list[dict[str, float | None]], list[s
     surface = float(objective.focus(0.0, wavelength=wavelength).peak)
     for depth in sorted({*DEPTHS, microscope.depth}):
         try:
-            found = objective.focus(depth, wavelength=wavelength)
+            result = objective.focus(depth, wavelength=wavelength)
         except ValueError as reason:
             refused[f"{1e6 * depth:.4g} um deep: {reason}"] = None
             continue
-        row: dict[str, float | None] = {"depth": depth, "ratio": float(found.ratio) if depth > 0.0 else None}
-        row |= {name: float(getattr(found, name)) for name in _FOCUS_ATTRIBUTES}
-        row["peak_of_surface"] = float(found.peak) / surface
+        row: dict[str, float | None] = {"depth": depth, "ratio": float(result.ratio) if depth > 0.0 else None}
+        row |= {name: float(getattr(result, name)) for name in _FOCUS_ATTRIBUTES}
+        row["peak_of_surface"] = float(result.peak) / surface
         row["collected"] = float(objective.collected(depth, wavelength=wavelength))
         rows.append(row)
     return rows, list(refused)
@@ -667,11 +669,11 @@ def compare_methods(
         """Return the PSF and the seconds of the second run, or of the first run if it takes more than a second."""
         for _ in range(2):  # the first one loads libraries and fills caches
             start = time.perf_counter()
-            found = compute(method, integrate)
+            result = compute(method, integrate)
             seconds = time.perf_counter() - start
             if seconds > 1.0:
                 break
-        return found, seconds
+        return result, seconds
 
     started(exact_name)
     truth, seconds = timed(exact_method, instrument.integrate)
@@ -689,15 +691,15 @@ def compare_methods(
         # Pixel integration by Huygens-Fresnel sums would take minutes.
         integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
         try:
-            found, row["seconds"] = (truth, seconds) if method == exact_method else timed(method, integrate)
+            result, row["seconds"] = (truth, seconds) if method == exact_method else timed(method, integrate)
         except (ValueError, ArithmeticError, ImportError) as error:
             row["reason"] = str(error)
             continue
-        row["sampling"], row["error_bound"] = found.sampling, found.error_bound
+        row["sampling"], row["error_bound"] = result.sampling, result.error_bound
         against = truth
-        if found.sampling == truth.sampling:
-            answers[name] = found
-        elif found.sampling == "center":
+        if result.sampling == truth.sampling:
+            answers[name] = result
+        elif result.sampling == "center":
             against = compute(exact_method, False)
-        row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
+        row["mse"], row["peak_error"] = errors.mse(result, against), errors.peak_error(result, against)
     return rows, answers

@@ -89,7 +89,9 @@ def moved(
         raise ValueError("object_distance must be None for a pupil, whose object distance is fixed; pass the lens")
     pupil = checked_pupil(thing if lens is None else lens.pupil(object_distance))
     if pupil.shape != ():
-        raise ValueError(f"there must be a single pupil, got a stack of shape {pupil.shape}; index it")
+        raise ValueError(
+            f"thing and object_distance must describe a single pupil, got a stack of shape {pupil.shape}"
+        )
     low, high = _foci(pupil)
     if lens is not None:
         at = _shift_range(lens, low, high) if reach is None else _even_shifts(reach, lens.sensor_distance, n)

@@ -355,16 +355,16 @@ def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     # 1 - cos of the largest angle, as sin^2 / (1 + cos) without cancellation.
     sine = min(1.0, layers.NA / lowest)
     edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
-    found: list[Piece] = []
+    sections: list[Piece] = []
     if odd:
-        found.append(Centre(layers, 0.0, min(1.0, _CENTRE_RHO * lowest / layers.NA)))
+        sections.append(Centre(layers, 0.0, min(1.0, _CENTRE_RHO * lowest / layers.NA)))
     if not odd or edge > _CENTRE:
-        found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
+        sections.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
     if layers.sample < layers.NA and model.supercritical:
         # abs(c_s) at the rim, as a product without cancellation near the critical angle.
         end = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
-        found.append(Piece(layers, 0.0, end, above=True, odd=odd))
-    return tuple(found)
+        sections.append(Piece(layers, 0.0, end, above=True, odd=odd))
+    return tuple(sections)
 
 
 # Unit of the allowance for rounding errors, which is not proven: docs/certificate.md, section 14, "Rounding".
@@ -518,25 +518,25 @@ class Turning(NamedTuple):
     changes: Complex | None
 
 
-def turning(found: Rule, layers: Layers, model: Model) -> Turning:
+def turning(quadrature: Rule, layers: Layers, model: Model) -> Turning:
     """Return the quantities of :class:`Turning` at the nodes of a rule."""
-    rates = np.stack(found.rates) - np.array(layers.middle_rates())[:, None]
+    rates = np.stack(quadrature.rates) - np.array(layers.middle_rates())[:, None]
     if not films(layers, model):
         return Turning(rates, None)
     changes = []
-    for piece, n in zip(pieces(layers, model), found.counts, strict=True):
+    for piece, n in zip(pieces(layers, model), quadrature.counts, strict=True):
         x, w = gauss_legendre(n, piece.low, piece.high)
         changes.append(w * np.stack(piece.changes(At(piece, x), model)))
     return Turning(rates, np.concatenate(changes, axis=1))
 
 
 def slope_errors(
-    found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
+    quadrature: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float, float]:
     """Return bounds on the errors of a rule for derivatives by depth, by focus, by v, and by ln k at fixed v."""
     each = []
-    for piece, n in zip(pieces(layers, model), found.counts, strict=True):
-        growth = piece.growth_on_best(model, depth, focus, v, tol / len(found.counts))
+    for piece, n in zip(pieces(layers, model), quadrature.counts, strict=True):
+        growth = piece.growth_on_best(model, depth, focus, v, tol / len(quadrature.counts))
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
         covered, _ = enclosed(piece, model, rows)
         _, by_depth, by_focus = covered.rates
@@ -546,28 +546,30 @@ def slope_errors(
         proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
         each.append([float(np.exp((proven + np.log(factor.max(axis=-1))).min())) for factor in factors])
     # Largest factor of derivatives by ln k, for rounding errors: docs/certificate.md, section 15, "The wavelength".
-    by_k = turning(found, layers, model)
+    by_k = turning(quadrature, layers, model)
     phase = max(float(np.abs(by_k.rates.T @ (1.0, d, f)).max()) for d, f in extremes(depth, focus))
     if by_k.changes is not None:
         phase += max(float(np.abs(part).sum()) for part in by_k.changes) / max(
-            float(np.abs(part).sum()) for part in found.parts
+            float(np.abs(part).sum()) for part in quadrature.parts
         )
-    largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0, 1.0 + phase
-    sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]
+    largest = *(float(np.abs(rate).max()) for rate in quadrature.rates[1:]), 1.0, 1.0 + phase
+    sums = [
+        sum(part) + quadrature.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)
+    ]
     return sums[0], sums[1], sums[2], sums[3]
 
 
 def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
     """Return bounds on the factors by which derivatives by depth, by focus and by ln k multiply the integrands."""
-    found = np.zeros(3)
+    bounds = np.zeros(3)
     middle = layers.middle_rates()
     for piece in pieces(layers, model):
         # By the maximum principle a bound on the narrowest ellipse without singularity holds on the section inside.
         row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].analytic[0])
         covered, _ = enclosed(piece, model, (row,))
         rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
-        found = np.maximum(found, [*(each.max() for each in rates), phases(covered, model, depth, focus).max()])
-    return float(found[0]), float(found[1]), float(found[2])
+        bounds = np.maximum(bounds, [*(each.max() for each in rates), phases(covered, model, depth, focus).max()])
+    return float(bounds[0]), float(bounds[1]), float(bounds[2])
 
 
 def phases(covered: At, model: Model, depth: Array, focus: Array) -> Array:

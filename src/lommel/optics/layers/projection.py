@@ -87,13 +87,13 @@ def orders(terms: Sizes, error: float) -> Orders:
     )
 
 
-def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.complex128]:
+def samples(wavefront: Wavefront, rho: Array, fourier: Orders) -> NDArray[np.complex128]:
     """Return P_m(rho) of the flattened stack, shape ``(n, 2 most + 1, len(rho))``, m from -most to most."""
     # A discrete Fourier transform over the azimuth at each rho.
-    theta = 2.0 * np.pi / kept.angles * np.arange(kept.angles)
+    theta = 2.0 * np.pi / fourier.angles * np.arange(fourier.angles)
     phases = wavefront.flattened().phase(np.minimum(rho[:, None], 1.0), theta)
-    found = np.fft.fft(np.exp(1j * phases), axis=-1) / kept.angles
-    return np.moveaxis(found[..., np.arange(-kept.most, kept.most + 1)], -1, 1)
+    found = np.fft.fft(np.exp(1j * phases), axis=-1) / fourier.angles
+    return np.moveaxis(found[..., np.arange(-fourier.most, fourier.most + 1)], -1, 1)
 
 
 def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
@@ -102,16 +102,16 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
     `most` is the smallest one for which the omitted orders add at most `error` to the fields.
     """
     size = max(float(np.abs(part).sum()) for part in rule.parts)
-    kept = orders(terms, 0.01 * error / size)
-    found = samples(wavefront, rule.rho, kept)
+    fourier = orders(terms, 0.01 * error / size)
+    found = samples(wavefront, rule.rho, fourier)
     # orders() is valid for all radii; at the nodes of the rule fewer orders may suffice (certificate, section 16).
-    # `each` bounds the contribution of orders m and -m, `beyond` that of all orders above m.
+    # `pair_bounds` bounds the contribution of orders m and -m, `beyond` that of all orders above m.
     weights = np.abs(np.stack(rule.parts))
-    each = (np.abs(found) @ weights.T).max(axis=-1)
-    each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
-    beyond = np.append(np.cumsum(each[::-1])[::-1], 0.0)[1:]
+    pair_bounds = (np.abs(found) @ weights.T).max(axis=-1)
+    pair_bounds = (pair_bounds + pair_bounds[:, ::-1])[:, fourier.most :].max(axis=0)
+    beyond = np.append(np.cumsum(pair_bounds[::-1])[::-1], 0.0)[1:]
     most = int(np.flatnonzero(beyond <= error)[0])
-    return found[:, kept.most - most : kept.most + most + 1], float(beyond[most] + kept.error * size)
+    return found[:, fourier.most - most : fourier.most + most + 1], float(beyond[most] + fourier.error * size)
 
 
 @lru_cache(maxsize=16)
@@ -188,21 +188,23 @@ def amplitudes(pupil: ObjectivePupil, degree: int, error: float, rates: tuple[in
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     layers, model = pupil.layers, pupil.light.model
     by_k = WAVENUMBER in rates
-    made = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
-    waves = made.rule.waves(depth, focus)
+    integrals = _integrals(layers, model, *_box(layers, depth, focus), degree, error, by_k=by_k)
+    waves = integrals.rule.waves(depth, focus)
     # For such small matrices einsum is faster than BLAS, which would start threads.
-    found = np.empty((1 + len(rates), len(waves), made.weights.shape[2]), np.complex128)
+    found = np.empty((1 + len(rates), len(waves), integrals.weights.shape[2]), np.complex128)
     for k, rate in enumerate((-1, *rates)):
-        np.einsum("pq,qt->pt", waves, made.weights[1 + rate if rate < 2 else 0], out=found[k])
+        np.einsum("pq,qt->pt", waves, integrals.weights[1 + rate if rate < 2 else 0], out=found[k])
     if by_k:
-        fixed, by_depth, by_focus = debye.turning(made.rule, layers, model).rates
+        fixed, by_depth, by_focus = debye.turning(integrals.rule, layers, model).rates
         # Multiply by i psi at each node: docs/certificate.md, section 15, "The wavelength".
         turned = 1j * waves * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))
-        total = np.einsum("pq,qt->pt", turned, made.weights[0])
-        if made.changes is not None:
-            total += np.einsum("pq,qt->pt", waves, made.changes)
-        found[1 + rates.index(WAVENUMBER)] = total / made.steepest
-    return Amplitudes(found, (degree + 2.0) * _each(error, degree) + 4.0 * made.rule.rounding, made.steepest)
+        total = np.einsum("pq,qt->pt", turned, integrals.weights[0])
+        if integrals.changes is not None:
+            total += np.einsum("pq,qt->pt", waves, integrals.changes)
+        found[1 + rates.index(WAVENUMBER)] = total / integrals.steepest
+    return Amplitudes(
+        found, (degree + 2.0) * _integral_tol(error, degree) + 4.0 * integrals.rule.rounding, integrals.steepest
+    )
 
 
 @lru_cache(maxsize=32)
@@ -217,7 +219,7 @@ def steepest(layers: Layers, model: Model) -> tuple[float, float]:
     return debye.steepest(layers, model, np.zeros(1), np.zeros(1))[:2]
 
 
-def _each(error: float, degree: int) -> float:
+def _integral_tol(error: float, degree: int) -> float:
     """Return the tolerance of one integral; by Bessel's inequality a sum has (degree + 2) times this error."""
     return float(2.0 ** math.floor(math.log2(error / (degree + 2.0))))
 
@@ -259,7 +261,7 @@ def _integrals(
         grown = math.log(degree + 4.0) + 0.5 * (degree + 3.0) * np.arccosh(np.maximum(size, 1.0))
         return np.asarray(grown + np.log(np.maximum(1.0, np.max(turned, axis=0))))
 
-    rule = debye.rule(layers, model, d, f, 0.0, _each(error, degree), growth)
+    rule = debye.rule(layers, model, d, f, 0.0, _integral_tol(error, degree), growth)
     factors = [1j * (rate - least) / most for rate, least, most in zip(rule.rates[1:], middle, steep, strict=True)]
 
     def weighted(parts: Sequence[Complex]) -> Complex:

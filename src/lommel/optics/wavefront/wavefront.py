@@ -873,7 +873,7 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
 
     Parameters
     ----------
-    t : ndarray, shape (t,)
+    t : ndarray, shape (points,)
         Squares of the pupil radius, 0 to 1.
     radius : float
         Radius of the pupil, metres.
@@ -884,7 +884,7 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
 
     Returns
     -------
-    ndarray, shape (n, t)
+    ndarray, shape (n, points)
         Path difference, metres.
     """
     # The formula avoids differences of nearly equal numbers; docs/theory.md derives it.

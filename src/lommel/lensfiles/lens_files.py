@@ -323,9 +323,9 @@ class ApertureSection(Section):
         """
         faults = _ErrorCollector()
         spider, edge = self.spider, self.ellipse or self.cat_eye
-        found = {"vignetting": edge and edge.build(), "mask": self.mask and self.mask.file}
+        options = {"vignetting": edge and edge.build(), "mask": self.mask and self.mask.file}
         if spider is not None:
-            found["spider"] = faults.attempt(("spider", "width"), "spider.width", lambda: spider.spider(radius))
+            options["spider"] = faults.attempt(("spider", "width"), "spider.width", lambda: spider.spider(radius))
         stop = self._telescope_stop(radius, faults)
         clear, blocked = (_union(name, getattr(self, name), radius, faults) for name in ("clear", "blocked"))
         faults.raise_errors()
@@ -334,8 +334,8 @@ class ApertureSection(Section):
         # Blocked parts without clear parts are subtracted from the full disc.
         if blocked is not None:
             stop = (Disc() if stop is None else stop) - blocked
-        found["stop"] = stop
-        return {name: shape for name, shape in found.items() if shape is not None}
+        options["stop"] = stop
+        return {name: shape for name, shape in options.items() if shape is not None}
 
     def _telescope_stop(self, radius: float, faults: _ErrorCollector) -> Shape | Segments | None:
         """Return the stop of `telescope` or of the rings of `segments`, with the segments' phases; None without."""
@@ -791,9 +791,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
             "or one of the commands info, psf, beads and localize"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
-    table, found = camera_files.read_zernike(raw, text, context)
+    table, errors = camera_files.read_zernike(raw, text, context)
     make = partial(_instrument, table=table, stem=source.stem)
-    return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
+    return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(errors))
 
 
 def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:

@@ -12,10 +12,10 @@ as a fraction of all light per area. The fraction of all light within the radius
 Three classes represent an image. :class:`PolarImage`, for radially symmetric lenses and lenses seen through
 turbulence, computes the OTF from the pupil, at Gauss nodes along the radial frequency. :class:`RayImage` holds the
 light of geometric rays. :class:`CartesianImage`, for all pupils, uses the discrete Fourier transform of samples,
-times a cut-off function. This function is 1 up to the band (the highest frequency with a nonzero OTF, in cycles per
-lambda*N) and falls smoothly to 0 at twice the band. It does not change E(R), because it is 1 wherever the OTF is not
-0. Its Fourier transform, called its kernel, is negligible at distances above 12 / band lambda*N. Samples farther than
-this outside the circle are therefore omitted.
+times a cut-off function. This function is 1 (to 1e-8) up to the band, the highest frequency with a nonzero OTF in
+cycles per lambda*N, and falls smoothly to 0 at twice the band. It hardly changes E(R), because it is 1 wherever the
+OTF is not 0. Its Fourier transform, called its kernel, is negligible at distances above 12 / band lambda*N. Samples
+farther than this outside the circle are therefore omitted.
 """
 
 from __future__ import annotations
@@ -62,9 +62,10 @@ _GAUSS = 0.5 / math.sqrt(3.0)  # distance of the two Gauss nodes from the middle
 
 
 # Clear area of each square cell of an aperture. A line of constant y crosses an ellipse or a convex polygon in one
-# interval. The area is the integral of the lengths of these intervals over y. The range of y is split at edges of
-# cells, at corners of the aperture, and where an edge of the aperture crosses from one column of cells to the next;
-# each part has two Gauss nodes. The area is exact for straight edges, unless two edges cross within a cell.
+# interval. The area is the integral over y of the length of the interval within the cell. The range of y is split at
+# edges of cells and at corners of the aperture, and further so that within a part no edge of the aperture advances by
+# more than a column of cells; each part has two Gauss nodes. With straight edges that do not cross in a part, sums of
+# areas along a row of cells are exact. The area of a cell is approximate if an edge enters the next column in a part.
 
 
 def phased_cells(opening: Opening, side: int) -> NDArray[np.complex128]:
@@ -119,7 +120,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     for corners in region.polygons:
         if len(corners):
             events += [
-                # The edge is split where it crosses from one column of cells to the next.
+                # The edge is split in steps of at most one column of cells.
                 np.linspace(y0, y1, 2 + int(abs(x1 - x0) / cell) if y0 != y1 else 1)
                 for (x0, y0), (x1, y1) in zip(corners, np.roll(corners, -1, axis=0), strict=True)
             ]
@@ -142,7 +143,7 @@ def _clear_lines(region: Listed, side: int) -> tuple[Array, Array, NDArray[np.in
     edges = np.unique(
         np.clip(np.concatenate([cell * np.arange(side + 1.0) - 1.0, *events]), max(low, -1.0), min(high, 1.0))
     )
-    # Two Gauss nodes are exact for cubics; with straight edges the covered length is linear in y.
+    # Two Gauss nodes are exact for cubics; the covered length of a row is linear in y between straight edges.
     middle, wide = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
     row = np.minimum((0.5 * side * (middle + 1.0)).astype(np.int64), side - 1)
     lines = np.concatenate([middle - _GAUSS * wide, middle + _GAUSS * wide])

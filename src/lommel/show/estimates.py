@@ -69,8 +69,8 @@ class DepthColours:
         left, right, unknown = (math.ceil(draw.textlength(text, font=font)) for text in labels)
         start = left + 10
         stop = width - right - 10
-        wide = stop - start - unknown - _BAR - 12 >= _MIN_GRADIENT
-        if wide:
+        show_grey = stop - start - unknown - _BAR - 12 >= _MIN_GRADIENT
+        if show_grey:
             stop -= unknown + _BAR + 12
             draw.rectangle((stop + right + 18, 6, stop + right + 18 + _BAR - 8, _BAR - 7), fill=(_GREY,) * 3)
             draw.text((width - unknown - 4, _BAR // 2), labels[2], fill=(_INK,) * 3, font=font, anchor="lm")

@@ -114,7 +114,7 @@ class Layers:
         """Return ``d ln(t) / d ln(k)`` of the amplitudes t of s and p waves; it is 0 without films."""
         n_g, n_s = self.glass, self.sample
         c_g, c_s = cosine(n_g), cosine(n_s)
-        found = []
+        slopes = []
         for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
             # Product rule for the product of matrices, from the sample to the glass.
             of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
@@ -122,8 +122,8 @@ class Layers:
                 from_matrix, from_slope = _apply(by_k, of), _apply(matrix, slope)
                 slope = from_matrix[0] + from_slope[0], from_matrix[1] + from_slope[1]
                 of = _apply(matrix, of)
-            found.append((slope[0] * first + slope[1]) * -1.0 / (of[0] * first + of[1]))
-        return found[0], found[1]
+            slopes.append((slope[0] * first + slope[1]) * -1.0 / (of[0] * first + of[1]))
+        return slopes[0], slopes[1]
 
     def _denominator(self, square: Values, first: Values, last: Values, polarisation: str) -> Values:
         """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, where M is the product of the matrices of the films."""

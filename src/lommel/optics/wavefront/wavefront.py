@@ -94,9 +94,9 @@ def _columns(parts: Collection[ArrayLike], shape: tuple[int, ...]) -> Array:
 
 @lru_cache(maxsize=64)
 def _indices(terms: tuple[Term, ...]) -> NDArray[np.int32]:
-    found = np.array(terms, dtype=np.int32)
-    found.flags.writeable = False
-    return found
+    indices = np.array(terms, dtype=np.int32)
+    indices.flags.writeable = False
+    return indices
 
 
 @lru_cache(maxsize=64)
@@ -331,18 +331,18 @@ class Wavefront(EqualByContent, display.Shown):
                 "terms must be a mapping of indices to coefficients or pairs (index, coefficient), such as "
                 f"zip(range(4, 16), coefficients), got {validation.shown(terms)}"
             ) from None
-        found: dict[Term, Array] = {}
+        edge: dict[Term, Array] = {}
         for index, value in pairs:
             n, m = zernike.term(index, order)
-            if (n, m) in found:
+            if (n, m) in edge:
                 raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), occurs twice")
             coefficient = _coefficients(f"the Zernike coefficient {index!r}", value)
             with np.errstate(over="ignore"):  # from_edge() rejects an infinite result
-                found[n, m] = scale * _edge_factor((n, m), normalization) * coefficient
+                edge[n, m] = scale * _edge_factor((n, m), normalization) * coefficient
         if eps > 0.0:
             with np.errstate(over="ignore", invalid="ignore"):
-                found = _edge_from_annular(found, normalization, eps)
-        return cls.from_edge(found, validation.real("error", error, least=0.0))
+                edge = _edge_from_annular(edge, normalization, eps)
+        return cls.from_edge(edge, validation.real("error", error, least=0.0))
 
     def to_zernike(
         self,
@@ -364,12 +364,12 @@ class Wavefront(EqualByContent, display.Shown):
         terms = self.edge_terms()
         if eps > 0.0:
             terms = _annular_from_edge(terms, normalization, eps)
-        found = {}
+        coefficients = {}
         for (n, m), c in terms.items():
             if np.any(c):
                 factor = scale * _edge_factor((n, m), normalization)
-                found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
-        return found
+                coefficients[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
+        return coefficients
 
     def save(self, path: str | PathLike[str], **options: object) -> None:
         """Write the Zernike coefficients of a single wavefront to a .csv, .json or .toml file.

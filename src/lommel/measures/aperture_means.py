@@ -151,7 +151,7 @@ def centroid(pupil: Pupil) -> Array:
         centroids = np.array([cells.centroid(squares=pupil.mask.squares) for cells in cells_of_stack(pupil)])
         return centroids.reshape(*pupil.shape, 2) * pupil.scale
     nodes = _polynomial_rule(pupil, 2.0)
-    mean = (nodes.rays(pupil) * nodes.weight).sum(axis=-1)
+    mean = (nodes.gradient(pupil) * nodes.weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 
 
@@ -171,7 +171,7 @@ def spot_radius(pupil: Pupil) -> Numbers:
         Radius in metres if the pupil has a wavelength, else in units of lambda*N, exact up to rounding.
     """
     nodes = _polynomial_rule(checked(pupil), 2.0)
-    rays = nodes.rays(pupil)
+    rays = nodes.gradient(pupil)
     deviation = rays - (rays * nodes.weight).sum(axis=-1, keepdims=True)
     variance = (deviation**2 * nodes.weight).sum(axis=(-2, -1))
     return numbers(np.sqrt(variance) * (pupil.scale / math.pi), pupil.shape)
@@ -209,7 +209,7 @@ class _Nodes(NamedTuple):
         phase = pupil.wavefront.phase(self.rho, self.theta)
         return phase if self.extra is None else phase + self.extra[0]
 
-    def rays(self, pupil: Pupil) -> Array:
+    def gradient(self, pupil: Pupil) -> Array:
         """Return the gradient of the phase at the nodes, shape (n, 2, points) for the flattened stack."""
         slope = gradient(pupil.wavefront, self.rho, self.theta)
         return slope if self.extra is None else slope + self.extra[1:]

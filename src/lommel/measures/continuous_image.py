@@ -679,7 +679,7 @@ def images(model: ImageModel, reach: float) -> Iterator[Image]:
     """Return the images of a flattened stack, valid up to `reach` lambda*N from the axis."""
     if model.method.sampling == "pixel":
         return ray_images(model, reach)
-    return (polar_images if polar(model) or in_seeing(model) else cartesian_images)(model, reach)
+    return (polar_images if is_radial_lens(model) or is_lens_in_seeing(model) else cartesian_images)(model, reach)
 
 
 def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]:
@@ -692,7 +692,7 @@ def energy_images(model: ImageModel, reach: float, what: str) -> Iterator[Image]
     return images(model, reach)
 
 
-def polar(model: ImageModel) -> bool:
+def is_radial_lens(model: ImageModel) -> bool:
     """Return True for a radially symmetric lens and a method of scalar diffraction with a proven error bound."""
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss)):
@@ -702,8 +702,8 @@ def polar(model: ImageModel) -> bool:
     return all(part.pupil.radial for part in model.method.components(model.pupil))
 
 
-def in_seeing(model: ImageModel) -> bool:
-    """Return True for a lens with seeing, for which :class:`PolarImage` is used."""
+def is_lens_in_seeing(model: ImageModel) -> bool:
+    """Return True for a lens with seeing and a method of scalar diffraction, for which PolarImage is used."""
     # A CartesianImage would need samples over the whole halo of the seeing.
     one = model.method.method if isinstance(model.method, Polychromatic) else model.method
     if not (one is None or isinstance(one, NijboerZernike | ChordalGauss | NonuniformFFT)):
@@ -714,7 +714,7 @@ def in_seeing(model: ImageModel) -> bool:
 
 def point_images(model: ImageModel, reach: float) -> Iterator[CartesianImage | PolarImage]:
     """Return images of a flattened stack that have `derivatives`, valid up to `reach` lambda*N along x and y."""
-    return (polar_images if in_seeing(model) else cartesian_images)(model, reach)
+    return (polar_images if is_lens_in_seeing(model) else cartesian_images)(model, reach)
 
 
 def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
@@ -722,7 +722,7 @@ def polar_images(model: ImageModel, reach: float) -> Iterator[PolarImage]:
     # The error is about 1e-9 of all light for radially symmetric lenses. For other lenses transfer() computes the
     # OTF, and the error is about 1e-6 of all light.
     reach = math.sqrt(2.0) * reach  # the corner of the square of half-side `reach`
-    if not polar(model):
+    if not is_radial_lens(model):
         for one in model.singles:
             yield PolarImage(one, list(_directed_parts(one, reach)), one.band, reach)
         return

@@ -120,7 +120,7 @@ def cells_of_stack(pupil: Pupil) -> list[Cells]:
     return [cells(pupil[index]) for index in np.ndindex(pupil.shape)] if pupil.shape else [cells(pupil)]
 
 
-def of_mask(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
+def mask_otf(pupil: Pupil, f: Array) -> NDArray[np.complex128]:
     """Return the OTF of a flattened stack of pupils with masks, at f (points, 2) in units of the cutoff frequency."""
     assert pupil.mask is not None
     return np.stack([one.between(pupil.mask.side * f) for one in cells_of_stack(pupil)])
@@ -133,7 +133,7 @@ _MAX_NODES = 4096  # largest number of nodes along a line
 def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of a flattened stack to `tol`, at f (points, 2) in units of the cutoff frequency."""
     if pupil.mask is not None:
-        return of_mask(pupil, f)
+        return mask_otf(pupil, f)
     if pupil.circular and pupil.radial:
         # The OTF depends on the length of f only.
         canonical = np.stack([np.hypot(f[:, 0], f[:, 1]), np.zeros(len(f))], axis=-1)
@@ -156,16 +156,16 @@ def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128
         # Group frequencies of similar modulus, which need similar numbers of nodes.
         within = within[np.argsort(shift[within])]
         for group in np.array_split(within, math.ceil(len(within) / 32)) if len(within) else ():
-            values[:, group] = _of_discs(pupil, points[group], shift[group], blur, tol)
+            values[:, group] = _circular_otf(pupil, points[group], shift[group], blur, tol)
     else:
         clear = _clear_parts(pupil.opening)
         for k in within:
-            values[:, k] = _of_clear_parts(pupil, clear, points[k], float(shift[k]), tol)
+            values[:, k] = _general_otf(pupil, clear, points[k], float(shift[k]), tol)
     values = values[:, where.reshape(-1)]
     return np.where(mirrored, values.conj(), values)
 
 
-def _of_discs(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
+def _circular_otf(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of circular or annular apertures at a few frequencies."""
     # The number of nodes follows from an estimate of the phase change along a line of the overlap. If the estimate is
     # too low, _converged_integral() adds nodes.
@@ -319,7 +319,7 @@ def _clear_parts(opening: Opening) -> _ClearParts:
     return _ClearParts(regions, opening.phases, centers, np.array(radii))
 
 
-def _of_clear_parts(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
+def _general_otf(pupil: Pupil, clear: _ClearParts, f: Array, shift: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF of an aperture of any shape at one frequency; its error is at most `tol` plus rounding."""
     axes = np.array([1.0 - shift, math.sqrt((1.0 - shift) * (1.0 + shift))])
     # `back` maps the unit disc to the ellipse around the overlap, and `frame` is its inverse.

@@ -18,9 +18,9 @@ from lommel.measures.continuous_image import (
     PolarImage,
     cartesian_images,
     energy_images,
-    in_seeing,
+    is_lens_in_seeing,
+    is_radial_lens,
     point_images,
-    polar,
 )
 from lommel.measures.energy import energy_centers, radial_energy, require_radial
 from lommel.measures.psf_like import PSFLike, checked
@@ -349,7 +349,7 @@ def energy_diameter(psf: PSFLike, fraction: float, *, about: str = "axis", of: s
             if excess(reach) >= 0.0:
                 break
             # The next diameter is at most 4 * reach.
-            limit = _MAX_DIAMETER if polar(one) or in_seeing(one) else _MAX_SAMPLED_DIAMETER
+            limit = _MAX_DIAMETER if is_radial_lens(one) or is_lens_in_seeing(one) else _MAX_SAMPLED_DIAMETER
             if reach >= within or 4.0 * reach > limit:
                 raise ValueError(
                     f"fraction must be reached within a diameter of {2.0 * reach:.4g} lambda*N, got {target:g}; "

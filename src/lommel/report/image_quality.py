@@ -477,7 +477,7 @@ def other_model(instrument: Instrument) -> Json:
     """Compare the PSF of the lens with that of its other model, paraxial or aplanatic, as plain data.
 
     "peak_error" is the largest difference of the two PSFs in the window divided by the peak of the aplanatic PSF. If
-    the comparison fails, it is None and "reason" is a text.
+    the comparison fails, "peak_error" is None, and "reason" states why.
     """
     lens = instrument.lens
     model = "aplanatic" if lens.model == "paraxial" else "paraxial"

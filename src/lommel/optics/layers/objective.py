@@ -490,7 +490,7 @@ class Objective:
         Returns
         -------
         FocalField
-            Integrals of the shape of the planes followed by that of `radius`.
+            Integrals, with the shape of the planes followed by the shape of `radius`.
 
         Raises
         ------
@@ -529,7 +529,7 @@ class Objective:
         Returns
         -------
         ScalarField
-            Integrals of the shape of the planes followed by that of `radius`.
+            Integrals, with the shape of the planes followed by the shape of `radius`.
 
         Raises
         ------

@@ -95,9 +95,7 @@ class Camera:
             If the file does not state the read noise.
         """
         if self.read is None:
-            raise ValueError(
-                f"the file of {self.name!r} must state read, the read noise in electrons, for a noise model"
-            )
+            raise ValueError(f"the file of {self.name!r} must state read, the read noise, for a noise model")
         return Noise(white=self.gain, read=self.read, offset=self.offset or 0.0, excess=self.excess)
 
 

@@ -619,7 +619,7 @@ class ChannelsSection(BuiltSection):
         if counts != {len(self.wavelengths)}:
             raise ValueError(
                 f"weights of each channel must be numbers, one for each of {len(self.wavelengths)} wavelengths, "
-                f"got {', '.join(str(len(row)) for row in self.weights.values())} numbers"
+                f"got {' and '.join(map(str, sorted(counts)))} numbers"
             )
         return Channels(self.wavelengths, list(self.weights.values()), list(self.weights))
 

@@ -254,7 +254,7 @@ _KERNEL_REACH = 12.0  # the kernel of the cut-off is below 1e-10 at distances ab
 _MIDDLE, _WIDTH = 1.5, 0.125
 KERNEL_NORM = 3.94
 """Integral of the modulus of the cut-off's kernel over the plane, which bounds the growth of errors of samples."""
-CUTOFF_ERROR = 2e-8
+CUT_ERROR = 2e-8
 """Error of the light within a circle due to the cut-off, as a fraction of all light."""
 _NEGLIGIBLE = 1e-11  # frequencies at which the transfer function of the blur is smaller are omitted
 MOST_SIDE = 6144

@@ -13,14 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
-from lommel.measures.continuous_image import (
-    CUTOFF_ERROR,
-    KERNEL_NORM,
-    CartesianImage,
-    Image,
-    ImageModel,
-    energy_images,
-)
+from lommel.measures.continuous_image import CUT_ERROR, KERNEL_NORM, CartesianImage, Image, ImageModel, energy_images
 from lommel.measures.psf_like import PSFLike, checked
 from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method, RadialMethod, require_period
@@ -410,7 +403,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     # In the worst case the errors of all samples have the same sign (docs/certificate.md, "From samples").
     area = math.pi * float(reach.max(initial=0.0)) ** 2
     has_bound = isinstance(image, CartesianImage) and not math.isnan(image.error)
-    error = CUTOFF_ERROR + KERNEL_NORM * area * cast("CartesianImage", image).error if has_bound else None
+    error = CUT_ERROR + KERNEL_NORM * area * cast("CartesianImage", image).error if has_bound else None
     return Encircled(image.circles(reach), error)
 
 

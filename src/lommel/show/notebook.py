@@ -310,10 +310,7 @@ def _terms(wavefront: Wavefront, unit: str = "waves rms") -> list[Row]:
 
 
 def _rms(thing: Pupil) -> list[Row]:
-    """Return a row of the rms wavefront error if it is fast to compute, else no row.
-
-    It is fast for uniform full discs, and for other circular or annular pupils with few terms in a small stack.
-    """
+    """Return a row of the rms for uniform full discs, or for small stacks of discs or annuli with few terms."""
     wave = thing.wavefront
     if thing.circular and not thing.obscuration and thing.illumination.uniform:
         factors = np.array([zernike.rms_factor(*term) for term in wave.terms])

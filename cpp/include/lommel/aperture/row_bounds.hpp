@@ -31,8 +31,8 @@ struct ComplexDisc {
     }
     friend ComplexDisc operator*(std::complex<double> a, ComplexDisc b) { return {a * b.centre, modulus(a) * b.radius}; }
     friend ComplexDisc operator*(double a, ComplexDisc b) { return {a * b.centre, std::abs(a) * b.radius}; }
-    // Disc that contains the square roots of the points of this disc: by the branch that is principal at its centre and continuous
-    // on it or, if this disc contains 0, where no branch is continuous, all square roots.
+    // Disc that contains the square roots of all points of this disc, by the continuous branch that is principal at the centre. If
+    // this disc contains 0, no branch is continuous on it; the returned disc then contains both square roots of each point.
     ComplexDisc root() const {
         if (modulus(centre) <= radius) {
             return {0.0, std::sqrt(largest())};
@@ -206,8 +206,9 @@ class PanelMap {
         const ComplexDisc u = 0.5 * (ComplexDisc{1.0, 0.0} + s);
         return length_ * (u * u);
     }
-    // Multiply `value` by scale sqrt(1 - s / at). Return false unless the zero `at` is outside the ellipse of arc(): if it is, then
-    // 1 - s / at maps the inside to a convex set with 1, but not 0, which avoids the negative axis, where the root is not analytic.
+    // Multiply `value` by scale * sqrt(1 - s / at). Return false unless the zero `at` is outside the ellipse of arc(). If it is
+    // outside, 1 - s / at maps the inside of the ellipse to a convex set that contains 1 and not 0. Such a set does not meet the
+    // negative real axis, so the principal root is analytic on it.
     static bool linear(std::complex<double> at, double eta, ComplexDisc s, double scale, ComplexDisc& value) {
         if (!(std::abs(at - 1.0) + std::abs(at + 1.0) > 2.0 * std::cosh(eta) * (1.0 + 1e-9))) {
             return false;
@@ -252,7 +253,8 @@ struct Panel {
                 }
                 width += (x[1] - x[0]).largest();
             }
-            // Points with b (growth_argument()) < limit form a convex set: b between two sides is at most its larger value on them.
+            // The polynomial grows at most like e^{degree * b} (growth_argument()). Points with b below a limit form a convex set,
+            // so between the two sides of a span b is at most its larger value on these sides.
             return 0.5 * degree * std::acosh(growth) + std::log(width * map.largest_slope(s) + 1e-300) + 1e-9;
         });
     }
@@ -291,13 +293,14 @@ class SpanNodes {
     // Number of nodes for which the mean of a polynomial over the span [low, high] has an error of at most `error`. The chord of
     // the row is [-half, half].
     std::size_t operator()(double low, double high, double half) {
-        // Spans are rounded outwards to cells of the cache: the ellipses of longer spans contain those of shorter spans.
+        // Numbers are cached for spans rounded outwards to cells. They suffice for the spans themselves: the ellipses of a rounded
+        // span contain those of any span within it.
         const std::size_t i = cell(low / half, false), j = cell(high / half, true);
         std::size_t& known = known_[i * cells + j];
         if (known == 0) {
             const double from = place(i), to = place(j), middle = 0.5 * (from + to), reach = 0.5 * (to - from);
-            // A polynomial that is at most 1 on [-1, 1] is at most e^(degree b) at x, with 2 cosh b = |x - 1| + |x + 1|. This sum
-            // is convex and hence largest at a corner.
+            // A polynomial that is at most 1 on [-1, 1] is at most e^(degree b) at complex x, with 2 cosh b = |x - 1| + |x + 1|.
+            // This sum is a convex function of x, hence on the polygon of each_corner() largest at a corner.
             const GaussNodes most(error_, [&](double eta, double) {
                 double sum = 2.0;
                 each_corner(eta, [&](std::complex<double> s) {

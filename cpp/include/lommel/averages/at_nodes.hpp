@@ -114,7 +114,8 @@ LOMMEL_ONCE bool average_at_nodes(const AverageRequest& asked, const PupilLight&
     if (!(room > 0.0)) {
         return false;
     }
-    // Estimated largest average: most * guess / (most + guess). `most`: that without aberration; `guess`: estimated peak.
+    // Estimated largest average: most * guess / (most + guess). `most`: largest average without aberration, approximately; `guess`:
+    // cautious estimate of the peak.
     const double lowest = least_average(step), most = std::min(4.0 * lowest, 1.0),
                  guess = light.strehl * (light.strehl > 0.6 ? sharp : dim);
     double err_samples = of_samples * room * most * guess / (most + guess);

@@ -36,8 +36,8 @@ class DiskAverages {
     using Pupils = std::vector<std::size_t>;
 
     // Compute averages of pixels outside boxes of `box` x `box` pixels around the axes of the pupils `which`, and copy those
-    // within boxes from answer.near. Write the error and the maximum of the averages outside, for each pupil, to answer.numbers.
-    // Virtual so that tests can observe the call.
+    // within boxes from answer.near. `error`: requested error. Write the error bound and the maximum of the averages outside, for
+    // each pupil, to answer.numbers. Virtual so that tests can observe the call.
     virtual void outside(const Pupils& which, std::size_t box, double error, const RimAnswer& answer) const;
 
    private:

@@ -66,8 +66,8 @@ class PixelRenderer {
 
     // Return whether filters of finer samples, in another class, compute the averages faster than any method of this class.
     bool filters_pay() const { return filters_serve() && !weights_are_few() && !of_rings() && !light_pays(); }
-    // Return whether derivatives of pixel averages are faster by filters of finer samples than by tables of weights. (They cannot
-    // be computed from the flux through pixel edges.)
+    // Return whether filters of finer samples should compute the derivatives, but not the averages: if the flux through pixel
+    // edges, which gives no derivatives, is faster for averages, and filters are faster than tables of weights for derivatives.
     bool filters_pay_for_derivatives() const { return filters_serve() && pixels() > most_weighed && light_pays(); }
 
     void run() {
@@ -109,8 +109,9 @@ class PixelRenderer {
 
     // Error budget: shares of tolerance * estimated largest pixel.
     struct Budget {
-        // First attempt. table, field, cubics: errors of the table, of U (counts twice in the intensity), and of cubics in single
-        // precision (halved if values are divided by their maximum); places * tolerance: error of positions, in optical units.
+        // First attempt. table: error of the table; field: error of U, which counts twice in the intensity; cubics: error of cubic
+        // polynomials in single precision, halved if values are divided by their maximum; places * tolerance: error of positions,
+        // in optical units.
         static constexpr double table = 0.25, field = 0.02, cubics = 0.3, places = 0.25;
         // Later attempts. each: share for the table, and again for U; both are halved if values are divided by their maximum.
         static constexpr double each = 0.2;
@@ -269,7 +270,8 @@ class PixelRenderer {
         if (!window_.integrate || !stack_.amplitude.closed() || window_.step < CoarseAverages::least_exact) {
             return false;
         }
-        // A pitch below `least` is enough if few pupils have a common axis and the weights of AverageRings would take too long.
+        // Pixels are coarse from the pitch `least` on. The pitch least_alone is enough if few pupils have a common axis and the
+        // weights of AverageRings would take too long.
         const bool wide = window_.step >= CoarseAverages::least ||
                           (window_.step >= CoarseAverages::least_alone && windows_.centers == nullptr &&
                            any_axis(AverageRings::most_reach) && !of_rings());
@@ -429,7 +431,8 @@ class PixelRenderer {
             return bound;
         };
         const double bound = settle(tol_, attempt, [&](double) {
-            // seen: largest value, but at least 1e-3 of its error bound; room: allowed error due to the field U, or to the table.
+            // seen: largest value in the window or `elsewhere`, but at least 1e-3 of the error bound in the window; room: allowed
+            // error due to the field U, and again to the table.
             const double seen = std::max(std::max(f.top, elsewhere), 1e-3 * f.off);
             const double room = (normalize ? 0.5 : 1.0) * Budget::each * allowed_ * seen;
             const Attempt before = request;

@@ -45,7 +45,7 @@ class Renderer {
         for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
     }
 
-    // Compute the images of one pupil, whose field is evaluated by tabulated pieces.
+    // Compute the image of one pupil, and its derivatives, from fields evaluated by class Field.
     void render(std::size_t pupil, int threads) {
         thread_local std::vector<T> profile;
         thread_local Field field;
@@ -70,7 +70,8 @@ class Renderer {
             store_scaled(slopes.values.data(), answer_.scales[pupil], layout_->count, values);
             const std::size_t at = d * stack_.count + pupil;
             paint(values, answer_.derivative_images + at * pixels(), 1);
-            // Error bound, relative to the exact peak, of the derivative 2 Re(conj(U) i T), with U and T as in class Slopes.
+            // Error bound, relative to the exact peak, of the derivative 2 Re(conj(U) i T), with U the field of the pupil function
+            // and T the field of (squared pupil radius)^power * pupil function, as in Slopes.
             const double u = std::sqrt(settled.peak), t = std::sqrt(slopes.size);
             const double slope_error =
                 u * slopes.error + t * settled.bound + slopes.error * settled.bound + u * t * storing<T>(false);

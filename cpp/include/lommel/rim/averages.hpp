@@ -28,7 +28,8 @@ class RimStack {
     explicit RimStack(const DiskStack& stack) : stack_(stack), degree_(RimSlopes::degree_of(stack.terms, stack.amplitude)) {}
 
     static bool serves(const DiskStack& stack) { return RimSlopes::degree_of(stack.terms, stack.amplitude) <= rim_most_degree; }
-    // out[pupil]: root mean square over the pupil of dbar^K P / P, with pupil function P, dbar = d/dx + i d/dy, K = rim_orders.
+    // out[pupil]: upper bound on the root mean square over the pupil of dbar^K P / P, with pupil function P, dbar = d/dx + i d/dy,
+    // K = rim_orders; infinity on overflow.
     void remainders(int threads, double* out) const;
 
    protected:
@@ -166,7 +167,8 @@ LOMMEL_ONCE void RimStack::remainders(int threads, double* out) const {
 LOMMEL_ONCE void RimAverages::strangers(const RimWaves& rim, const RimLine& line, const double* own,
                                         std::array<double, rim_orders>& each, std::array<double, rim_orders>& rounded) const {
     const RimSlopes& slopes = line.slopes;
-    // e: derivatives of the phase, sums over Zernike terms; apart: sums of the moduli of the summands, for rounding errors.
+    // e: Fourier coefficients of the derivatives of log P (RimSlopes): contributions of the amplitude and of each Zernike term,
+    // summed; apart: sums of the moduli of these contributions, for rounding errors.
     std::vector<double> e(2 * slopes.orders.size()), apart(e.size());
     for (std::size_t i = 0; i < e.size(); ++i) {
         e[i] = static_cast<double>(slopes.fixed[i]);
@@ -281,7 +283,8 @@ LOMMEL_ONCE std::vector<RimJob> RimAverages::jobs(const Around& pixels, std::siz
             for (std::size_t i = 0; i < 4; ++i) {
                 const std::int64_t y = down[turned][i], x = right[turned][i];
                 if (pixels.holds(y, x)) {
-                    // A mirror image (`turned`) of the pixel at the polar angle psi is at the polar angle i pi / 2 - psi.
+                    // The images of the pixel (p, q), at the polar angle psi, are at psi + i pi / 2 or, if mirrored (`turned`), at
+                    // i pi / 2 - psi.
                     const std::int64_t quarters = static_cast<std::int64_t>(i) * around / 4;
                     const std::int64_t place = turned == 0 ? begin + quarters : quarters - 1 - begin;
                     const std::int64_t within = place < 0 ? place + around : place < around ? place : place - around;
@@ -347,8 +350,9 @@ LOMMEL_ONCE double RimAverages::bound(std::size_t pupil, const RimScratch& scrat
     }
     const double rms = std::sqrt(1.001 * static_cast<double>(scratch.squares[lane]) / static_cast<double>(table.around)),
                  largest = static_cast<double>(scratch.largest[lane]);
-    // Rounding in single precision. units: relative error of sums over radii, angles and channels. waves: error of a wave. There
-    // are `many` waves, two for each rim. By Schwarz, their moduli sum to at most sqrt(many * (sum of squared moduli)).
+    // Rounding in single precision. units: relative error of sums over radii, angles and channels. The field consists of `many`
+    // waves: for each rim, of radius R, one proportional to exp(i R v) and one to exp(-i R v). waves: error bound of any of these.
+    // By Schwarz, the moduli of all waves sum to at most sqrt(many * (sum of squared moduli)).
     const double units = 0x1p-24 * static_cast<double>(table.radii() * table.margin * table.channels() + 64),
                  waves = 2.83 * 0x1p-24 * static_cast<double>(table.rims[0].orders / 2 + 2 * rim_orders + 8) * size[1],
                  many = 2.0 * static_cast<double>(table.rims.size());

@@ -167,8 +167,8 @@ LOMMEL_INLINE void bent_moments(I isa, const Auxiliary& auxiliary, double a, con
     }
 }
 
-// Moments int_low^high R^m exp(i (a R^2 + b R)) dR of chirps of one curvature a and several slopes b. The moment m = 2 loses
-// digits in proportion to (b / 2a)^2.
+// Moments int_low^high R^m exp(i (a R^2 + b R)) dR of chirps of one curvature a and several slopes b. In bent_moments(),
+// the rounding error of the moment m = 2 grows in proportion to (b / 2a)^2.
 template <class I, std::size_t count, class Auxiliary>
 LOMMEL_INLINE void chirp_moments(I isa, const Auxiliary& auxiliary, double curvature, const typename I::pack (&slope)[count],
                                  typename I::pack low, typename I::pack high, ChirpMoments<I> (&out)[count]) {

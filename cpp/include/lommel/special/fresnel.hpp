@@ -106,8 +106,9 @@ class FresnelAuxiliary {
         im = scale * even;
     }
 
-    // Fresnel factor G(s) by quadrature: on the rotated path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2)
-    // s x). With x = exp(w - e^{-w}) (double exponential rule) the trapezoidal rule in w converges to the last digit.
+    // Fresnel factor G(s) by quadrature. On the rotated path tau = s + e^{i pi/4} x, the integrand of G(s) is proportional to
+    // exp(-x^2 - (1 - i) sqrt(2) s x). With x = exp(w - e^{-w}) (double exponential rule) the trapezoidal rule in w converges to
+    // the last digit.
     static std::complex<wide> by_quadrature(wide s) {
         using real = wide;
         const real root2 = std::sqrt(real(2)), h = real(1) / 64;

@@ -174,7 +174,8 @@ class ChordBound {
                               (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
                               std::to_string(max_chords) + "; at most ";
         const double whole[2] = {reach_[0], reach_[1]};
-        // Largest window, in percent of this one, for which max_chords suffice with a margin; if `phases`, the phase shrinks alike.
+        // Largest factor below 1, in percent, by which the window or, if `phases`, both window and phase may be scaled so that
+        // max_chords and most_nodes suffice with a margin; 0 if there is none.
         const auto largest = [&](bool phases) {
             int hundredths = 99;
             for (; hundredths > 0; --hundredths) {
@@ -200,7 +201,8 @@ class ChordBound {
     }
 
    private:
-    // Highest curve at which best() may start: on higher curves ChordCurves truncates sinh(n b) of the highest degrees n.
+    // Highest curve at which best() may start: on higher curves ChordCurves limits sinh(n b) of the highest degrees n to sinh(600),
+    // so there size() is not a bound.
     static constexpr std::size_t highest_start = 56;
 
     static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }

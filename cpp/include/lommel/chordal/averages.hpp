@@ -24,7 +24,8 @@ struct PixelNodes {
 };
 
 // Return PixelNodes with these pointers; `places` (rows, columns), given relative to the window's middle, become relative to the
-// axis. If it is within `near` pixels of the middle, a tilt of the pupils moves it there: opposite nodes then share their sums.
+// axis. In each direction, if the axis is within `near` pixels of the middle, the middle becomes the axis, and a tilt of the pupils
+// keeps the image where it is: nodes at opposite distances from the axis then share their sums.
 inline PixelNodes nodes_about_axis(DiskStack& stack, const DiskWindow& window, const std::array<std::vector<double>, 2>& places,
                                    const std::array<const double*, 2>& weights, double* averages, double* largest,
                                    double* together) {

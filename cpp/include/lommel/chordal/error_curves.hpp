@@ -57,8 +57,8 @@ class ChordLines {
     using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
     using Disk = Reference<ChordDisk&(std::size_t pupil)>;
 
-    // For each pupil p, set disk(p) to those error bounds by which the fewest chords and nodes suffice, for an error of error(p,
-    // bound). radius: radius of the disk, in aperture radii.
+    // For each pupil p, set disk(p) to those error bounds by which the fewest chords and nodes suffice. error(p, bound): requested
+    // error of its field, given its bound without samples; radius: radius of the disk, in aperture radii.
     void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // Choose the complex curves of the bounds again, for a smaller requested error. A new curve is kept if by its bound fewer
@@ -133,8 +133,9 @@ class ChordLines {
             for (std::size_t lane = 0; lane < here; ++lane) {
                 const std::size_t p = pupils[lane];
                 ChordSide& side = disk(p).of(sum);
-                // The table is for the curve of the batch's first pupil, the nearest to the real axis. side.bend bounds the second
-                // derivatives of log(integrand) on the pupil's own curve; this bound also holds closer to the real axis.
+                // The table is for the curve of the batch's first pupil. Of all curves in the batch it is the nearest to the real
+                // axis. side.bend bounds the second derivatives of log(integrand) on the pupil's own curve; this bound also holds
+                // closer to the real axis.
                 const double mean =
                     table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
                 const ChordLine found = bound.line(sum, table.curve, mean);

@@ -21,10 +21,10 @@
 
 namespace lommel {
 
-// Samples (x, y) = (cos(a), sin(a) cos(tau)) at equal steps of two angles a, tau from 0 to pi/2. To bound the error of the sum over
-// chords, a is shifted by i b; to bound that of the sums over the nodes of a chord, tau is; b = chord_curves.b[curve]. Stored at
-// each sample: imaginary parts of the Zernike terms and, for each corner of the window, weights for the mean of |integrand|. A
-// sample also represents its mirror images (+-x, +-y) and their complex conjugates.
+// Samples (x, y) = (cos(a), sin(a) cos(tau)) at equal steps of two angles a, tau from 0 to pi/2. One angle is shifted by i b, with
+// b = chord_curves.b[curve]: a to bound the error of the sum over chords, tau to bound the error of the sums over the nodes of a
+// chord. Stored at each sample: imaginary parts of the Zernike terms and, for each corner of the window, weights for the mean of
+// |integrand|. A sample also represents its mirror images (+-x, +-y) and their complex conjugates.
 struct SharpTable {
     static constexpr std::size_t images = 4, corners = 4, places = images * 2 * corners;  // places: weights per sample
     static constexpr std::size_t tile = 16;  // samples per tile: a multiple of the lanes of any SIMD vector
@@ -112,8 +112,8 @@ struct SharpTable {
         }
         return found;
     }
-    // Weights of samples along tau, the second angle. For the sum over chords, they give a mean over y ~ cos(tau); for that over
-    // nodes, over tau.
+    // Weights of samples along tau, the second angle. For the sum over chords, they give a mean over y, which is proportional to
+    // cos(tau); for the sum over nodes, they give a mean over tau.
     std::vector<double> seconds(std::size_t last) const {
         std::vector<double> found(last + 1);
         const double hat = std::sin(0.5 * step) / (0.5 * step);
@@ -174,10 +174,10 @@ LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum whi
 }
 #endif
 
-// Compute for each pupil, of phase Phi, over the samples r: tops, the maximum of |Im Phi|; means, the mean of |exp(i Phi - i v .
-// r)| for the corner v of the window that gives the largest mean, divided by exp(tops + table.scale) to stay within single
-// precision. coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector lanes are pupils or, with
-// `Lone`, samples of one pupil. room: working memory, table.room() vectors.
+// Compute two numbers for each pupil, of phase Phi, over the samples r. tops: maximum of |Im Phi|. means: mean modulus of
+// exp(i Phi - i (v . r)) for the corner v of the window that gives the largest mean, divided by exp(tops + table.scale) so that it
+// is in the range of single precision. coefficients[term][pupil]: Zernike coefficients, in the order table.classes.order. Vector
+// lanes are pupils or, with `Lone`, samples of one pupil. room: working memory, table.room() vectors.
 template <bool Lone, class I>
 LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
     using V = typename I::floats;

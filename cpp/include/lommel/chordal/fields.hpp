@@ -58,8 +58,8 @@ struct NodeSeries {
         const std::size_t at = static_cast<std::size_t>(set.kind) * wave_count + static_cast<std::size_t>(wave[plane]);
         return reinterpret_cast<const double*>(waves + at * 4 * nodes());
     }
-    // Parity of the part of a wave that, times the factor of `share` and the Zernike term of `set`, has `parity`: parities add
-    // modulo 2.
+    // Parity of the part of a wave that, times the factor of `share` and the Zernike term of `set`, has `parity`. The parities of
+    // factors add modulo 2, in y (bit 0) and in x (bit 1).
     std::size_t own_parity(const FieldShare& share, const FieldSet& set, std::size_t parity) const {
         const std::int32_t term = set.term < 0 ? 0 : term_parity[set.term];
         return parity ^ static_cast<std::size_t>(share.parity) ^ static_cast<std::size_t>(term);
@@ -162,7 +162,8 @@ inline void sum_series(Level level, const NodeSeries& given, const std::complex<
     });
 }
 
-// Pupil amplitudes [series][plane][part][re, im][node] of `planes` planes from plane `first` on, by cache-sized blocks of nodes.
+// Pupil amplitudes [series][plane][part][re, im][node] of `planes` planes from plane `first` on. A part is the sum of a range of
+// terms (NodeSeries::ends). Computed in cache-sized blocks of nodes.
 inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t series, std::size_t first, std::size_t planes,
                          int threads) {
     constexpr std::size_t block = 64;
@@ -178,8 +179,8 @@ inline Doubles all_parts(Level level, const NodeSeries& given, std::size_t serie
     return parts;
 }
 
-// Part of a field's pupil function with this `parity`: re[node], im[node]. own[p]: whether the part of the plane's wave with parity
-// p is nonzero; parts: results of sum_series().
+// Part of a field's pupil function with this `parity`: re[node], im[node]. own[p]: whether the plane's wave for this set, exp(i W)
+// or i W exp(i W) / largest (fold_waves()), has a nonzero part with parity p; parts: results of sum_series().
 inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         std::size_t parity, const std::array<bool, 4>& own, const double* parts, double* re, double* im) {
     const std::size_t nodes = given.nodes();
@@ -211,8 +212,8 @@ inline void field_nodes(Level level, const NodeSeries& given, std::size_t plane,
     });
 }
 
-// Write the pupil function of one field at a pair of chords at +-x to one vector lane of nodes[parity in y][node][parity in x][re,
-// im][lane]. parts: results of sum_series(); room: working memory.
+// Write the pupil function of one field at a pair of chords at +-x to one vector lane of `nodes`, whose layout is
+// [parity in y][node][parity in x][re, im][lane]. parts: results of sum_series(); room: working memory.
 inline void place_field(Level level, const NodeSeries& given, std::size_t plane, const FieldSet& set, std::size_t field,
                         const double* parts, std::size_t chord, std::size_t lanes, double* room, double* nodes) {
     const std::size_t all = given.nodes(), within = given.count.half_nodes(), from = chord * within;
@@ -416,8 +417,9 @@ struct PlaneLight {
         }
         return true;
     }
-    // Part of a field with one parity, on a row of one quadrant: (by_re * re[column], by_im * im[column]). Pointers and factors
-    // include the sign of the part in that quadrant, and a factor -i for each of x and y in which it is odd.
+    // Part of a field with one parity, on a row of one quadrant: (by_re * re[column], by_im * im[column]). by_re and by_im include
+    // the sign of the part in that quadrant. A part odd in x gets a factor -i, a part odd in y another: one -i exchanges the
+    // pointers re and im and changes the sign of by_im, two change both signs.
     struct Share {
         const double *re, *im;
         double by_re, by_im;

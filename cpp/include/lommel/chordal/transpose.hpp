@@ -1,4 +1,5 @@
-// Reverse-mode derivatives: transpose of the Fourier transform from pupil to image, and its product with the pupil function.
+// Reverse-mode derivatives with respect to Zernike coefficients: the transpose of the Fourier transform takes weighted complex
+// amplitudes of pixels to the pupil; the result times the pupil function and each Zernike term is summed over the pupil.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,8 @@
 
 namespace lommel {
 
-// Transpose of multiply(): sum[k][c] += sum over r of table[k][r] * data[r][c]; data[r][c], sum[k][c]: SIMD vectors.
+// Transpose of multiply(): sum[k][c] += sum over r of table[k][r] * data[r][c] for k < count. data[r][c], sum[k][c]: SIMD vectors;
+// pitch: number of values (Real) from sum[k] to sum[k + 1].
 template <std::size_t R, std::size_t C, class V, class Real>
 LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
     constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
@@ -84,7 +86,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
                     both[0][part] = here + there;
                     both[1][part] = here - there;
                 }
-                // A part odd in x gets the factor -i, a part odd in y another factor -i.
+                // Values of odd parity in x get the factor -i, values of odd parity in y another factor -i.
                 const V nothing = splat<V>(Real(0));
                 even[r][2 * x] = x == 0 ? both[0][0] : both[0][1];
                 even[r][2 * x + 1] = x == 0 ? both[0][1] : nothing - both[0][0];

@@ -150,9 +150,9 @@ class FieldSpreader {
         }
     }
 
-    // Compute weight[place][defocus node] = value * the weights of the 3 x Order windows in `nodes` whose sum is the window of
-    // pixel (y, x); return the first of these windows. interval: index of the defocus interval at which the search begins, then of
-    // the one found.
+    // Compute weight[place][defocus node] of 3 x Order windows in `nodes`: their weighted sum is `value` times the window of pixel
+    // (y, x). Return the first of these windows. interval: index of the defocus interval at which the search begins; on return,
+    // index of the interval that contains the pixel's defocus, clipped to the range of the splines.
     template <std::size_t Order>
     LOMMEL_INLINE const T* weigh(std::size_t y, std::size_t x, T value, const T* nodes, std::size_t& interval,
                                  T* weight) const {

@@ -36,7 +36,7 @@ struct Counts {
 };
 
 // Fit result. value, errors: the unknowns and their standard errors, in the order row, column, z; then for each channel
-// photons, background and, if tilted, the slopes of the background along rows and columns.
+// photons, background and, if the background is tilted, its slopes along rows and columns.
 struct Fitted {
     std::array<double, most_unknown> value{}, errors{};
     double deviance =

@@ -128,7 +128,8 @@ struct Planes {
         }
     }
 
-    // Sum over j, l of |form[j][l]| f(j, l), over the harmonics first .. last - 1, divided by the collected power.
+    // Sum over the harmonics first .. last - 1 of size() times the sum over j, l of |form[j][l]| f(j, l), divided by the collected
+    // power.
     template <class F>
     double bilinear(std::size_t plane, const F& f, std::size_t first, std::size_t last) const {
         double sum = 0.0;

@@ -92,7 +92,8 @@ class RingImages {
         std::size_t row, angle;  // indices of the circle and of the angle of the first tap
     };
 
-    // Write the interpolation weights out[tap]: the polynomials of RingTaps at x.
+    // Write the interpolation weights out[tap]: the polynomials of RingTaps at x, which runs from -1 to 1 between two adjacent
+    // circles or angles.
     template <class I>
     static LOMMEL_INLINE void weigh(I, const RingTaps& taps, double x, double* out) {
         using V = typename I::pack;
@@ -169,7 +170,9 @@ class RingImages {
         }
     }
 
-    // Sum over `Together` circles at once, to hide the latency of multiply-adds; loads limit the speed.
+    // Add the contributions of `Together` adjacent circles to the value at a pixel, for all planes of a block. start: first tap on
+    // the first of these circles; around, along: weights of the taps on a circle, and of the circles. The sums over the circles are
+    // independent, which hides the latency of multiply-adds; loads limit the speed.
     template <std::size_t Together, class V>
     LOMMEL_INLINE void circles(const double* start, std::size_t circle_stride, const double* around, const double* along,
                                V* total) const {

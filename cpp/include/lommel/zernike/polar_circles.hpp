@@ -30,9 +30,9 @@ struct PolarCircle : GriddingTaps {
     // Smallest number of angles, at least 48, for which an eighth of a turn is longer than half the kernel of `taps` taps.
     static constexpr std::size_t least_points(std::size_t taps) { return std::max<std::size_t>(48, 4 * taps + 8); }
     std::size_t points() const { return single.n; }
-    // Bound on the factor by which the gains, multipliers of the orders m < `orders`, magnify rounding in the sums over degrees: by
-    // Cauchy, their rms over the orders of one degree, m = highest, highest - 2, .. >= 0. m = 0 counts once, m > 1 twice, for m and
-    // -m. m = 1, of smallest gain, counts only once: this enlarges the bound.
+    // Bound on the factor by which the gains of the orders m < `orders` magnify rounding in the sums over degrees: by Cauchy, the
+    // rms of the gains of the orders m = highest, highest - 2, .. >= 0 of one degree. A gain with m > 1 counts twice, for m and -m.
+    // The gain of m = 1, the smallest one, counts only once, which enlarges the bound.
     double growth(std::size_t orders) const {
         const std::size_t highest = std::min(std::max<std::size_t>(orders, 1), gains.size()) - 1, lowest = highest % 2;
         double count = 1.0, squares = gains[lowest] * gains[lowest];
@@ -61,9 +61,9 @@ LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
 }
 #endif
 
-// One disk (aperture or obscuration). parts: Zernike coefficients times the weight of the disk, [order][degree][re cos, im cos, re
-// sin, im sin]; table: Hankel transforms [block][degree < degrees][16 radii]; those of degrees from reached[block] on are
-// negligible.
+// One disk (aperture or obscuration). parts: Zernike coefficients times the weight of the disk,
+// [order][degree][re cos, im cos, re sin, im sin]; table: Hankel transforms [block][degree < degrees][16 radii], of which the
+// degrees from reached[block] on are negligible.
 struct PolarDisk {
     const ZernikeSeries* series;
     const double* parts;

@@ -92,7 +92,8 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // aliases: error bound of U due to aliases, if |pupil function| <= 1. An error e of the expansion grows by aliases * e.
+            // aliases: error bound of U due to aliases, if |pupil function| <= 1. The error e of the Zernike expansion of the pupil
+            // function grows by aliases * e.
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }

@@ -73,7 +73,7 @@ struct PolarTable {
         }
     }
 
-    // Number of degrees rounded up to a power of two, or to 3/2 times a power of two.
+    // Number of degrees rounded up to a power of two, or to 3/2 times a power of two; at least 32.
     static std::size_t grade(std::size_t degrees) {
         std::size_t made = 32;
         while (made < degrees) {
@@ -105,8 +105,8 @@ struct PolarTable {
 
     // degrees: number needed in a block; half: N / 2 for the midpoint rule of N points over the angle a in F_n. For |Im a| <= w the
     // integrand without 2 / (pi (n+1)) is at most M = cosh(w) cosh((n+1) w) exp(v sinh w) / t(h cosh w), with h the step and t the
-    // kernel's transform, which has only real zeros and so is smallest on the real line. Hence (n+1) |F_n| <= 2 cosh(w) exp(v sinh
-    // w - (n+1) w) / t(h cosh w), and the rule's error is at most 2 M / (exp(2 N w) - 1).
+    // kernel's transform, which has only real zeros and so is smallest on the real line. Hence (n+1) |F_n| is at most
+    // 2 cosh(w) exp(v sinh w - (n+1) w) / t(h cosh w), and the rule's error is at most 2 M / (exp(2 N w) - 1).
     struct Rule {
         std::size_t degrees, half;
 

@@ -1,7 +1,7 @@
-"""The achievable precision of depth from defocus (Cramér-Rao bound), and the best foci.
+"""The achievable precision of depth from defocus (Cramér-Rao bound), and the best focus distances.
 
-The Fisher information of one pixel is J of :mod:`lommel.estimation.focal_model`; a Gaussian window of rms width w
-(pixels) counts as ``4 pi w^2`` independent pixels.
+The Fisher information of one pixel is the second term of J in :mod:`lommel.estimation.focal_model`. A Gaussian window
+of rms width w (pixels) counts as ``4 pi w^2`` independent pixels.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from lommel.recorded.noise import Noise
 _MOST_PHOTONS = 1e12
 # Step of the five-point derivatives, radians of defocus at the pupil edge.
 _STEP = 0.02
-# Information below this share of its upper limit is rounding error: the photographs change equally with depth.
+# Information below this fraction of its upper limit is rounding error: the photographs change equally with depth.
 _ROUNDING = 1e-9
 # Change of a transfer function over the step below which its derivative is rounding error.
 _TRANSFER_ROUNDING = 1e-9
@@ -56,7 +56,7 @@ def depth_precision(
     photons : array_like, optional
         Mean electrons per pixel: a number, or one for each photograph. By default ``noise.white``.
     contrast : float, default 0.35
-        Texture contrast: rms over mean of structures with periods of 2 to 128 pixels in the focused image. The power
+        Texture contrast: rms / mean of the structures with periods of 2 to 128 pixels, before any blur. The power
         spectrum falls as the inverse square of the frequency, as in natural scenes.
     window : float, default 4.0
         Rms width of the Gaussian window of constant depth, pixels, at least 1.
@@ -64,8 +64,8 @@ def depth_precision(
     Returns
     -------
     float or ndarray
-        Standard error of the best unbiased estimate, metres, with the shape of `distance`; inf where depth cannot
-        be determined: at infinity, without texture or light, and where all photographs change equally with depth.
+        Standard error of the best unbiased estimate, metres, with the shape of `distance`. It is inf where depth
+        cannot be determined: at infinity, without texture or light, or if all photographs change equally with depth.
 
     Raises
     ------
@@ -77,11 +77,11 @@ def depth_precision(
 
     Notes
     -----
-    The bound holds for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998). Derivatives are finite differences
-    over 0.08 rad of defocus, with a relative error below 1e-3. Texture beyond the Nyquist frequency of the sensor
-    is aliased and acts as noise. Strong edges carry more information than such textures. The power spectrum of the
-    texture is unknown, as in :func:`lommel.imaging.depth_from_defocus`: depth follows from differences between
-    photographs, and a single photograph does not determine it.
+    The bound holds for Gaussian textures (Whittle 1953, doi:10.1007/BF02590998); strong edges carry more information.
+    Derivatives are finite differences over 0.08 rad of defocus, with a relative error below 1e-3. Texture beyond the
+    Nyquist frequency of the sensor is aliased and acts as noise. The power of the texture is assumed to be unknown,
+    as in :func:`lommel.imaging.depth_from_defocus`: depth follows from differences between photographs, and a single
+    photograph does not determine it.
 
     Examples
     --------
@@ -99,12 +99,12 @@ def depth_precision(
 
 
 class Foci(NamedTuple):
-    """The best pair of focus distances, as returned by :func:`best_foci`.
+    """The best pair of focus distances, returned by :func:`best_foci`.
 
     Attributes
     ----------
     near, far : float
-        The two focus distances, metres; the far one may be infinite.
+        The two focus distances, metres; `far` may be infinite.
     error : float
         Standard error of the distance of the surface, metres; see :func:`depth_precision`.
     lenses : tuple of Lens
@@ -175,8 +175,8 @@ def best_foci(
         pair = focused(log_defocus)
         return math.inf if pair is None else _error(pair, metres, pitch, surface)
 
-    # Trial pairs are symmetric in vergence about the surface. Logarithms keep the defocus positive in the search.
-    starts = [np.log([each, each]) for each in _TRIAL_DEFOCUS]
+    # Trial pairs are symmetric in vergence about the surface. The logarithm keeps the defocus positive in the search.
+    starts = [np.log([defocus, defocus]) for defocus in _TRIAL_DEFOCUS]
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
         raise ValueError(
@@ -190,7 +190,7 @@ def best_foci(
 
 
 class _Surface(NamedTuple):
-    """Electrons per pixel of each photograph, read noise, contrast and window, in units without excess noise."""
+    """Electrons per pixel and rms read noise, both divided by the excess noise factor; contrast and window."""
 
     light: Array
     read: float
@@ -203,43 +203,44 @@ def _surface(count: int, noise: Noise, photons: ArrayLike | None, contrast: floa
     read = noise.read
     if not isinstance(read, float) or not isinstance(noise.white, float | None):
         raise ValueError("noise must be the same for all pixels: white and read must be numbers")
-    if (given := noise.white if photons is None else photons) is None:
-        raise ValueError("photons must be given, the mean electrons of a pixel, where noise has no white")
-    light = validation.real_array("photons", given, least=0.0, most=_MOST_PHOTONS)
+    if (electrons := noise.white if photons is None else photons) is None:
+        raise ValueError("photons (mean electrons per pixel) must be given if noise has no white level, got None")
+    light = validation.real_array("photons", electrons, least=0.0, most=_MOST_PHOTONS)
     if light.shape not in ((), (count,)):
-        raise ValueError(f"photons must be a number or {count} of them, got shape {light.shape}")
+        raise ValueError(f"photons must be a number or an array of {count} numbers, got shape {light.shape}")
     contrast = validation.real("contrast", contrast, least=0.0, below=1e3)
     window = validation.real("window", window, least=1.0, below=1e6, unit="pixels")
-    # Excess noise multiplies the variance; electrons divided by it have a Poisson variance.
+    # The excess noise factor multiplies the variance: electrons divided by it have the variance of a Poisson
+    # variable.
     light = np.broadcast_to(light / noise.excess, count)
     return _Surface(light, read / noise.excess, contrast, window)
 
 
 def _error(lenses: Sequence[Lens], distance: float, pixel: float, surface: _Surface) -> float:
-    """Return the standard error of one distance, metres."""
+    """Return the standard error of one distance, metres; inf if the photographs do not determine it."""
     exposed = np.flatnonzero(surface.light)
     if math.isinf(distance) or not surface.contrast or not exposed.size:
         return math.inf
-    seen, light = [lenses[int(k)] for k in exposed], surface.light[exposed]
-    widest = max(lens.aperture_diameter for lens in seen)
+    exposed_lenses, light = [lenses[int(k)] for k in exposed], surface.light[exposed]
+    widest = max(lens.aperture_diameter for lens in exposed_lenses)
     # The step of vergence, 1/m, for the widest aperture, whose defocus changes fastest.
-    step = _STEP * 2.0 * min(lens.wavelength for lens in seen) / (math.pi * (0.5 * widest) ** 2)
-    step = min(step, 0.4 / distance)  # not beyond infinity
-    around = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
+    step = _STEP * 2.0 * min(lens.wavelength for lens in exposed_lenses) / (math.pi * (0.5 * widest) ** 2)
+    step = min(step, 0.4 / distance)  # vergences must remain positive
+    vergences = 1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0])
     exposures = FocalLight(float(light[0]), surface.read, tuple((light / light[0]).tolist()), surface.contrast)
 
     def transfer(lens: Lens, vergence: Array, _: object, pitch: float) -> Callable[[Array], Array]:
         return transfer_curve(lens, vergence, [(lens.wavelength, 1.0)], pitch)
 
-    model = FocalModel.of(seen, around, (), pixel, exposures, transfer=transfer)
+    model = FocalModel.of(exposed_lenses, vergences, (), pixel, exposures, transfer=transfer)
     h = model.transfer
     if np.abs(h[:2] - h[3:1:-1]).max() <= _TRANSFER_ROUNDING:
         return math.inf
-    # Five-point formula: its error is of the fourth order in the step.
+    # Five-point formula for the derivative; its error is of fourth order in the step.
     slope = (h[0] - h[3] + 8.0 * (h[2] - h[1])) / (12.0 * step)
     total = float(model.at(slice(4, 5)).information(slope[None])[0])
-    most = model.texture * (slope * slope).sum(0)
-    if total <= _ROUNDING * float(most @ model.band.share):
+    upper_limit = model.texture * (slope * slope).sum(0)
+    if total <= _ROUNDING * float(upper_limit @ model.band.share):
         return math.inf
-    # From vergence V to distance z = 1 / V: dz = -z^2 dV.
+    # From vergence V to distance z = 1 / V: abs(dz) = z^2 abs(dV).
     return distance**2 / math.sqrt(total * (4.0 * math.pi * surface.window**2))

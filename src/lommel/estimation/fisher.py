@@ -1,4 +1,4 @@
-"""Fisher information and the Cramér-Rao bound of images, from the derivatives of their PSFs."""
+"""Fisher information of images and the Cramér-Rao bound, computed from the derivatives of the PSFs."""
 
 from __future__ import annotations
 
@@ -28,22 +28,22 @@ from lommel.recorded.noise import Noise
 class Information:
     """Fisher information of images about parameters, and the Cramér-Rao bound that follows from it.
 
-    No unbiased estimate from the same images has a standard error below :attr:`errors`; maximum likelihood
-    comes close to it with enough light. Rows and columns of the matrices are in the order of `names`.
+    No unbiased estimate from these images has a standard error below :attr:`errors`; maximum likelihood estimates
+    approach this bound with enough light. Rows and columns of the matrices are in the order of `names`.
 
     Attributes
     ----------
     names : tuple
         Names of the parameters, as in `of`; parameters of single images are numbered: ``"photons[0]"``.
     units : dict of name to str
-        "rad", "m", "pixels", "electrons", "electrons/pixel", or "" for numbers.
+        Units of the parameters: "rad", "m", "pixels", "electrons", "electrons/pixel", or "" if dimensionless.
     matrix : ndarray, shape ``stack + (k, k)``
         Fisher information of k parameters, for each of a stack of scenes.
     covariance : ndarray, shape ``stack + (k, k)``
-        Inverse of `matrix`, the bound on the covariance of estimates. Infinite on the diagonal for unidentifiable
-        parameters, and off it for two of which only a combination is identifiable.
+        Inverse of `matrix`, the bound on the covariance of estimates. Diagonal elements of unidentifiable parameters
+        are infinite. An off-diagonal element is infinite if only a combination of its two parameters is identifiable.
     correlation : ndarray, shape ``stack + (k, k)``
-        The covariance over both standard errors; its limit for unidentifiable parameters.
+        The covariance divided by both standard errors; its limit for unidentifiable parameters.
     """
 
     names: tuple[Name, ...]
@@ -54,16 +54,17 @@ class Information:
 
     @classmethod
     def of_root(cls, names: tuple[Name, ...], units: dict[Name, str], root: Array, error: Array) -> Self:
-        """Return the information of independent data from their derivatives divided by their standard deviations.
+        """Return the Fisher information for a given Jacobian of independent data.
 
         Parameters
         ----------
         names, units
-            As the attributes of the same names.
+            Attributes `names` and `units` of the result.
         root : ndarray, shape ``stack + (rows, k)``, rows >= k
-            The derivatives, or any other array R with ``R^T R`` the information matrix.
+            Derivatives of the data divided by their standard deviations, or any other array R for which ``R^T R`` is
+            the information matrix.
         error : ndarray, shape ``stack + (k,)``
-            Bound on the Euclidean norm of the error of each column.
+            Bound on the Euclidean norm of the error of each column of `root`.
 
         Returns
         -------
@@ -71,56 +72,60 @@ class Information:
 
         Notes
         -----
-        Columns are divided by their lengths, and errors with them: r. A column no longer than its error is set to 0.
-        Along a singular vector v data change by its singular value s; exact ones may not change at all if ``s <=
-        sum(abs(v) r)``, and v counts as unknown. A unit vector n along which exact data do not change has
-        ``abs(root n) <= abs(r)``: at most ``abs(r) / s`` of it lies in directions that change data by s or more. An
-        unknown direction may have such a component along an identifiable parameter; with more it is unidentifiable.
+        Each column of `root` is divided by its Euclidean norm, and so is the bound on its error, which becomes r. A
+        column whose norm is at most the bound on its error is set to 0. Let v be a right singular vector of the
+        scaled root, with the singular value s. If ``s <= sum(abs(v) r)``, errors of the derivatives may account for
+        s, and v is an undetermined direction.
+
+        The errors of the derivatives also rotate these directions. A unit vector n in the null space of the exact
+        root satisfies ``norm(root n) <= norm(r)``: its component along directions of singular values of at least s is
+        at most ``norm(r) / s``. A parameter is unidentifiable if its component along the undetermined directions
+        exceeds this limit for the smallest singular value of a determined direction.
         """
         length = np.sqrt((root**2).sum(axis=-2))
-        error = error + root.shape[-2] * root.shape[-1] * _EPS * length  # rounding of this sum and of the next
+        error = error + root.shape[-2] * root.shape[-1] * _EPS * length  # rounding of this norm and of the SVD
         zero = length <= error
         unit = np.where(zero, 1.0, length)
         relative = error / unit
         scaled = np.where(zero, 0.0, 1.0)[..., None, :] * root / unit[..., None, :]
-        # Singular values of columns of length 1: parameters of any unit are compared alike.
+        # With columns of norm 1, the singular values do not depend on the units of the parameters.
         _, size, direction = np.linalg.svd(scaled, full_matrices=False)
-        # A direction is lost where its singular value is within the error of the derivatives.
-        lost = size <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
-        least = np.where(lost, math.inf, size)
-        turned = np.swapaxes(direction, -1, -2)
-        unknown, inverse = (turned @ (weight[..., None] * direction) for weight in (1.0 * lost, least**-2.0))
-        lean = np.sqrt((np.where(zero, 0.0, relative) ** 2).sum(axis=-1)) / least.min(axis=-1)
-        # Some parameter has a larger component along any direction.
-        lean = np.minimum(lean, 0.5 / math.sqrt(len(names)))[..., None, None]
-        never = np.sqrt(np.diagonal(unknown, axis1=-2, axis2=-1)) > lean[..., 0]
-        both, one = never[..., None] & never[..., None, :], never[..., None] | never[..., None, :]
-        together = both & ((np.abs(unknown) > lean) | np.eye(len(names), dtype=bool))
-        covariance = np.where(
-            together, np.copysign(math.inf, unknown), inverse / (unit[..., None] * unit[..., None, :])
+        undetermined = size <= (np.abs(direction) @ np.where(zero, 1.0, relative)[..., None])[..., 0]
+        determined_size = np.where(undetermined, math.inf, size)
+        columns = np.swapaxes(direction, -1, -2)
+        # Projection on the undetermined directions, and pseudo-inverse of the information in the others.
+        null, inverse = (
+            columns @ (weight[..., None] * direction) for weight in (1.0 * undetermined, determined_size**-2.0)
         )
-        correlation = np.where(both, _over_deviations(unknown), np.where(one, 0.0, _over_deviations(inverse)))
+        limit = np.sqrt((np.where(zero, 0.0, relative) ** 2).sum(axis=-1)) / determined_size.min(axis=-1)
+        # In any direction, the largest component is at least 1 / sqrt(k): some parameter exceeds the limit.
+        limit = np.minimum(limit, 0.5 / math.sqrt(len(names)))[..., None, None]
+        lost = np.sqrt(np.diagonal(null, axis1=-2, axis2=-1)) > limit[..., 0]
+        both, either = lost[..., None] & lost[..., None, :], lost[..., None] | lost[..., None, :]
+        infinite = both & ((np.abs(null) > limit) | np.eye(len(names), dtype=bool))
+        covariance = np.where(infinite, np.copysign(math.inf, null), inverse / (unit[..., None] * unit[..., None, :]))
+        correlation = np.where(both, _correlation(null), np.where(either, 0.0, _correlation(inverse)))
         matrix = np.swapaxes(root, -1, -2) @ root
         return cls(names, units, 0.5 * (matrix + np.swapaxes(matrix, -1, -2)), covariance, correlation)
 
     @property
     def errors(self) -> dict[Name, Numbers]:
-        """Cramér-Rao bound on the standard error of each parameter, shape of the stack; inf if unidentifiable."""
+        """Cramér-Rao bounds on the standard errors, with the shape of the stack; inf if unidentifiable."""
         variance = np.diagonal(self.covariance, axis1=-2, axis2=-1)
         return {name: numbers(np.sqrt(variance[..., k]), variance.shape[:-1]) for k, name in enumerate(self.names)}
 
     @property
     def unidentifiable(self) -> tuple[Name, ...]:
-        """Names of the parameters that at least one of the scenes does not determine."""
+        """Names of the parameters that are unidentifiable in at least one scene."""
         return tuple(name for name, errors in self.errors.items() if np.isinf(errors).any())
 
     def to_dict(self) -> dict[str, Any]:
-        """Return everything in plain types, a pair (n, m) as a list, an infinite number as None (JSON has none)."""
+        """Return all attributes in types that JSON has: a pair (n, m) as a list, an infinite number as None."""
         units = [self.units[name] for name in self.names]
         parts = {"names": self.names, "units": units, "errors": [*self.errors.values()]}
         matrices = {name: getattr(self, name) for name in ("matrix", "covariance", "correlation")}
-        found: dict[str, Any] = plain(parts | matrices)
-        return found
+        result: dict[str, Any] = plain(parts | matrices)
+        return result
 
     def __repr__(self) -> str:
         stack = self.matrix.shape[:-2]
@@ -132,21 +137,21 @@ class Information:
         return "\n  ".join([f"<{type(self).__name__}{f' of a stack of {stack}' if stack else ''}", *lines]) + ">"
 
 
-def _over_deviations(covariance: Array) -> Array:
-    """Return the correlation of a covariance; 0 for vanishing variances, and 1 on the diagonal."""
+def _correlation(covariance: Array) -> Array:
+    """Return the correlation matrix of a covariance: 1 on the diagonal, and otherwise 0 for variances of 0."""
     errors = np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
     errors = np.where(errors > 0.0, errors, 1.0)
-    found = np.clip(covariance / errors[..., None] / errors[..., None, :], -1.0, 1.0)
-    return np.asarray(np.where(np.eye(found.shape[-1], dtype=bool), 1.0, found))
+    correlation = np.clip(covariance / errors[..., None] / errors[..., None, :], -1.0, 1.0)
+    return np.asarray(np.where(np.eye(correlation.shape[-1], dtype=bool), 1.0, correlation))
 
 
 def _errors_in_words(errors: Array, unit: str) -> str:
-    """Return the smallest and largest standard error of a stack as text."""
-    known = errors[np.isfinite(errors)]
-    missing = errors.size - known.size
-    if not known.size:
+    """Return the smallest and the largest finite standard error of a stack as text."""
+    finite = errors[np.isfinite(errors)]
+    missing = errors.size - finite.size
+    if not finite.size:
         return "unidentifiable"
-    least, most = float(known.min()), float(known.max())
+    least, most = float(finite.min()), float(finite.max())
     if unit == "m":
         low, high = (format_length(end, like=most, digits=3) for end in (least, most))
         low = low.partition(" ")[0]
@@ -163,7 +168,7 @@ _UNITS: dict[Name, str] = {
     "photons": "electrons",
     "background": "electrons/pixel",
 }
-_OWN = ("photons", "background")
+_PER_IMAGE = ("photons", "background")
 _TOLERANCES = (1e-8, 1e-7, 1e-6)
 _EPS = float(np.finfo(np.float64).eps)
 
@@ -186,49 +191,53 @@ def fisher(
     Parameters
     ----------
     pupil : Pupil, ObjectivePupil or a sequence of these
-        Pupil of the image. A stack stands for as many scenes with one image each, and gives arrays of standard
-        errors. A sequence of pupils stands for several images of one scene, such as at several foci, whose
-        information adds; stacks in it broadcast and are scenes again.
+        Pupil of the image. Each element of a stack is a scene with one image, and standard errors are arrays. A
+        sequence of pupils describes several images of one scene, for example at several foci, whose information is
+        added. If pupils in a sequence are stacks, they broadcast, and each element is a scene.
     shape, pixel, method, center, integrate, threads
-        As of :func:`lommel.psf`.
+        Arguments of :func:`lommel.psf`.
     of : sequence
-        Parameters to estimate jointly, all others being known: names of derivatives as :func:`lommel.psf` takes them,
-        such as "defocus", "row", "column", a Zernike term (3, 1), "object_distance" or a microscope's "z"; "photons"
-        and "background". Several images of one scene share all but the last two, which each image has of its own.
+        Parameters that are estimated jointly; all others are assumed to be known. Names are "photons", "background"
+        and the `derivatives` of :func:`lommel.psf`, such as "defocus", "row", "column", a Zernike term (3, 1),
+        "object_distance" or a microscope's "z". Images of one scene have all parameters in common except "photons"
+        and "background", which are estimated for each image.
     photons : array_like
-        Flux of the point source: electrons in an infinite window. Arrays broadcast with the images, whose shape is
-        that of the stack, preceded by the number of pupils of a sequence.
+        Flux of the point source: electrons in an infinite window. It broadcasts with the shape of the images: the
+        shape of the stack, preceded by the number of pupils if `pupil` is a sequence.
     background : array_like, default 0
-        Sky, haze and dark current, electrons per pixel. Arrays as of `photons`.
+        Sky, haze and dark current, electrons per pixel. It broadcasts like `photons`.
     noise : Noise, optional
-        Read noise; by default none. Its `white` and `offset` are ignored, since light is in electrons here.
+        Noise of the camera; by default there is no read noise. `white` and `offset` are ignored, since `photons` and
+        `background` are in electrons.
     together : bool, default False
-        Whether the images of a stack show one scene, so that their information adds.
+        If True, the images of a stack show one scene, and their information is added.
     tol : float, optional
-        As of :func:`lommel.psf`; by default 1e-8, or 1e-7 or 1e-6 where that cannot be met.
+        Tolerance of :func:`lommel.psf`; by default the smallest of 1e-8, 1e-7 and 1e-6 that can be met.
 
     Returns
     -------
     Information
-        Of each scene.
+        Fisher information and Cramér-Rao bounds of each scene.
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another shape, or if `of` is empty or names a parameter that the pupil
+        If an argument is out of range or of a wrong shape, or if `of` is empty or names a parameter that the pupil
         does not have.
     ToleranceError
         If the method cannot meet its tolerance.
 
     Notes
     -----
-    The mean of a pixel is ``mu = photons h + background`` electrons, h being the PSF, and its information is
-    ``F[a, b] = sum(d_a mu d_b mu / (mu + read**2))`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). With fine
-    pixels in a wide window, without background and read noise, the standard error of the centre of an Airy disc
-    is ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4). Unidentifiable
-    parameters, such as the defocus of an image in focus, which does not change to first order, have the standard
-    error inf: the proven bounds of the derivatives decide, see :meth:`lommel.Information.of_root`. The bound is
-    local: it ignores ambiguities between distant values, such as a defocus and its negative.
+    With the PSF h, the mean of a pixel is ``mu = photons h + background`` electrons. The information is a sum over
+    pixels, ``F[a, b] = sum(d_a mu d_b mu / (mu + read**2))`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). With
+    fine pixels in a wide window, without background and read noise, the standard error of the centre of an Airy disc
+    is ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4).
+
+    Unidentifiable parameters have the standard error inf. An example is the defocus of an image in focus, which does
+    not change the image to first order. The proven error bounds of the derivatives determine which parameters are
+    unidentifiable, see :meth:`lommel.Information.of_root`. The Cramér-Rao bound is local: it ignores ambiguities
+    between distant values, such as a defocus and its negative.
 
     Examples
     --------
@@ -256,26 +265,26 @@ def fisher(
     method, tol = options.get("method"), options.get("tol")
     tolerances = _TOLERANCES if method is None and tol is None else (tol,)
     plans = [Plan(shape, pixel, dtype=np.float64, **options | {"tol": each}) for each in tolerances]
-    one = isinstance(pupil, BasePupil)
-    answers = [_exactest(plans, each, names) for each in _pupils(pupil)]
+    single = isinstance(pupil, BasePupil)
+    answers = [_most_accurate_psf(plans, each, names) for each in _pupils(pupil)]
     stacks = validation.broadcast("stacks of pupils", *(np.empty(answer.pupil.shape) for answer in answers))
-    images = stacks[0].shape if one else (len(answers), *stacks[0].shape)
+    images = stacks[0].shape if single else (len(answers), *stacks[0].shape)
     flux, level, _ = validation.broadcast("photons, background and images", flux, level, np.empty(images))
     every = flux.shape
-    if not one and every[-len(images)] != len(answers):
+    if not single and every[-len(images)] != len(answers):
         raise ValueError(f"photons and background must broadcast with images of shape {images}, got {every}")
     roots, errors = np.empty((*every, len(names), len(names))), np.empty((*every, len(names)))
     for index in np.ndindex(every):
-        answer = answers[0 if one else index[-len(images)]]
-        own = answer.pupil.shape
-        place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(own) :], own, strict=True))
-        # Electrons over the excess are Poisson's (Noise.poisson).
+        answer = answers[0 if single else index[-len(images)]]
+        stack = answer.pupil.shape
+        place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(stack) :], stack, strict=True))
+        # Electrons divided by the excess noise factor have a Poisson distribution (Noise.poisson).
         light = float(flux[index]) / excess, float(level[index]) / excess
         roots[index], errors[index] = _root(answer, place, names, *light, read)
-    per_light = np.array([1.0 / excess if name in _OWN else 1.0 for name in names])
+    per_light = np.array([1.0 / excess if name in _PER_IMAGE else 1.0 for name in names])
     roots, errors = roots * per_light, errors * per_light
-    same = () if one else (len(every) - len(images),)
-    return _joined(names, roots, errors, tuple(range(len(every))) if together else same)
+    pupil_axis = () if single else (len(every) - len(images),)
+    return _joined(names, roots, errors, tuple(range(len(every))) if together else pupil_axis)
 
 
 def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
@@ -284,13 +293,13 @@ def _pupils(pupil: BasePupil | Sequence[BasePupil]) -> list[BasePupil]:
         return [pupil]
     stated: object = pupil
     if not isinstance(stated, Sequence) or not stated or isinstance(stated, str):
-        raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(stated)}")
+        raise TypeError(f"pupil must be a Pupil or a sequence of pupils, got {validation.shown(stated)}")
     return [imaged(each) for each in stated]
 
 
-def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
-    """Return the PSF and its derivatives by the first plan whose tolerance can be met."""
-    derivatives = tuple(name for name in names if name not in _OWN)
+def _most_accurate_psf(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
+    """Return the PSF and its derivatives, computed by the first plan whose tolerance can be met."""
+    derivatives = tuple(name for name in names if name not in _PER_IMAGE)
     for plan in plans[:-1]:
         with suppress(ToleranceError):
             return plan(pupil, derivatives=derivatives)
@@ -300,12 +309,12 @@ def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> P
 def _root(
     answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], photons: float, background: float, read: Array
 ) -> tuple[Array, Array]:
-    """Return a triangular root of the information of one image, and bounds on the errors of its columns."""
+    """Return a triangular root R of one image's information ``R^T R``, and bounds on the errors of its columns."""
     values = answer.values[place]
     peak = float(values.max())
     slack = _EPS if answer.error_bound is None else answer.error_bound
-    # The error bound adds to the variance: a dark pixel computed too dark would hold too much information.
-    # The root of Fisher's information of a Poisson mean: its derivatives over the standard deviation.
+    # The error bound is added to the variance: the error of a dark pixel must not increase the information.
+    # A root of the Fisher information of Poisson data: derivatives of the mean divided by the standard deviation.
     variance = np.maximum(photons * values + background, 0.0) + photons * peak * slack + read
     weight = np.divide(1.0, np.sqrt(variance), out=np.zeros(values.shape), where=variance > 0.0)
     columns, bounds = np.empty((values.size, len(names))), np.empty(len(names))
@@ -319,15 +328,15 @@ def _root(
             bounds[k] = photons * peak * answer.derivative_bounds[name]
         columns[:, k] = (weight * slope).ravel()
     root = np.zeros((len(names), len(names)))
-    # R of the QR decomposition: R^T R is the information, without the loss of digits in a product.
-    triangle = _triangle(columns)
-    root[: len(triangle)] = triangle
+    # The factor R of the QR decomposition loses no digits, unlike the product of the columns.
+    factor = _triangular_factor(columns)
+    root[: len(factor)] = factor
     rounding = columns.size * _EPS * np.sqrt((columns**2).sum(axis=0))
     return root, bounds * math.sqrt((weight**2).sum()) + rounding
 
 
-def _triangle(columns: Array) -> Array:
-    """Return R of the QR decomposition of a matrix, in blocks of rows, as LAPACK is slow on few long columns."""
+def _triangular_factor(columns: Array) -> Array:
+    """Return R of the QR decomposition of a matrix, in blocks of rows because LAPACK is slow for few long columns."""
     count = columns.shape[1]
     most = max(2 * count, 8192 // count)
     while len(columns) > most:
@@ -337,22 +346,22 @@ def _triangle(columns: Array) -> Array:
 
 
 def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:
-    """Return the information of one scene from its images along these axes of their stack."""
+    """Return the information of scenes from a stack of images: those along `axes` show the same scene."""
     count, stack = len(names), errors.shape[:-1]
     scenes = tuple(side for axis, side in enumerate(stack) if axis not in axes)
     last = range(len(scenes), len(stack))
     roots = np.moveaxis(roots, axes, last).reshape(*scenes, -1, count, count)
     errors = np.moveaxis(errors, axes, last).reshape(*scenes, -1, count)
     labels = [f"[{', '.join(map(str, index))}]" if axes else "" for index in np.ndindex(*(stack[a] for a in axes))]
-    parts = {name: [f"{name}{i}" for i in labels] if name in _OWN else [name] for name in names}
+    parts = {name: [f"{name}{i}" for i in labels] if name in _PER_IMAGE else [name] for name in names}
     every = tuple(part for name in names for part in parts[name])
-    # Which of all parameters each parameter of an image is.
-    which = np.zeros((len(labels), count, len(every)))
+    # 1 where parameter k of image i is parameter j of the scene.
+    selection = np.zeros((len(labels), count, len(every)))
     for i, k in np.ndindex(len(labels), count):
-        which[i, k, every.index(parts[names[k]][i if names[k] in _OWN else 0])] = 1.0
-    root = (roots @ which).reshape(*scenes, -1, len(every))
+        selection[i, k, every.index(parts[names[k]][i if names[k] in _PER_IMAGE else 0])] = 1.0
+    root = (roots @ selection).reshape(*scenes, -1, len(every))
     units = {part: _UNITS.get(name, "rad") for name in names for part in parts[name]}
-    return Information.of_root(every, units, root, np.sqrt(np.einsum("...ik,ikj->...j", errors**2, which)))
+    return Information.of_root(every, units, root, np.sqrt(np.einsum("...ik,ikj->...j", errors**2, selection)))
 
 
 def _names(of: Sequence[Name]) -> tuple[Name, ...]:
@@ -360,5 +369,5 @@ def _names(of: Sequence[Name]) -> tuple[Name, ...]:
         raise TypeError(f"of must be a sequence of names such as ('defocus', 'row'), got {validation.shown(of)}")
     if not of:
         raise ValueError("of must name at least one parameter, such as 'defocus', got none")
-    others = "of, beside 'photons' and 'background',"
-    return tuple(dict.fromkeys(name if name in _OWN else checked_names((name,), others)[0] for name in of))
+    others = "of, except 'photons' and 'background',"
+    return tuple(dict.fromkeys(name if name in _PER_IMAGE else checked_names((name,), others)[0] for name in of))

@@ -1,16 +1,16 @@
 r"""Images of an aperture of any shape from samples of its pupil, with errors of about 1e-3 of the peak (not proven).
 
-The field at row y and column x of the image is ``U = E_y P E_x``, two matrix products (Soummer et al., Opt. Express
-15, 15935 (2007), doi:10.1364/OE.15.015935). P is the pupil function averaged over square cells, so that a cell at an
-edge has the amplitude of its clear fraction. The derivative with respect to the coefficient of a Zernike term Z is
-the field of ``i Z P``. Searches need images that are only as accurate as the noise; with these they are an order of
-magnitude faster than with the proven methods for vanes and segments.
-
-Fields of large images are computed by FFT instead.
+The field of the image is ``U = E_y P E_x``, two products of matrices (Soummer et al., Opt. Express 15, 15935 (2007),
+doi:10.1364/OE.15.015935); for large images it is computed by FFT. P is the pupil function in square cells: a cell at
+an edge of the aperture has the amplitude multiplied by its clear fraction. E_y and E_x are matrices of plane waves,
+``exp(-i position point)`` for image positions and pupil points. The derivative of U with respect to the coefficient
+of a Zernike term Z is the field of ``i Z P``. While the parameters of a fit are searched, images need to be only as
+accurate as the noise. For apertures with vanes or segments, such a search is an order of magnitude faster with these
+images than with the methods that have a proven error bound.
 
 A change P' of the pupil function changes the field by U' and the image by ``2 Re(U* U')``. Uneven illumination
-changes the amplitude, ``P' = a P``. If an edge of the aperture moves outward, U' is the integral of P along the edge
-times the distance moved. These derivatives are accurate to a few percent (not proven).
+changes the amplitude, ``P' = a P``. If an edge of the aperture moves outward, U' is the integral along the edge of
+the distance moved times P and the plane wave. These derivatives are accurate to a few percent (not proven).
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
-_MIN_SIDE, _STEP = 96, 16  # number of cells across the aperture: minimum, and the number of which it is a multiple
-SMALL = 160  # samples along a side up to which fields are products of matrices, and beyond which FFTs
-_SUBCELLS = 4  # subdivision of a cell along an axis, from which its clear fraction is computed
+_MIN_SIDE, _STEP = 96, 16  # least number of cells across the aperture, and a number of which it is a multiple
+SMALL = 160  # pixels: side of an image above which fields are computed by FFT instead of products of matrices
+_SUBCELLS = 4  # number of subcells along each axis of a cell, from which its clear fraction is computed
 SLANT = "light that slopes across the pupil"
 FOLDS = tuple(f"light of {n} folds in the pupil" for n in ("two", "three", "four"))
 SHIFT, OBSCURATION, OVAL = "obscuration off the middle", "obscuration", "aperture that is not round"
@@ -42,7 +42,7 @@ _EDGE_POINTS = 4  # points along an edge for each cell across the aperture
 
 
 class SampledPupil:
-    """A pupil function in square cells, with Zernike terms there, for images on a grid.
+    """A pupil function and Zernike terms in square cells, for images on a grid.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class SampledPupil:
 
     def __init__(self, pupil: Pupil, grid: Grid, terms: Sequence[tuple[int, int]]) -> None:
         step = grid.step(pupil) / grid.side
-        # The image repeats after as many lambda*N as there are cells: the window must not exceed this period.
+        # An image repeats after (number of cells) lambda*N: the window must not exceed this period.
         window = max(grid.shape) * grid.step(pupil) / math.pi
         side = max(_MIN_SIDE, _STEP * math.ceil(window / _STEP))
         width = 2.0 / side
@@ -67,8 +67,8 @@ class SampledPupil:
         centers, fine = (0.5 * width * side * cell_centers(count) for count in (side, side * _SUBCELLS))
         coverage = pupil.opening.coverage(fine[None, :], fine[:, None], 0.5 * width / _SUBCELLS)
         clear = _cell_sums(coverage)
-        # The phase is taken half-way between the middle of a cell and the centroid of its clear part: the errors at
-        # these two points are about equal and opposite.
+        # The phase is evaluated half-way between the middle of a cell and the centroid of its clear part: the errors
+        # at these two points are about equal and opposite.
         weight = np.maximum(clear, 1e-12)
         x, y = (
             np.where(clear > 0.0, 0.5 * (_cell_sums(coverage * position) / weight + middle), middle)
@@ -78,12 +78,12 @@ class SampledPupil:
         amplitude = clear / _SUBCELLS**2 * pupil.illumination.at(np.minimum(rho, 1.0) ** 2) + 0.0j
         if pupil.segmented:
             amplitude *= np.exp(1j * pupil.opening.phase(x, y))
-        # Values are fractions of the light per pixel: I times its area in v over 4 pi times the transmission.
+        # Images are fractions of the light per pixel: I (pixel area in v) / (4 pi transmission).
         scale = math.sqrt(grid.cell(pupil) / (4.0 * math.pi * pupil.transmission))
         self._amplitude = (amplitude * (scale * width**2 / math.pi)).astype(np.complex64)
         self._terms = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms]).astype(np.float32)
         half = centers[side // 2 :]
-        # Cosines and sines, shape (positions, cells), for image positions and cells on one side of the axis.
+        # Cosines and sines, shape (positions, cells), for positions in the image and cells on one side of the axis.
         self._down, self._across = (
             [] if self._length else _cosines_sines(step * positions, half) for positions in (grid.y, grid.x)
         )
@@ -92,8 +92,8 @@ class SampledPupil:
     def images(self, edge: Array, by: Sequence[int], *, values: bool = True) -> list[Values]:
         """Return images (if `values`) and their derivatives by coefficients of Zernike terms, each (r, h, w).
 
-        `edge` (r, k) are coefficients of the first k terms, radians at the edge; `by` are the indices of terms with
-        respect to which derivatives are computed.
+        `edge` (r, k) are the coefficients of the first k terms for each of r wavefronts, radians at the edge. `by`
+        are the indices of the terms with respect to which derivatives are computed.
         """
         images = np.empty((values + len(by), len(edge), *self._shape), np.float32)
         factors, terms = self._terms[list(by)], self._terms[: edge.shape[1]]
@@ -106,19 +106,19 @@ class SampledPupil:
             real, imaginary = self._fields(np.concatenate([pupil, factors[:, None] * pupil]))
             if values:
                 images[0, k] = real[0] ** 2 + imaginary[0] ** 2
-            # U' = i G for the field G of Z P, and I' = 2 Re(conj(U) U').
+            # The derivative of the field is U' = i G, where G is the field of Z P; that of the image is 2 Re(U* U').
             images[int(values) :, k] = (2.0 * imaginary[0]) * real[1:] - (2.0 * real[0]) * imaginary[1:]
         return list(images)
 
     def _fields(self, planes: Values) -> tuple[Values, Values]:
         """Return the real and imaginary parts of fields (n, h, w) of pupils, shape (n, real and imaginary, y, x)."""
         if self._length:
-            # The transform takes the first cell as the origin: a phase that all fields have in common.
+            # The origin of the transform is the first cell: this multiplies all fields by the same phase factor.
             field = fft.fft2(planes[:, 0] + np.complex64(1j) * planes[:, 1], (self._length, self._length))
             rows, columns = (np.arange(side) - side // 2 for side in self._shape)
             field = field[:, rows[:, None], columns]
             return field.real, field.imag
-        # Parts of the field with cosine (c) or sine (s) along columns and along rows.
+        # Transforms with a cosine (c) or sine (s): the first letter is for rows (y), the second for columns (x).
         (cc, sc), (cs, ss) = self._transforms(planes)
         # exp(-i a) = cos a - i sin a: multiplication by -i exchanges real and imaginary parts.
         odd_across, odd_down = (np.stack([part[:, 1], -part[:, 0]], axis=1) for part in (cs, sc))
@@ -128,8 +128,9 @@ class SampledPupil:
     def _transforms(self, planes: Values) -> list[list[Values]]:
         """Return cosine and sine transforms along both axes of pupils, shape (n, real and imaginary, y, x).
 
-        Each of the four has the shape (n, 2, h, w) for positions on one side of the axes. Transforms of sums and
-        differences of cells on both sides of an axis are real, and half as large.
+        Each of the four transforms has the shape (n, 2, h, w), for positions on one side of the axes. They are
+        computed from sums and differences of cells and their mirror images about an axis: real matrices of half the
+        size.
         """
         parts = [products(half, wave) for half, wave in zip(_halves(planes), self._across, strict=True)]
         transposed = [_halves(part.swapaxes(-1, -2)) for part in parts]
@@ -139,9 +140,9 @@ class SampledPupil:
 
 
 def _cosines_sines(positions: Array, cells: Array) -> list[Values]:
-    """Return cosines and sines of position times cell, (positions, cells), for positions from the axis on.
+    """Return cosines and sines of ``position cell``, shape (positions, cells), for one half of the positions.
 
-    `positions` are those of a window centred on the axis.
+    `positions` are centred on the axis; the half extends from the axis to one edge.
     """
     from_axis = np.linspace(0.0, -positions[0], len(positions) // 2 + 1)
     angle = np.multiply.outer(from_axis, cells)
@@ -188,7 +189,7 @@ class UnevenLight:
     def __init__(self, pupil: Pupil, grid: Grid, terms: Sequence[Term], edge: Array) -> None:
         self._edge = edge.astype(np.float32)
         unit = grid.step(pupil) / grid.side
-        # The slope of a term is at most n^2 per radius. Images repeat after as many lambda*N as there are cells.
+        # The slope of a term is at most n^2 per radius. An image repeats after (number of cells) lambda*N.
         slope = float((np.abs(edge) @ [n * n for n, _ in terms]).max(initial=0.0))
         needed = max(2.0 * slope / _MAX_PHASE_STEP, max(grid.shape) * grid.step(pupil) / math.pi)
         side = min(_MAX_UNEVEN_SIDE, max(_MIN_UNEVEN_SIDE, _STEP * math.ceil(needed / _STEP)))
@@ -208,9 +209,9 @@ class UnevenLight:
         self._positions = [unit * positions for positions in (grid.y, grid.x)]
         self._waves = [_plane_waves(positions, centers) for positions in self._positions]
         angles: Array = np.linspace(0.0, 2.0 * math.pi, _EDGE_POINTS * side, endpoint=False)
-        # Points along each edge: Zernike terms, plane waves along rows and columns, and amplitudes per unit of each
-        # movement. The inner edge shifts (SHIFT) and widens (OBSCURATION), the outer one becomes elliptical along two
-        # directions (OVAL).
+        # At points along each edge: Zernike terms, plane waves along rows and columns, and the amplitude of each
+        # change per unit. The inner edge shifts (SHIFT) and widens (OBSCURATION); the outer edge becomes elliptical
+        # along two directions (OVAL).
         self._edges = []
         for radius, movements in (
             (obscuration, (-np.sin(angles), -np.cos(angles), -np.ones_like(angles))),
@@ -228,18 +229,18 @@ class UnevenLight:
                 self._edges.append((edge_terms, waves, edge_amplitude * np.stack(movements)))
 
     def images(self) -> list[Values]:
-        """Return the derivatives of the images by each change in the order of `changes_of`, each (r, h, w)."""
+        """Return the derivatives of the images by the changes, in the order of `changes_of`, each (r, h, w)."""
         (down, across), (v, u) = self._waves, self._positions
         derivatives = []
         for coefficients in self._edge:
             pupil = self._amplitude * np.exp(1j * np.tensordot(coefficients, self._terms, 1))
             field, *changes = down @ (pupil @ across.T)
-            # ASPECT: the derivative of the field by position is i times its change by a linear amplitude (SLANT).
+            # ASPECT: the derivative of the field by position is i times its derivative by SLANT, a linear amplitude.
             stretched = 1j * (u * changes[1] - v[:, None] * changes[0])
             for terms, (rows, columns), movements in self._edges:
                 edge_phase = np.exp(1j * np.tensordot(coefficients, terms, 1))
                 changes += [(rows * (movement * edge_phase)) @ columns.T for movement in movements]
-            # I = |U|^2: I' = 2 Re(U* U').
+            # The derivative of the image abs(U)^2 is 2 Re(U* U').
             derivatives.append([2.0 * (field.conj() * change).real for change in (*changes, stretched)])
         return list(np.asarray(derivatives, np.float32).swapaxes(0, 1))
 
@@ -250,5 +251,5 @@ def _zernike_values(terms: Sequence[Term], rho: Array, theta: Array) -> Values:
 
 
 def _plane_waves(positions: Array, points: Array) -> Array:
-    """Return plane waves ``exp(-i position point)`` along one axis, shape (image positions, pupil points)."""
+    """Return plane waves ``exp(-i position point)`` along one axis, shape (positions in the image, pupil points)."""
     return np.exp(-1j * np.multiply.outer(positions, points)).astype(np.complex64)

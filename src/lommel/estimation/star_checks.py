@@ -53,28 +53,27 @@ from lommel.optics.pupil import Pupil
 from lommel.psf import Plan
 from lommel.special import zernike
 
-# Prior standard deviations of effects that the model does not include.
+# Prior standard deviations of the coefficients of effects that the model lacks.
 _TERM = 0.1  # Zernike term, radians rms
-_WIDTH, _SHARE = 0.1, 0.3  # variance of an additional blur, pixels^2; share of light in a wider blur
-_VARIED = 0.3  # change of the blur variance from the middle to the edge of the field, pixels^2
-_SLOPE, _NONLINEAR = 1.0, 0.05  # background gradient, electrons per pixel; share of electrons lost at 10^4
-_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, "defocus": 0.05}  # relative errors, but for the obscuration
+_WIDTH, _WING_LIGHT = 0.1, 0.3  # variance of an additional blur, pixels^2; fraction of light in a wider blur
+_WIDTH_CHANGE = 0.3  # change of the blur variance from the middle to the edge of the field, pixels^2
+_SLOPE, _NONLINEAR = 1.0, 0.05  # background gradient, electrons per pixel; fraction of electrons lost at 10^4
+_CONSTANTS = {"f_number": 0.02, OBSCURATION: 0.03, "defocus": 0.05}  # relative; that of the obscuration is absolute
 # Relative amplitude at the pupil edge (SLANT, FOLDS), pupil radii (SHIFT), relative lengths (OVAL, ASPECT).
 _UNEVEN_LIGHT = {SLANT: 0.02, **dict.fromkeys(FOLDS, 0.01), SHIFT: 0.01, OVAL: 0.005, ASPECT: 0.003}
-_TRAIL = 0.01  # share of deferred charge
-_CHANGED = 0.03  # change of a Zernike term over the images, radians rms
+_TRAIL = 0.01  # fraction of the charge that is deferred
+_DRIFT = 0.03  # half the change of a Zernike term from the first to the last image, radians rms
 _RIPPLES = 0.1  # all ripples of the wavefront together, radians rms
 _DEFOCUS = 0.1  # defocus of one image, radians at the pupil edge
-# Parts of these that are marginalized where the data do not favour the effect.
-_KNOWN_PART, _TRAIL_PART, _RIPPLE_PART = 0.5, 0.25, 0.2
+# Factors by which prior standard deviations are reduced for marginalization if the data do not favour the effect.
+_CONSTANT_FACTOR, _TRAIL_FACTOR, _RIPPLE_FACTOR = 0.5, 0.25, 0.2
 _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e and length, pixels
-_ONE = 0.01  # relative change of a stated number whose effect is reported
-_CHANGES = " that changes over the images"
+_STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
+_DRIFTS = " that changes over the images"
 _MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
-# Standard error of the phase, radians rms, above which other minima of the likelihood are often as deep.
-_CERTAIN = 0.25
-# Accepted change factor of a standard error within one standard deviation of the estimate.
-_STEADY = 1.125
+_MAX_PHASE_ERROR = 0.25  # radians rms; above it, the likelihood often has other minima that are equally deep
+# Largest factor by which a valid standard error may change within one standard deviation of the estimate.
+_MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
 _SHARP = Shape(np.ones(1), np.empty((1, 0)), np.zeros(1))
 _GAUSSIAN, _ELLIPSE, _WINGS, _HALO = "blur by a Gaussian besides", "blur in one direction", "wings", "halo"
@@ -87,7 +86,7 @@ _TRAILS = {
 }
 _ZONES, _FINE = "zones of the wavefront", "ripples of the wavefront"
 NUISANCES = (*_UNEVEN_LIGHT, *_TRAILS.values(), GRADIENT)
-"""Effects that no fit estimates, and that bias estimates even if the images do not show them."""
+"""Effects that no fit estimates. They bias estimates even if they are too weak to be detected in the images."""
 _GAIN = "non-linear gain"
 _WORDS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
@@ -116,7 +115,11 @@ _WORDS = {
 
 
 class MissingEffect(NamedTuple):
-    """An effect that the model may lack: prior standard deviation, derivatives of electrons by its coefficients."""
+    """An effect that the model may lack, in electrons.
+
+    `scale` is the prior standard deviation of its coefficients; `images` are derivatives of the expected electrons
+    with respect to each coefficient.
+    """
 
     name: str
     scale: float
@@ -124,7 +127,7 @@ class MissingEffect(NamedTuple):
 
 
 def constants_to_test(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> tuple[Name, ...]:
-    """Return the constants to test: "f_number", and (2, 0), the scale of known defoci, if these differ."""
+    """Return the constants to test: "f_number", and the scale of the known defoci (named (2, 0)) if these differ."""
     scaled = pupil.circular and pupil.mask is None and pupil.wavelength is not None
     f_number = ("f_number",) if scaled and not {"f_number", "wavelength"} & {*estimated} else ()
     return (*f_number, *([(2, 0)] if np.ptp(known) > 0.0 else []))
@@ -133,9 +136,10 @@ def constants_to_test(pupil: Pupil, known: Array, estimated: Sequence[Name]) -> 
 def missing_terms(
     terms: Sequence[Term], constants: Sequence[Name], slopes: Sequence[Array], pupil: Pupil, known: Array
 ) -> Iterator[MissingEffect]:
-    """Yield Zernike terms and constants, given `slopes`: derivatives of electrons.
+    """Yield Zernike terms and constants, given `slopes`, derivatives of electrons.
 
-    Derivatives are with respect to terms (radians at the pupil edge), then to constants; for (2, 0), to defocus.
+    The derivatives are with respect to the terms (radians at the pupil edge), followed by the constants. The
+    derivative for the constant (2, 0) is with respect to defocus.
     """
     for term, slope in zip(terms, slopes, strict=False):
         yield MissingEffect(label(term), _TERM, (slope * zernike.rms_factor(*term),))
@@ -144,18 +148,18 @@ def missing_terms(
             size = _CONSTANTS[str(name)] * (float(pupil.f_number or 1.0) if name == "f_number" else 1.0)
             yield MissingEffect(str(name), size, (slope,))
             continue
-        each = np.tile(known, len(slope) // len(known))[:, None, None]
-        yield MissingEffect("defocus", _CONSTANTS["defocus"], (slope * each,))
+        defoci = np.tile(known, len(slope) // len(known))[:, None, None]
+        yield MissingEffect("defocus", _CONSTANTS["defocus"], (slope * defoci,))
         if 2 < len(known) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
             for k, one in enumerate(_alone(len(known), slope)):
                 yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (one,))
 
 
 def missing_ripples(terms: Sequence[Term], slopes: Sequence[Array]) -> Iterator[MissingEffect]:
-    """Yield zones and other ripples of the wavefront, given derivatives of electrons by terms (1 at the edge)."""
-    for name, round_ in ((_ZONES, True), (_FINE, False)):
-        each = zip(terms, slopes, strict=True)
-        images = tuple(slope * zernike.rms_factor(*term) for term, slope in each if (term[1] == 0) == round_)
+    """Yield zones (terms with m = 0) and other ripples, given derivatives of electrons by terms (1 at the edge)."""
+    for name, symmetric in ((_ZONES, True), (_FINE, False)):
+        pairs = zip(terms, slopes, strict=True)
+        images = tuple(slope * zernike.rms_factor(*term) for term, slope in pairs if (term[1] == 0) == symmetric)
         if images:
             yield MissingEffect(name, _RIPPLES / len(images) ** 0.5, images)
 
@@ -167,8 +171,8 @@ def missing_drifts(terms: Sequence[Term], slopes: Iterable[Array], exposures: in
     """
     if exposures > 1:
         for term, slope in zip(terms, slopes, strict=False):
-            way = np.tile(np.linspace(-1.0, 1.0, exposures), len(slope) // exposures)[:, None, None]
-            yield MissingEffect(label(term) + _CHANGES, _CHANGED, (slope * way * zernike.rms_factor(*term),))
+            time = np.tile(np.linspace(-1.0, 1.0, exposures), len(slope) // exposures)[:, None, None]
+            yield MissingEffect(label(term) + _DRIFTS, _DRIFT, (slope * time * zernike.rms_factor(*term),))
 
 
 def apodized(pupil: Pupil) -> Pupil | None:
@@ -186,19 +190,25 @@ def missing_apodization(image: Array, other: Array) -> MissingEffect:
 def missing_illumination(
     changes: Mapping[str, int], images: Iterable[Array], estimated: Sequence[Name] = ()
 ) -> Iterator[MissingEffect]:
-    """Yield uneven illumination and other edges of the pupil, given derivatives of electrons by `changes_of`."""
-    left, scales = iter(images), {**_UNEVEN_LIGHT, **_CONSTANTS}
+    """Yield uneven illumination and changed edges of the pupil, except for `estimated` ones.
+
+    `changes` is the result of `changes_of`; `images` are derivatives of electrons with respect to all its parameters.
+    """
+    remaining, scales = iter(images), {**_UNEVEN_LIGHT, **_CONSTANTS}
     for name, count in changes.items():
-        each = tuple(itertools.islice(left, count))
+        derivatives = tuple(itertools.islice(remaining, count))
         if name not in estimated:
-            yield MissingEffect(name, scales[name], each)
+            yield MissingEffect(name, scales[name], derivatives)
 
 
 def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
-    """Yield deferred charge in each direction, given the electrons of stars without background (r * e, h, w)."""
-    later = np.exp(-np.arange(_TRAIL_LENGTH) / _TRAIL_DECAY)
-    for name, axis, way in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
-        kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), later / later.sum()])[::way]
+    """Yield deferred charge in each direction, given the electrons of stars without background.
+
+    `image` has the shape (r * e, height, width), for r stars in e exposures.
+    """
+    tail = np.exp(-np.arange(_TRAIL_LENGTH) / _TRAIL_DECAY)
+    for name, axis, step in zip(_TRAILS.values(), (1, 1, 2, 2), (1, -1, 1, -1), strict=True):
+        kernel = np.concatenate([np.zeros(_TRAIL_LENGTH + 1), tail / tail.sum()])[::step]
         # The deferred charge moves to pixels read out later: the sum is conserved.
         yield MissingEffect(name, _TRAIL, (ndimage.correlate1d(image, kernel[::-1], axis, mode="constant") - image,))
 
@@ -208,34 +218,38 @@ def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool)
     if gaussian:
         yield MissingEffect(_GAUSSIAN, _WIDTH, _alone(exposures, blurs["Gaussian"]))
     yield MissingEffect(_ELLIPSE, _WIDTH, _alone(exposures, blurs["along rows"], blurs["oblique"]))
-    yield MissingEffect(_WINGS, _SHARE, _alone(exposures, blurs["wings"]))
-    yield MissingEffect(_HALO, _SHARE, _alone(exposures, blurs["halo"]))
+    yield MissingEffect(_WINGS, _WING_LIGHT, _alone(exposures, blurs["wings"]))
+    yield MissingEffect(_HALO, _WING_LIGHT, _alone(exposures, blurs["halo"]))
 
 
 def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect:
-    """Return a blur that varies over the field, given derivatives by its variance and positions (r * e, 2)."""
-    return MissingEffect(_UNEVEN, _VARIED, _alone(exposures, *(image * each[:, None, None] for each in positions.T)))
+    """Return a blur that varies over the field, given relative positions (r * e, 2).
+
+    `image` is the derivative of electrons with respect to the variance of the blur.
+    """
+    along_axes = (image * coordinate[:, None, None] for coordinate in positions.T)
+    return MissingEffect(_UNEVEN, _WIDTH_CHANGE, _alone(exposures, *along_axes))
 
 
 def missing_gradients(images: int, shape: tuple[int, int], exposures: int) -> MissingEffect:
-    """Return background gradients of each exposure, for `images` images."""
+    """Return background gradients of each exposure, along rows and columns, for `images` images in all."""
     return MissingEffect(GRADIENT, _SLOPE, _alone(exposures, *slants(images, shape)))
 
 
 def missing_nonlinearity(mean: Array) -> MissingEffect:
     """Return a non-linear gain, given the expected electrons."""
-    # Of m electrons the share s m / 10^4 is lost; derivative with respect to s.
+    # A pixel of m electrons loses the fraction s m / 10^4; derivative with respect to s.
     return MissingEffect(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
 
 
-def _alone(exposures: int, *each: Array) -> tuple[Array, ...]:
+def _alone(exposures: int, *images: Array) -> tuple[Array, ...]:
     """Return, for each exposure, the images (r * e, height, width) set to 0 in all other exposures."""
-    of = np.arange(len(each[0])) % exposures
-    return tuple(one * (of == i)[:, None, None] for i in range(exposures) for one in each)
+    exposure = np.arange(len(images[0])) % exposures
+    return tuple(image * (exposure == i)[:, None, None] for i in range(exposures) for image in images)
 
 
 def candidates_of(effects: Sequence[MissingEffect], first: int) -> list[Candidate]:
-    """Return score-test candidates with consecutive columns, from `first` on."""
+    """Return score-test candidates for effects, whose coefficients have consecutive columns from `first` on."""
     candidates = []
     for one in effects:
         candidates.append(Candidate(one.name, tuple(range(first, first + len(one.images))), one.scale))
@@ -246,19 +260,20 @@ def candidates_of(effects: Sequence[MissingEffect], first: int) -> list[Candidat
 def to_marginalize(
     candidates: Sequence[Candidate], tests: Sequence[ScoreTest], others: Sequence[str] = ()
 ) -> list[Candidate]:
-    """Return the candidates to marginalize, with their prior standard deviations.
+    """Return the candidates to marginalize, with the prior standard deviations to use.
 
-    Nuisances, and candidates that the data favour, though not significantly, keep their prior. Constants, ripples and
-    deferred charge that the data do not favour have a part of it. All others are left out.
+    Candidates that the data favour (Bayes factor above 1), those named in `others`, illumination and background
+    gradients keep their prior standard deviation. For other constants, ripples and deferred charge it is reduced. All
+    other candidates are left out.
     """
-    parts = dict.fromkeys((*NUISANCES, *others), 1.0)
-    parts |= (
-        dict.fromkeys(_CONSTANTS, _KNOWN_PART)
-        | dict.fromkeys((_ZONES, _FINE), _RIPPLE_PART)
-        | dict.fromkeys(_TRAILS.values(), _TRAIL_PART)
+    factors = dict.fromkeys((*NUISANCES, *others), 1.0)
+    factors |= (
+        dict.fromkeys(_CONSTANTS, _CONSTANT_FACTOR)
+        | dict.fromkeys((_ZONES, _FINE), _RIPPLE_FACTOR)
+        | dict.fromkeys(_TRAILS.values(), _TRAIL_FACTOR)
     )
-    parts |= dict.fromkeys(favoured(tests), 1.0)
-    return [replace(one, scale=parts[one.name] * one.scale) for one in candidates if one.name in parts]
+    factors |= dict.fromkeys(favoured(tests), 1.0)
+    return [replace(one, scale=factors[one.name] * one.scale) for one in candidates if one.name in factors]
 
 
 def untested_constants(
@@ -271,26 +286,26 @@ def untested_constants(
     columns: Sequence[int],
     never: Sequence[str] = (),
 ) -> list[Finding]:
-    """Return the finding on stated numbers that the images do not test.
+    """Return the finding on stated numbers whose errors bias the fit but cannot be detected in the images.
 
-    `fit` is the information matrix with the estimated columns, `columns` are those of the terms of `waves` among
-    them; `never` lists numbers that no image tests.
+    `fit` is the information matrix and the indices of its estimated columns. `columns` are the positions of the terms
+    of `waves` among these, and `never` lists numbers that no image can test.
     """
     names = [label(name) for name in waves.terms]
-    scale = _ONE * float(pupil.f_number or 1.0)
+    scale = _STATED_ERROR * float(pupil.f_number or 1.0)
     f_number = [replace(one, scale=scale) for one in candidates if one.name == "f_number"]
     effects = untested(*fit, dict(zip(names, columns, strict=True)), f_number, tests)
     if np.ptp(known) == 0.0 != known[0] and (2, 0) in waves.edge:
-        # A single focus measures only the sum of the known defocus and the estimated one.
-        shares = waves.directions[:, waves.edge.index((2, 0))] / np.abs(waves.directions).sum(axis=1)
-        j = int(shares.argmax())
-        by = _ONE * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
-        effects["known defocus"] = names[j], float(by)
-    return untested_findings(effects, dict.fromkeys(effects, f"{100.0 * _ONE:g} % of it"), never=never)
+        # Images at a single focus determine only the sum of the known defocus and the estimated one.
+        defocus_part = waves.directions[:, waves.edge.index((2, 0))] / np.abs(waves.directions).sum(axis=1)
+        j = int(defocus_part.argmax())
+        bias = _STATED_ERROR * abs(float(known[0])) / waves.directions[j, waves.edge.index((2, 0))]
+        effects["known defocus"] = names[j], float(bias)
+    return untested_findings(effects, dict.fromkeys(effects, f"{100.0 * _STATED_ERROR:g} % of it"), never=never)
 
 
 def missing_findings(tests: Sequence[ScoreTest]) -> list[Finding]:
-    """Return the finding on missing effects that the images favour."""
+    """Return the finding on missing effects that the images significantly favour."""
     likely = seen(tests)
     return [other_explanation(likely, [_in_words(test) for test in likely])] if likely else []
 
@@ -301,14 +316,15 @@ def _in_words(test: ScoreTest) -> str:
     sigmas = f"({abs(test.sigmas):.2g} sigma)"
     if len(test.size) > (2 if test.name in _WORDS else 1):
         return f"{name} {sigmas}"
-    each = zip(test.size, test.errors, strict=True)
-    return f"{name} = {', '.join(' +- '.join(with_error(*one)) for one in each)}{unit} {sigmas}"
+    pairs = zip(test.size, test.errors, strict=True)
+    return f"{name} = {', '.join(' +- '.join(with_error(*pair)) for pair in pairs)}{unit} {sigmas}"
 
 
 def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marginal, list[Finding]]:
-    """Return score tests of effects missing from the model of one star at the estimate `x` (1, p), likeliest first.
+    """Return score tests of effects that the model of one star lacks, in the order of falling Bayes factors.
 
-    Also return the shared parameters marginalized over undetected effects, and findings on effects not tested.
+    The tests are at the estimate `x` (1, p). Also return corrections of the shared parameters, marginalized over
+    effects that the model lacks, and findings on effects that were not tested.
     """
     pupil, unknowns, plan = model.pupils(x[0]), model.unknowns, model.plan
     light = model.per_image(x)[0]
@@ -317,10 +333,10 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     terms, ripples = next_terms(unknowns.edge, ()), ripple_terms(unknowns.edge)
     constants = constants_to_test(pupil, known, unknowns.pupil)
     values, slopes = model.images(x)
-    _, further = model.images(x, fast=True, by=(*terms, *constants, *ripples))
-    by = [flux * slope.values for slope in further]
-    effects = [*missing_terms(terms, constants, by[: len(by) - len(ripples)], pupil, known)]
-    effects += missing_ripples(ripples, by[len(by) - len(ripples) :])
+    _, lacking = model.images(x, fast=True, by=(*terms, *constants, *ripples))
+    derivatives = [flux * slope.values for slope in lacking]
+    effects = [*missing_terms(terms, constants, derivatives[: len(lacking) - len(ripples)], pupil, known)]
+    effects += missing_ripples(ripples, derivatives[len(lacking) - len(ripples) :])
     effects += missing_drifts(unknowns.edge, (flux * slope.values for slope in slopes), model.count)
     changes, edge = changes_of(model.pupil), pupil.wavefront.edge_terms()
     if changes:
@@ -336,13 +352,14 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
     notes = []
     try:
         samples = np.asarray(fine(pupil).values, np.float32)
-    except (Declined, ToleranceError) as error:  # the lattice of the blur is finer than that of the pixels
+    except (Declined, ToleranceError) as error:  # blur needs finer samples than pixels do, which may not be possible
         notes.append(Finding("untested", "note", f"blur was not tested: {error}"))
     else:
         blurs = reader.other_blurs(samples, np.empty((1, 0)))
         effects += missing_blurs({name: flux * image for name, image in blurs.items()}, 1, gaussian=True)
     mean = flux * values + light[-1][:, None, None]
     effects += [missing_gradients(model.count, grid.shape, model.count), missing_nonlinearity(mean)]
+    # Products of all derivatives and the residuals: the information matrix, and in the last column the slope.
     _, products = model.products(x, values, slopes, [image for one in effects for image in one.images])
     matrix = products[0]
     candidates, scores = candidates_of(effects, model.size), (matrix[:-1, :-1], matrix[:-1, -1], range(model.size))
@@ -356,14 +373,14 @@ def star_tests(model: StarImages, x: Array) -> tuple[tuple[ScoreTest, ...], Marg
 def error_findings(model: StarImages, x: Array, inverse: Array) -> list[Finding]:
     """Return findings on standard errors that are not valid at the estimate `x`."""
     error, axes = uncertainty(model, inverse)
-    if error > _CERTAIN:
+    if error > _MAX_PHASE_ERROR:
         text = (
-            f"the standard errors are not to be trusted: together they amount to {error:.2g} rad rms of phase in an "
-            "image, and other wavefronts may fit equally well"
+            f"the standard errors are not to be trusted: the phase of an image has an error of {error:.2g} rad "
+            "rms, and other wavefronts may fit equally well"
         )
-        return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _CERTAIN})]
+        return [Finding("too_dim", "doubt", text, {"rms": error, "limit": _MAX_PHASE_ERROR})]
     factors = changes(model, x, inverse, axes)
-    worst = [k for k in np.argsort(-factors) if factors[k] > _STEADY]
+    worst = [k for k in np.argsort(-factors) if factors[k] > _MAX_ERROR_CHANGE]
     if not worst:
         return []
     names = ", ".join(label(model.names[k]) for k in worst[:3])

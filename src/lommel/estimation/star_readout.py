@@ -1,15 +1,16 @@
-r"""Pixel values of stars from samples of their PSFs, with pixel area and blur, and derivatives by blur widths.
+r"""Pixel values of star images from samples of their PSFs, with pixel area and blur, and derivatives by blur widths.
 
-The intensity is band-limited to frequency 1 / (lambda*N). From samples with spacing h < 1/2 (lambda*N) images are
+Lengths are in units of lambda*N, frequencies in cycles per lambda*N. The intensity of a PSF has no frequencies above
+1. From samples with a spacing h < 1/2, the image along one axis is
 
 .. math:: I_i = p \sum_j k(x_i - h j)\, s_j, \qquad
           k(x) = \int T(f)\, \mathrm{sinc}(p f)\, e^{-2 \pi^2 \sigma^2 f^2} \cos(2 \pi f x)\, df
 
-along rows and along columns. ``x_i`` are pixel centres, p is the pixel pitch, sigma the rms width of a Gaussian blur
-and ``s_j`` the fractions of light per sample. The low-pass filter T is 1 up to frequency F and falls to 0 at
-``1/h - 1``, where aliases begin. F is 1, or smaller if pixels and blur suppress higher frequencies: with wide blur h
-may be nearly 1. Pixel size and blur width are not limited, because blur is applied before sampling by pixels. Other
-blur shapes are mixtures of Gaussians, whose images are summed.
+where ``x_i`` are pixel centres, p is the pixel pitch, sigma the rms width of a Gaussian blur and ``s_j`` the
+fractions of light per sample. The low-pass filter T is 1 up to the frequency F and falls to 0 at ``1/h - 1``, where
+aliases begin. F is 1, or smaller if pixels and blur suppress higher frequencies; with a wide blur h may be nearly 1.
+Pixel size and blur width are not limited, because blur is applied before sampling by pixels. Other blur shapes are
+mixtures of Gaussians, whose images are summed. In this file, r stars in e exposures have r * e images.
 """
 
 from __future__ import annotations
@@ -25,27 +26,28 @@ from lommel.base.arrays import Array, Values
 from lommel.blur.mixtures import Shape
 from lommel.special.legendre import gauss_legendre
 
-_TAPER = 1.0 / 0.45 - 1.0  # frequency at which T reaches 0, over F: without blur h is 0.45 lambda*N
+_TAPER = 1.0 / 0.45 - 1.0  # (frequency at which T reaches 0) / F: without blur h is 0.45 lambda*N
 _FAINT = 1e-6  # largest transfer function of pixels and blur above F
 _BANDS = np.linspace(0.02, 1.0, 50)  # candidates for F
 ROOM = 0.5  # increase of the blur width, pixels, up to which the sample lattice is kept
-_MARGIN = 3.0  # samples beyond the outer pixels, lambda*N
-_WIDTHS = 3.7  # further samples beyond the outer pixels, standard deviations of the blur
+_MARGIN = 3.0  # lambda*N by which the samples extend beyond the outer pixels
+_WIDTHS = 3.7  # standard deviations of the blur by which the samples extend farther
 _SINGLE_THREAD = 2**18  # multiplications up to which BLAS uses a single thread
-_BATCH = 6  # images computed together, so that their samples stay in the cache
-_WIDER = (3.0, 15.0)  # additional variance of wings and halo, over the mean variance of the blur
-_MIN_VARIANCE = 0.05  # pixels^2 added to variances of the blur in that mean
+_BATCH = 6  # number of images computed together, so that their samples stay in the cache
+# Additional variances of wings and halo, divided by the geometric mean variance of the blur.
+_WIDER = (3.0, 15.0)
+_MIN_VARIANCE = 0.05  # pixels^2: added to the variances of the blur before that mean
 OTHER_BLURS = ("Gaussian", "along rows", "oblique", "wings", "halo")
-"""Additional blurs, which are not part of the shape, by which derivatives are available."""
-_ERF_ARGUMENT = 2.2  # argument of the error function at either end of the taper of T
+"""Blurs in addition to that of the model, with respect to which derivatives of images are available."""
+_ERF_ARGUMENT = 2.2  # argument of the error function at the ends of T's fall from 1 to 0
 
 
 class StarReadout:
     """Linear map from samples on a lattice around the axis to the pixels of a window, with pixel area and blur.
 
-    `pixel` is the pixel pitch (lambda*N), `widest` the largest blur width (pixels), and `narrowest` the smallest
-    variances of the Gaussians of the blur (pixels^2), by default 0. Without `integrate` pixels are points. The sample
-    spacing is `step` (lambda*N).
+    `pixel` is the pixel pitch (lambda*N) and `widest` the largest blur width (pixels). `narrowest` are the smallest
+    variances of the Gaussians of the blur (pixels^2), by default 0. If `integrate` is False, pixels are
+    point-sampled. The attribute `step` is the sample spacing (lambda*N).
     """
 
     def __init__(
@@ -72,7 +74,8 @@ class StarReadout:
         ]
         self.shape = (2 * halves[0] + 1, 2 * halves[1] + 1)
         length = self.step * max(halves)
-        # Gauss rules resolve cos(w t), abs(t) <= 1, from w / 2 nodes on: w of the fastest cosine, and 30 nodes more.
+        # A Gauss rule resolves cos(w t), abs(t) <= 1, with w / 2 nodes and a few more: w of the fastest cosine, and
+        # 30.
         nodes, weights = gauss_legendre(math.ceil(0.5 * math.pi * edge * (2.0 * length)) + 30)
         self._f: Array = edge * nodes
         middle = 0.5 * (band + edge)
@@ -80,14 +83,17 @@ class StarReadout:
         area = np.sinc(pixel * self._f) if integrate else 1.0
         self._weights = 2.0 * pixel * edge * weights * taper * area
         self._window = window
-        #: Rows, then columns: cosines (and sines) at pixels and samples, from the axis on, (positions, frequencies).
+        #: For rows, then columns: pairs (pixels, samples) of cosines and of sines, shape (positions, frequencies).
         self._sides = [
             list(zip(self._waves(pixel, side // 2), self._waves(self.step, half), strict=True))
             for side, half in zip(window, halves, strict=True)
         ]
 
     def serves(self, width: float, variances: Array) -> bool:
-        """Return whether the samples suffice for a blur width (pixels) and variances of its Gaussians (c,)."""
+        """Return whether the samples suffice for a blur of this width (pixels), whose Gaussians have these variances.
+
+        Samples for much wider blurs are not used either, because there are more of them than necessary.
+        """
         in_range = self.widest - 2.0 * ROOM <= width <= self.widest
         return in_range and bool((variances >= self.narrowest).all())
 
@@ -105,12 +111,12 @@ class StarReadout:
         return np.cos(angle), np.sin(angle)
 
     def _matrices(self, variances: Array, *, slopes: bool) -> Iterator[list[list[Values]]]:
-        """Yield matrices [rows, columns][even, odd part] (r, pixels, samples) for variances (r,), then their slopes.
+        """Yield matrices [rows, columns][even, odd part] (r, pixels, samples) for variances (r,).
 
-        The kernel k is even, so that even and odd parts of images need only samples and pixels on one side of the
-        axis.
+        If `slopes`, also yield their derivatives by the variance. The kernel k is even: the even and odd parts of an
+        image are computed from samples and pixels on one side of the axis.
         """
-        # d/ds exp(-2 pi^2 s p^2 f^2), s the variance in pixels^2.
+        # The derivative of exp(rate s) by the variance s (pixels^2) is rate exp(rate s).
         rate = -2.0 * (math.pi * self.pixel * self._f) ** 2
         blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
         for weights in (blurred, blurred * rate) if slopes else (blurred,):
@@ -122,26 +128,31 @@ class StarReadout:
     def read(self, samples: Sequence[Values], squares: Array, *, slopes: bool) -> list[Values]:
         """Return images (r * e, height, width) from samples of PSFs and of their derivatives.
 
-        `squares` (r, e, b) are squared blur widths; with `slopes` derivatives by these follow.
+        `squares` (r, e, b) are squared blur widths. If `slopes`, the derivatives of the first images by these follow.
         """
-        one = bool((squares == squares[:1]).all())
-        variances = self.blur.variances(squares[:1] if one else squares).reshape(-1, len(self.blur.weights))
-        apart, count = len(variances), len(samples[0])  # the blurs repeat after `apart` images
-        more = self.blur.unknown if slopes else 0
-        matrices = [list(self._matrices(variance, slopes=more > 0)) for variance in variances.T]
-        images = np.empty((len(samples) + more, count, *self._window), np.float32)
-        step = _BATCH if apart == count else apart * max(1, _BATCH // apart)
+        equal_stars = bool((squares == squares[:1]).all())
+        variances = self.blur.variances(squares[:1] if equal_stars else squares).reshape(-1, len(self.blur.weights))
+        period, count = len(variances), len(samples[0])  # the blurs repeat after `period` images
+        derivatives = self.blur.unknown if slopes else 0
+        matrices = [list(self._matrices(variance, slopes=derivatives > 0)) for variance in variances.T]
+        images = np.empty((len(samples) + derivatives, count, *self._window), np.float32)
+        step = _BATCH if period == count else period * max(1, _BATCH // period)
         for at in (slice(first, first + step) for first in range(0, count, step)):
-            own = at if apart == count else slice(None)
-            batch = [[[[each[own] for each in side] for side in sides] for sides in one] for one in matrices]
-            here = np.stack([each[at] for each in samples]).astype(np.float32, copy=False)
-            images[:, at] = self._read(here, batch, more)
+            own = at if period == count else slice(None)
+            batch = [
+                [[[part[own] for part in side] for side in sides] for sides in gaussian] for gaussian in matrices
+            ]
+            batch_samples = np.stack([values[at] for values in samples]).astype(np.float32, copy=False)
+            images[:, at] = self._read(batch_samples, batch, derivatives)
         return list(images)
 
-    def _read(self, samples: Values, matrices: list[list[list[list[Values]]]], more: int) -> Values:
-        """Return images from samples (n, r, h, w) and `more` derivatives, with the matrices of each Gaussian."""
+    def _read(self, samples: Values, matrices: list[list[list[list[Values]]]], derivatives: int) -> Values:
+        """Return images from samples (n, r, h, w), and then `derivatives` of the first image by squared blur widths.
+
+        `matrices` has the matrices of each Gaussian of the mixture.
+        """
         parts = _folded(samples.reshape(len(samples), -1, len(matrices[0][0][0][0]), *self.shape))
-        size = len(samples) + more, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
+        size = len(samples) + derivatives, *parts[0][0].shape[1:3], *(side // 2 + 1 for side in self._window)
         images = [[np.zeros(size, np.float32) for _ in range(2)] for _ in range(2)]
         mixture = zip(self.blur.weights, self.blur.rates, matrices, strict=True)
         for weight, rates, ((down, across), *changes) in mixture:
@@ -159,8 +170,8 @@ class StarReadout:
         """Return derivatives (r * e, height, width) of images by the parameters of OTHER_BLURS.
 
         "Gaussian": additional variance (pixels^2). "along rows" and "oblique": half the difference between the
-        variances along rows and columns, and their covariance (pixels^2). "wings" and "halo": share of light in a
-        wider blur. `squares` (e, b) are the squared blur widths of the images.
+        variances along rows and columns, and the covariance (pixels^2). "wings" and "halo": fraction of light in a
+        wider blur. `squares` (e, b) are the squared blur widths of the images of each exposure.
         """
         sides = [
             [2.0 * math.pi * pitch * np.multiply.outer(np.arange(n) - n // 2, self._f) for pitch, n in side]
@@ -168,15 +179,15 @@ class StarReadout:
                 ((self.pixel, n) for n in self._window), ((self.step, n) for n in self.shape), strict=True
             )
         ]
-        apart, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
+        exposures, rate = len(squares), -2.0 * (math.pi * self.pixel * self._f) ** 2
 
         def kernels(weights: Array, *, odd: bool = False) -> list[Array]:
-            """Return the kernel k of rows and columns (c, pixels, samples); `odd`: with sines instead of cosines."""
-            one, other, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
+            """Return the kernel k of rows and columns (c, pixels, samples); if `odd`, the integral with sines."""
+            first, second, sign = (np.sin, np.cos, -1.0) if odd else (np.cos, np.sin, 1.0)
             return [
                 np.asarray(
-                    products(np.cos(x) * weights[:, None], one(y))
-                    + sign * products(np.sin(x) * weights[:, None], other(y)),
+                    products(np.cos(x) * weights[:, None], first(y))
+                    + sign * products(np.sin(x) * weights[:, None], second(y)),
                     np.float32,
                 )
                 for x, y in sides
@@ -186,29 +197,30 @@ class StarReadout:
         for k, variances in enumerate(self.blur.variances(squares)):
             middle = math.exp(float(self.blur.weights @ np.log(variances + _MIN_VARIANCE)))
             blurred = self._weights * np.exp(np.multiply.outer(variances, rate))
-            plain, slope = kernels(blurred), kernels(blurred * rate)
+            kernel, slope = kernels(blurred), kernels(blurred * rate)
+            # The derivative by the covariance is a product of first derivatives, which are odd.
             odd = kernels(2.0 * math.pi * self.pixel * self._f * blurred, odd=True)
             image, along, across, oblique = (
-                self._mixed(samples[k::apart], rows, columns)
-                for rows, columns in (plain, (slope[0], plain[1]), (plain[0], slope[1]), odd)
+                self._mixed(samples[k::exposures], rows, columns)
+                for rows, columns in (kernel, (slope[0], kernel[1]), (kernel[0], slope[1]), odd)
             )
             changes = [along + across, along - across, oblique]
             for times in _WIDER:
                 wide = self._weights * np.exp(np.multiply.outer(variances + times * middle, rate))
-                changes.append(self._mixed(samples[k::apart], *kernels(wide)) - image)
-            for out, each in zip(derivatives.values(), changes, strict=True):
-                out[k::apart] = each
+                changes.append(self._mixed(samples[k::exposures], *kernels(wide)) - image)
+            for out, change in zip(derivatives.values(), changes, strict=True):
+                out[k::exposures] = change
         return derivatives
 
     def _mixed(self, samples: Values, rows: Array, columns: Array) -> Values:
-        """Return images blurred by the mixture of Gaussians, given the matrices of rows and columns of each."""
-        each = zip(self.blur.weights, rows, columns, strict=True)
-        parts = [np.float32(weight) * _down(products(samples, across), down) for weight, down, across in each]
+        """Return images blurred by the mixture of Gaussians; `rows` and `columns` have a matrix for each Gaussian."""
+        mixture = zip(self.blur.weights, rows, columns, strict=True)
+        parts = [np.float32(weight) * _down(products(samples, across), down) for weight, down, across in mixture]
         return np.asarray(sum(parts))
 
 
 def _folded(images: Values) -> list[list[Values]]:
-    """Return even and odd parts of images, [parity along y][parity along x], from the axis on."""
+    """Return even and odd parts of images, [parity along y][parity along x], for positions >= 0."""
     parts = [images]
     for _ in range(2):
         parts = [part for each in parts for part in _halves(each.swapaxes(-1, -2))]
@@ -216,36 +228,36 @@ def _folded(images: Values) -> list[list[Values]]:
 
 
 def _halves(images: Values) -> tuple[Values, Values]:
-    """Return sums and differences of the two halves along the last axis; the central sample counts once."""
+    """Return sums and differences of samples and their mirror images along the last axis; the central one once."""
     middle = images.shape[-1] // 2
-    beyond, before = images[..., middle:], images[..., middle::-1]
-    even = beyond + before
+    after, before = images[..., middle:], images[..., middle::-1]
+    even = after + before
     even[..., 0] *= 0.5
-    return even, beyond - before
+    return even, after - before
 
 
 def unfolded(parts: list[list[Values]], window: tuple[int, int]) -> Values:
     """Return images (..., height, width) from their even and odd parts."""
-    (even, right), (down, both) = parts
-    found = np.empty((*even.shape[:-2], *window), np.float32)
+    (even, odd_x), (odd_y, odd_both) = parts
+    images = np.empty((*even.shape[:-2], *window), np.float32)
     (y, x), (height, width) = (side // 2 for side in window), window
-    for sign, rows, below in ((1.0, slice(y, None), height - y), (-1.0, slice(y, None, -1), y + 1)):
-        one, other = even + sign * down, right + sign * both
-        found[..., rows, x:] = (one + other)[..., :below, : width - x]
-        found[..., rows, x::-1] = (one - other)[..., :below, : x + 1]
-    return found
+    for sign, rows, count in ((1.0, slice(y, None), height - y), (-1.0, slice(y, None, -1), y + 1)):
+        even_part, odd_part = even + sign * odd_y, odd_x + sign * odd_both
+        images[..., rows, x:] = (even_part + odd_part)[..., :count, : width - x]
+        images[..., rows, x::-1] = (even_part - odd_part)[..., :count, : x + 1]
+    return images
 
 
 def products(images: Values, matrix: Array) -> Values:
-    """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n), or several (..., m, n)."""
+    """Return products (..., h, m) of the rows of images (..., h, n) with a matrix (m, n) or matrices (..., m, n)."""
     # Blocks of rows are small enough for one thread of BLAS; several threads would mostly wait for each other.
     transposed, rows = matrix.swapaxes(-1, -2).astype(images.dtype, copy=False), images.shape[-2]
-    many = max(1, _SINGLE_THREAD // max(transposed.shape[-2] * transposed.shape[-1], 1))
-    if many >= rows:
+    block = max(1, _SINGLE_THREAD // max(transposed.shape[-2] * transposed.shape[-1], 1))
+    if block >= rows:
         return np.asarray(images @ transposed)
-    return np.concatenate([images[..., k : k + many, :] @ transposed for k in range(0, rows, many)], axis=-2)
+    return np.concatenate([images[..., k : k + block, :] @ transposed for k in range(0, rows, block)], axis=-2)
 
 
 def _down(images: Values, matrix: Array) -> Values:
-    """Return products of the columns of images (..., n, width) with a matrix (m, n), or several."""
+    """Return products (..., m, width) of the columns of images (..., n, width) with a matrix (m, n) or matrices."""
     return products(images.swapaxes(-1, -2), matrix).swapaxes(-1, -2)

@@ -1,10 +1,13 @@
-"""Score tests (Rao): what a model does not have, and how likely the data make it.
+"""Score tests (Rao): effects that a model lacks, and the Bayes factors by which the data favour them.
 
-Of unknowns t and a candidate c, with information I and slope U of the log-likelihood at the answer, the part of the
-candidate that no unknown takes up is ``S = I_cc - I_ct I_tt^-1 I_tc``, ``V = U_c - I_ct I_tt^-1 U_t``. The candidate
-has then the size ``S^-1 V`` with the covariance ``S^-1`` (C. R. Rao, doi:10.1017/S0305004100023987), and the Bayes
-factor for a size of N(0, tau^2) against N(0, sigma^2), sigma being what is known of it beforehand, is that of these
-two normal distributions widened by the covariance: a candidate that could be anything pays for it.
+A candidate is an effect with coefficients c that the model lacks, or one of its parameters with a prior. I is the
+Fisher information and U the gradient of the log-likelihood at the estimate. Elimination of the estimated parameters t
+gives ``S = I_cc - I_ct I_tt^-1 I_tc`` and ``V = U_c - I_ct I_tt^-1 U_t``. The estimate of c is ``S^-1 V``, with the
+covariance ``S^-1`` (C. R. Rao, doi:10.1017/S0305004100023987).
+
+The Bayes factor compares two priors of c: N(0, tau^2) if the effect is present, and N(0, sigma^2) in the model, where
+sigma is 0 for effects that the model lacks. It is the ratio of the densities of ``S^-1 V`` under N(0, tau^2 + S^-1)
+and N(0, sigma^2 + S^-1). A wider prior tau lowers the density, and so the Bayes factor of weak effects.
 """
 
 from __future__ import annotations
@@ -22,19 +25,20 @@ from lommel.base.units import with_error
 from lommel.fit.findings import Finding
 from lommel.fit.scoring import covariance
 
-SEEN = 3.0  # log of the Bayes factor of a seen candidate, besides that of the number of candidates
-RIVAL = 5.0  # difference of logs of Bayes factors within which candidates explain the data as well
-_EXPLAINED = 0.5  # of chi2's excess over its expectation
-_BLIND = 1e-9  # of the information of a candidate: less is rounding
+SEEN = 3.0  # a candidate is significant if the log of its Bayes factor exceeds SEEN + ln(number of candidates)
+RIVAL = 5.0  # largest difference of log Bayes factors between candidates that explain the data equally well
+_EXPLAINED = 0.5  # fraction of (chi2 - 1) above which a candidate explains a misfit
+_MIN_INFORMATION = 1e-9  # least eigenvalue of S, relative to the diagonal of I, that is not due to rounding
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """What a model may lack.
+    """An effect that a model may lack, or an estimated parameter whose prior may be too narrow.
 
-    `columns` are its places in information and slope, `scale` the size (tau) that it may have. Of an unknown with a
-    prior, `known` is the standard deviation of that prior, which information and slope hold, and `offset` how far the
-    answer is from its middle, of each column.
+    `columns` are the indices of its coefficients in the information matrix, and `scale` is their prior standard
+    deviation tau. For an estimated parameter, `known` is the standard deviation sigma of the prior that the
+    information matrix and the slope include, and `offset` is the estimate minus the mean of this prior, for each
+    column.
     """
 
     name: str
@@ -44,12 +48,12 @@ class Candidate:
     offset: float | Array = 0.0
 
     def widened(self, information: Array, slope: Array) -> tuple[Array, Array]:
-        """Return information and slope with a prior of the standard deviation `scale` in place of the known one."""
-        at, less = list(self.columns), self.known**-2 - self.scale**-2
+        """Return information and slope after the prior's standard deviation changes from `known` to `scale`."""
+        at, difference = list(self.columns), self.known**-2 - self.scale**-2
         information, slope = information.copy(), slope.copy()
-        # Information on an unknown with a prior holds 1 / known^2.
-        information[at, at] -= less
-        slope[at] += less * np.asarray(self.offset)
+        # The information on a parameter with a prior includes 1 / known^2.
+        information[at, at] -= difference
+        slope[at] += difference * np.asarray(self.offset)
         return information, slope
 
 
@@ -60,11 +64,12 @@ class ScoreTest:
     Attributes
     ----------
     name : str
-        Of the candidate.
+        Name of the candidate.
     size, errors : ndarray, shape (q,)
-        What the data alone want, one step of Fisher scoring from the answer, and the standard errors.
+        Estimates of the q coefficients from the data alone (one step of Fisher scoring), and their standard errors.
     sigmas : float
-        Distance from what was stated, in standard deviations of both; of several columns of that chance.
+        Distance of `size` from the mean of the prior, in standard deviations of data and prior together. For q > 1,
+        the distance that is equally improbable for one normal variable.
     log_bayes : float
         Natural logarithm of the Bayes factor for the candidate.
     """
@@ -76,7 +81,7 @@ class ScoreTest:
     log_bayes: float
 
     def __str__(self) -> str:
-        """Return such as "sample: 0.057 +- 0.004 (14 sigma, ln B 95)"."""
+        """Return the result as text, for example "sample: 0.057 +- 0.004 (14 sigma, ln B 95)"."""
         each = ", ".join(" +- ".join(pair) for pair in map(with_error, self.size, self.errors))
         return f"{self.name}: {each} ({abs(self.sigmas):.2g} sigma, ln B {self.log_bayes:.3g})"
 
@@ -84,44 +89,46 @@ class ScoreTest:
 def score_tests(
     information: Array, slope: Array, unknowns: Sequence[int], candidates: Sequence[Candidate]
 ) -> tuple[ScoreTest, ...]:
-    """Return the tests of candidates, the most likely first; those of which the data say nothing are left out.
+    """Return the tests of candidates, in the order of falling Bayes factors.
 
-    `information` (p, p) and `slope` (p,) are of the log-likelihood at its maximum, with priors; `unknowns` are the
-    columns that the fit estimates.
+    Candidates that the data do not determine are left out. `information` (p, p) and `slope` (p,) are the Fisher
+    information and the gradient of the log-likelihood at its maximum, including priors; `unknowns` are the columns
+    that the fit estimates.
     """
-    found = []
-    free = [one for one in candidates if not {*one.columns} & {*unknowns}]
-    together = [j for one in free for j in one.columns]
+    tests = []
+    not_estimated = [one for one in candidates if not {*one.columns} & {*unknowns}]
+    their_columns = [j for one in not_estimated for j in one.columns]
     # All candidates that are not estimated share one elimination.
-    squares, slopes = _eliminated(information, slope, unknowns, together)
+    squares, slopes = _eliminated(information, slope, unknowns, their_columns)
     first = 0
     for one in candidates:
-        at, scale = list(one.columns), np.maximum(np.diag(information)[list(one.columns)], 1e-300)
-        if one in free:  # what is not estimated is beside the same unknowns
+        at, diagonal = list(one.columns), np.maximum(np.diag(information)[list(one.columns)], 1e-300)
+        if one in not_estimated:
             own = slice(first, first + len(at))
             square, pull = squares[own, own], slopes[own]
             first += len(at)
         else:
             square, pull = _eliminated(information, slope, [j for j in unknowns if j not in at], at)
-        if one.known:  # what the prior says is not what the data say
+        if one.known:  # subtract the prior: the test is of the data alone
             square = square - np.eye(len(at)) / one.known**2
             pull = pull + one.offset / one.known**2
-        # Of columns that the data do not tell apart, as of one star how blur varies over the field, rounding is left.
-        if np.linalg.eigvalsh(square / np.sqrt(np.outer(scale, scale)))[0] <= _BLIND:
+        # The data do not determine, for example, the variation of blur over the field from one star: S is then
+        # rounding.
+        if np.linalg.eigvalsh(square / np.sqrt(np.outer(diagonal, diagonal)))[0] <= _MIN_INFORMATION:
             continue
-        spread = np.asarray(np.linalg.inv(square))
-        size = spread @ pull + one.offset
-        # Prior and data are independent: variances add.
-        near = spread + np.eye(len(at)) * one.known**2
-        away = float(size @ np.linalg.solve(near, size))
-        sigmas = math.copysign(math.sqrt(away), size[0]) if len(at) == 1 else sigmas_of(away, len(at))
-        evidence = log_bayes_factor(size, spread, one.known, one.scale)
-        found.append(ScoreTest(one.name, size, np.sqrt(np.diag(spread)), sigmas, evidence))
-    return tuple(sorted(found, key=lambda test: -test.log_bayes))
+        variance = np.asarray(np.linalg.inv(square))
+        size = variance @ pull + one.offset
+        # Prior and data are independent: their variances add.
+        total_variance = variance + np.eye(len(at)) * one.known**2
+        distance2 = float(size @ np.linalg.solve(total_variance, size))
+        sigmas = math.copysign(math.sqrt(distance2), size[0]) if len(at) == 1 else sigmas_of(distance2, len(at))
+        log_bayes = log_bayes_factor(size, variance, one.known, one.scale)
+        tests.append(ScoreTest(one.name, size, np.sqrt(np.diag(variance)), sigmas, log_bayes))
+    return tuple(sorted(tests, key=lambda test: -test.log_bayes))
 
 
 class Marginal(NamedTuple):
-    """Steps of unknowns (u,) and their covariance (u, u), where what a model lacks is unknown within its scale."""
+    """Changes of u estimates (u,) and their covariance (u, u), marginalized over effects that the model lacks."""
 
     shift: Array
     covariance: Array
@@ -130,14 +137,16 @@ class Marginal(NamedTuple):
 def marginalized(
     information: Array, slope: Array, unknowns: Sequence[int], lacking: Sequence[Candidate], count: int
 ) -> Marginal:
-    """Return the steps and the covariance of the first `count` unknowns, which allow for what the model lacks."""
-    free = [*unknowns, *(column for one in lacking for column in one.columns)]
-    # A normal prior of mean 0 for what the model lacks.
-    known = [0.0] * len(unknowns) + [one.scale**-2 for one in lacking for _ in one.columns]
-    wide = covariance(information[np.ix_(free, free)] + np.diag(known))[:count]
-    determined = np.isfinite(np.diag(wide))
-    shift = np.where(determined, np.where(determined[:, None], wide, 0.0) @ slope[free], 0.0)
-    return Marginal(shift, wide[:, :count])
+    """Return changes and covariance of the first `count` unknowns, marginalized over the `lacking` effects.
+
+    Each of these effects has a normal prior of mean 0 and standard deviation `scale`.
+    """
+    columns = [*unknowns, *(column for one in lacking for column in one.columns)]
+    prior_information = [0.0] * len(unknowns) + [one.scale**-2 for one in lacking for _ in one.columns]
+    matrix = covariance(information[np.ix_(columns, columns)] + np.diag(prior_information))[:count]
+    determined = np.isfinite(np.diag(matrix))
+    shift = np.where(determined, np.where(determined[:, None], matrix, 0.0) @ slope[columns], 0.0)
+    return Marginal(shift, matrix[:, :count])
 
 
 def untested(
@@ -147,22 +156,23 @@ def untested(
     stated: Sequence[Candidate],
     tests: Sequence[ScoreTest],
 ) -> dict[str, tuple[str, float]]:
-    """Return the stated numbers that the data do not test within their scales.
+    """Return the `stated` numbers that the data do not test: an error of `scale` biases a fit but cannot be detected.
 
-    For each of these the unknown that such an error changes most, and by how much. `shown` has the places of unknowns
-    among `unknowns`; changes below a standard error are left out.
+    The value for each number is the estimate with the largest bias relative to its standard error, and this bias.
+    Numbers are left out if no bias exceeds the standard error. `shown` maps the names of estimates that may be
+    reported to their indices in `unknowns`.
     """
-    rest, found = list(unknowns), {}
-    square = information[np.ix_(rest, rest)]
+    estimated, found = list(unknowns), {}
+    square = information[np.ix_(estimated, estimated)]
     errors = np.sqrt(np.diag(covariance(square)))
     for one in stated:
         error = next((float(test.errors[0]) for test in tests if test.name == one.name), math.inf)
         if error <= one.scale or not shown:
             continue
-        changes = np.abs(one.scale * _solved(square, information[np.ix_(rest, one.columns)])[:, 0])
-        name = max(shown, key=lambda name: changes[shown[name]] / errors[shown[name]])
-        if changes[shown[name]] > errors[shown[name]]:
-            found[one.name] = name, float(changes[shown[name]])
+        bias = np.abs(one.scale * _solved(square, information[np.ix_(estimated, one.columns)])[:, 0])
+        name = max(shown, key=lambda name: bias[shown[name]] / errors[shown[name]])
+        if bias[shown[name]] > errors[shown[name]]:
+            found[one.name] = name, float(bias[shown[name]])
     return found
 
 
@@ -172,10 +182,10 @@ def untested_findings(
     priors: Sequence[str] = (),
     never: Sequence[str] = (),
 ) -> list[Finding]:
-    """Return the finding of stated numbers that the data do not test.
+    """Return the finding on stated numbers that the data do not test.
 
-    `changes` is by :func:`untested`, `sizes` are of its errors, in words; `priors` are unknowns of which these say
-    more than the data, and `never` what no data test.
+    `changes` is the result of :func:`untested`, and `sizes` describes the error of each number in words. `priors` are
+    parameters that their priors determine better than the data do; `never` are numbers that no data can test.
     """
     each = [f"{name} ({sizes[name]} changes {term} by {by:.2g} rad)" for name, (term, by) in changes.items()]
     if priors:
@@ -187,45 +197,45 @@ def untested_findings(
 
 
 def _eliminated(information: Array, slope: Array, unknowns: Sequence[int], at: Sequence[int]) -> tuple[Array, Array]:
-    """Return information and slope of columns with the unknowns eliminated (Schur's complement)."""
-    rest = list(unknowns)
-    mixed = information[np.ix_(rest, at)]
-    carried = _solved(information[np.ix_(rest, rest)], mixed)
-    return information[np.ix_(at, at)] - mixed.T @ carried, slope[list(at)] - carried.T @ slope[rest]
+    """Return S and V of the columns `at` after elimination of the `unknowns` (Schur complement)."""
+    t = list(unknowns)
+    mixed = information[np.ix_(t, at)]
+    solution = _solved(information[np.ix_(t, t)], mixed)
+    return information[np.ix_(at, at)] - mixed.T @ solution, slope[list(at)] - solution.T @ slope[t]
 
 
 def log_bayes_factor(size: Array, covariance: Array, known: float, scale: float) -> float:
-    """Return the log of the Bayes factor of a size (q,), N(0, scale^2) against N(0, known^2)."""
-    found = 0.0
-    # Twice minus the logarithm of a normal density, but for its constant: distance squared plus log determinant.
+    """Return the log Bayes factor of N(0, scale^2) against N(0, known^2), for estimates (q,) and their covariance."""
+    log_bayes = 0.0
+    # Without its constant, a normal log density is -(squared distance + log determinant) / 2.
     for width, sign in ((known, 0.5), (max(scale, known), -0.5)):
-        each = covariance + np.eye(len(size)) * width**2
-        found += sign * (float(size @ np.linalg.solve(each, size)) + float(np.linalg.slogdet(each)[1]))
-    return found
+        total = covariance + np.eye(len(size)) * width**2
+        log_bayes += sign * (float(size @ np.linalg.solve(total, size)) + float(np.linalg.slogdet(total)[1]))
+    return log_bayes
 
 
 def favoured(tests: Sequence[ScoreTest]) -> set[str]:
-    """Return the names of candidates with Bayes factors above 1, beyond chance or not."""
+    """Return the names of candidates with Bayes factors above 1, whether significant or not."""
     return {test.name for test in tests if test.log_bayes > 0.0}
 
 
 def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:
-    """Return the best candidate, if it is beyond chance, and its rivals."""
-    # The best of n candidates is larger by ln n by chance.
+    """Return the candidate of the largest Bayes factor, if significant, and those with factors near it (`RIVAL`)."""
+    # ln n corrects for n tests: the largest of n Bayes factors may be n times as large by chance.
     if not tests or tests[0].log_bayes <= SEEN + math.log(len(tests)):
         return ()
     return tuple(test for test in tests if test.log_bayes >= max(tests[0].log_bayes - RIVAL, 0.0))
 
 
 def causes_of_misfit(causes: str, chi2: float, spread: float, tests: Sequence[ScoreTest]) -> str:
-    """Return causes in words, or "" where what the data favour explains more than half of the excess of chi2."""
-    # The standard deviation of chi2 over n degrees of freedom is sqrt(2 / n): n = 2 / spread^2.
-    excess = (chi2 - 1.0) * 2.0 / max(spread, 1e-9) ** 2  # over all degrees of freedom
+    """Return `causes` of a misfit, or "" if a significant candidate explains more than half of chi2 - 1."""
+    # `chi2` is per degree of freedom. For n of them, its standard deviation is sqrt(2 / n): n = 2 / spread^2.
+    excess = (chi2 - 1.0) * 2.0 / max(spread, 1e-9) ** 2  # of the sum of squares
     return "" if any(test.sigmas**2 > _EXPLAINED * excess for test in seen(tests)) else causes
 
 
 def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Finding:
-    """Return the finding on seen candidates, each in words."""
+    """Return the finding on significant candidates (`rivals`); `words` describes each of them."""
     first, *others = words
     text = f"the data favour {first}"
     if others:
@@ -236,13 +246,16 @@ def other_explanation(rivals: Sequence[ScoreTest], words: Sequence[str]) -> Find
 
 
 def _solved(square: Array, right: Array) -> Array:
-    """Return the solution of equations scaled to a diagonal of 1."""
+    """Return the solution of linear equations, which are scaled to a diagonal of 1 to reduce rounding."""
     scale = 1.0 / np.sqrt(np.maximum(np.diag(square), 1e-300))
-    alike = square * np.outer(scale, scale) + 1e-12 * np.eye(len(scale))
-    return np.asarray(scale[:, None] * np.linalg.solve(alike, scale[:, None] * right))
+    scaled = square * np.outer(scale, scale) + 1e-12 * np.eye(len(scale))
+    return np.asarray(scale[:, None] * np.linalg.solve(scaled, scale[:, None] * right))
 
 
 def sigmas_of(square: float, count: int) -> float:
-    """Return the standard deviations that are as rare for one normal number as a sum of `count` squares is."""
-    chance = special.gammaincc(0.5 * count, 0.5 * square)
-    return float(-special.ndtri(0.5 * chance)) if chance > 1e-300 else math.sqrt(square)
+    """Return the deviation of a normal variable, in sigma, that is as improbable as a chi-squared of `square`.
+
+    The chi-squared distribution has `count` degrees of freedom.
+    """
+    probability = special.gammaincc(0.5 * count, 0.5 * square)
+    return float(-special.ndtri(0.5 * probability)) if probability > 1e-300 else math.sqrt(square)

@@ -120,7 +120,7 @@ def test_scatter_is_found_beside_noise():
 
 def test_a_wrong_place_is_rejected():
     found, given, ideal = simulate(np.random.default_rng(4), 0.02, wrong=True)
-    assert "1 places far off rejected" in found.message
+    assert "rejected 1 of " in found.message
     assert np.flatnonzero(np.isnan(found.residuals[:, 0, 0])).tolist() == [7]
     assert np.abs(np.delete(ideal_error(found, given, ideal), 7, axis=0)).max() < 0.5
 
@@ -140,10 +140,10 @@ def test_a_free_pose_leaves_no_magnification_over_the_sensor():
     ("change", "message"),
     [
         ({"ideal": np.zeros((4, 2))}, "ideal must be a row and a column for each of 16"),
-        ({"ideal": np.full((16, 2), np.nan)}, "at least 4 finite places, and NaN for those not known, got 0"),
+        ({"ideal": np.full((16, 2), np.nan)}, "at least 4 finite places, and NaN for unknown places, got 0"),
         ({"ideal": np.ones((16, 2))}, "not all on one line"),
-        ({"ideal": grid(4)[0][:, ::-1]}, "they may be in another order, mirrored"),
-        ({"ideal": grid(4)[0] + 900.0, "pose": "known"}, "ideal must be where the windows are but for distortion"),
+        ({"ideal": grid(4)[0][:, ::-1]}, "places may be in another order, mirrored"),
+        ({"ideal": grid(4)[0] + 900.0, "pose": "known"}, "ideal must be near the windows, got an rms distance"),
         ({"ideal": grid(4)[0], "pose": "found"}, "pose must be"),
         ({"distortion": 10}, "distortion must be from 0 to 9"),
     ],

@@ -1,4 +1,8 @@
-"""Distortion over the field: fitted places of targets beside those where an ideal lens has them."""
+"""Distortion over the field: fitted positions of targets minus their positions without distortion.
+
+A target is a star, pinhole or crossing of a checkerboard. A place is its row and column on the sensor; its ideal
+place is the place without distortion. The pose maps the places of a chart or catalogue to ideal places on the sensor.
+"""
 
 from __future__ import annotations
 
@@ -17,11 +21,13 @@ from lommel.fit import goodness_of_fit
 from lommel.fit.findings import Finding, Findings, FitReport
 
 POSES = ("free", "known")
-_FAR = 0.2  # of the spread of places: largest rms distortion
-_TURNS = 4  # alternations of polynomials and alignment
-_HALVINGS = 40  # of the bisection for the scatter
-_OUTLIER, _NEAREST = 10.0, 0.03  # times the median distance, or this distance in pixels: places beyond are rejected
-_MOST_OUTLIERS = 0.2  # of the places: more mean that the degree is too low
+_MAX_RELATIVE_RMS = 0.2  # largest (rms distortion) / (rms distance of places from their mean)
+_TURNS = 4  # number of alternating fits of polynomials and pose
+_HALVINGS = 40  # bisection steps for the scatter
+# A place is rejected if its distance from the polynomials exceeds _OUTLIER times the standard deviation of distances,
+# which is at least _MIN_DEVIATION pixels.
+_OUTLIER, _MIN_DEVIATION = 10.0, 0.03
+_MAX_OUTLIERS = 0.2  # fraction of outliers above which none is rejected
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
@@ -31,24 +37,26 @@ class Distortion(FitReport):
     Attributes
     ----------
     coefficients : ndarray, shape (2, m)
-        Displacement by rows and by columns, pixels, in products of Legendre polynomials of the ideal position.
+        Coefficients of the displacement along rows and columns of the image (row, column), pixels. The basis
+        functions are products of Legendre polynomials of the ideal position.
     covariance : ndarray, shape (2 * m, 2 * m)
-        Of the coefficients, row by row; wavefront, light and blur being nuisance parameters.
+        Covariance of the coefficients, row by row; wavefront, light and blur are nuisance parameters.
     degree : int
-        Of the polynomials.
+        Degree of the polynomials.
     pose : ndarray, shape (2, 3)
-        Ideal places (row, column) on the sensor are ``pose[:, :2] @ ideal + pose[:, 2]`` of the places given.
+        Ideal places (row, column) on the sensor are ``pose[:, :2] @ place + pose[:, 2]``, where `place` is from the
+        argument `ideal` of the fit.
     ideal : ndarray, shape (n, 2)
-        Row and column on the sensor of each target without distortion; NaN where not known.
+        Row and column on the sensor of each target without distortion; NaN if unknown.
     residuals : ndarray, shape (n, e, 2)
-        Fitted less predicted row and column of each image, pixels; NaN where the place or the star was not used.
+        Fitted minus predicted row and column of each image, pixels; NaN for targets that were not used.
     scatter : float
-        Standard deviation of places about the polynomials beside what noise explains, pixels by rows or by columns:
-        of the chart, of the catalogue, or of higher degrees. Standard errors include it.
+        Standard deviation of places about the polynomials in excess of noise, pixels along rows or columns. It is
+        caused by errors of the chart or catalogue, or by distortion of higher degrees. Standard errors include it.
     chi2 : float
-        Of the places per degree of freedom, with the noise of the images alone.
+        Chi2 of the places per degree of freedom, including only the noise of the images.
     findings : Findings
-        Scatter of places beside noise, and places that were rejected.
+        Scatter of places in excess of noise, and places that were rejected.
     summary : str
         Degree and number of places.
     """
@@ -69,12 +77,12 @@ class Distortion(FitReport):
         Parameters
         ----------
         x, y : array_like
-            From the axis, x along columns and y along rows, metres or lambda*N; they broadcast.
+            Ideal positions from the axis, x by columns and y by rows, metres or lambda*N; they broadcast.
 
         Returns
         -------
         displacement, errors : ndarray, shape ``(..., 2)``
-            By rows and by columns, pixels.
+            Displacement in row and column, and its standard errors, pixels.
 
         Raises
         ------
@@ -86,61 +94,68 @@ class Distortion(FitReport):
 
 
 def checked_ideal(ideal: ArrayLike, places: Array, *, free: bool) -> Array:
-    """Return ideal places (n, 2), NaN where unknown; ValueError unless they are those of the images, roughly."""
-    found = validation.number_array("ideal", ideal).astype(np.float64)
-    if found.shape != places.shape:
-        raise ValueError(f"ideal must be a row and a column for each of {len(places)} windows, got {found.shape}")
-    known = np.isfinite(found).all(axis=1)
-    if np.isinf(found).any() or known.sum() < 4:
-        raise ValueError(f"ideal must be at least 4 finite places, and NaN for those not known, got {known.sum()}")
-    if free and np.linalg.matrix_rank(found[known] - found[known].mean(axis=0)) < 2:
+    """Return the argument `ideal` as an array (n, 2), NaN where unknown; ValueError if it is far from `places`.
+
+    If `free`, the distance is that after the best shift, rotation and magnification.
+    """
+    array = validation.number_array("ideal", ideal).astype(np.float64)
+    if array.shape != places.shape:
+        raise ValueError(f"ideal must be a row and a column for each of {len(places)} windows, got {array.shape}")
+    known = np.isfinite(array).all(axis=1)
+    if np.isinf(array).any() or known.sum() < 4:
+        raise ValueError(f"ideal must have at least 4 finite places, and NaN for unknown places, got {known.sum()}")
+    if free and np.linalg.matrix_rank(array[known] - array[known].mean(axis=0)) < 2:
         raise ValueError("ideal must be places that are not all on one line")
-    at = _moved(_similarity(found[known], places[known]) if free else np.eye(2, 3), found[known])
-    off = float(np.sqrt(((at - places[known]) ** 2).sum(axis=1).mean()))
+    predicted = _transformed(_similarity(array[known], places[known]) if free else np.eye(2, 3), array[known])
+    rms = float(np.sqrt(((predicted - places[known]) ** 2).sum(axis=1).mean()))
     spread = float(np.sqrt(((places[known] - places[known].mean(axis=0)) ** 2).sum(axis=1).mean()))
-    if off > _FAR * spread:
-        how = "up to a shift, rotation and magnification " if free else ""
+    if rms > _MAX_RELATIVE_RMS * spread:
+        how = ", up to a shift, rotation and magnification" if free else ""
         raise ValueError(
-            f"ideal must be where the windows are {how}but for distortion, got {off:.3g} pixels apart in the rms: "
-            "they may be in another order, mirrored, or have rows and columns exchanged"
+            f"ideal must be near the windows{how}, got an rms distance of {rms:.3g} pixels: places may be in another "
+            "order, mirrored, or have rows and columns exchanged"
         )
-    return found
+    return array
 
 
 def _similarity(one: Array, other: Array) -> Array:
-    """Return the shift, rotation and magnification (2, 3) that bring places (n, 2) closest to others."""
+    """Return the pose (2, 3), a shift, rotation and magnification, that maps places (n, 2) closest to `other`."""
     a, b = one - one.mean(axis=0), other - other.mean(axis=0)
-    # Least squares for c and s in [[c, -s], [s, c]]: projections on the places and on them turned by 90 degrees.
-    turned = np.stack([-a[:, 1], a[:, 0]], axis=1)
-    size = (a * a).sum()
-    c, s = float((a * b).sum() / size), float((turned * b).sum() / size)
+    # Least squares for c and s in [[c, -s], [s, c]]: projections on a, and on a rotated by 90 degrees.
+    rotated = np.stack([-a[:, 1], a[:, 0]], axis=1)
+    square = (a * a).sum()
+    c, s = float((a * b).sum() / square), float((rotated * b).sum() / square)
     matrix = np.array([[c, -s], [s, c]])
     return np.column_stack([matrix, other.mean(axis=0) - matrix @ one.mean(axis=0)])
 
 
-def _moved(pose: Array, places: Array) -> Array:
+def _transformed(pose: Array, places: Array) -> Array:
     return np.asarray(places @ pose[:, :2].T + pose[:, 2])
 
 
-def _alignment(m: int, shape: tuple[int, int]) -> Array:
-    """Return an orthonormal basis (j, 2 * m) of shifts, rotation and magnification among polynomials of a sensor."""
+def _pose_basis(m: int, shape: tuple[int, int]) -> Array:
+    """Return an orthonormal basis (j, 2 * m) of the coefficients of shifts, rotation and magnification.
+
+    The coefficients are those of m polynomials by row and by column.
+    """
     rows = [np.eye(1, 2 * m, 0)[0], np.eye(1, 2 * m, m)[0]]
-    if m >= 3:  # 1, u, v: displacements by rows are half a height times v
-        # Relative coordinates are over the sides: equal magnification takes factors in proportion to these.
+    if m >= 3:  # the first three polynomials are 1, u and v
+        # u and v are from -1 to 1 across the sensor: coefficients are proportional to its width and height.
         down, across = np.asarray(shape) / math.hypot(*shape)
-        grown, turned = np.zeros((2, 2 * m))
-        grown[2], grown[m + 1] = down, across
-        turned[1], turned[m + 2] = across, -down
-        rows += [grown, turned]
+        magnification, rotation = np.zeros((2, 2 * m))
+        magnification[2], magnification[m + 1] = down, across
+        rotation[1], rotation[m + 2] = across, -down
+        rows += [magnification, rotation]
     return np.array(rows)
 
 
 @dataclass(frozen=True)
 class Places:
-    """Fitted places (r, e, 2), pixels, of r targets, and what is known of their errors.
+    """Fitted places of r targets in e exposures (r, e, 2), pixels, with their covariance.
 
-    `noise` (r, 2e, 2e) is the covariance, rows first, were the wavefront known; `mixed` (r, 2e, s) how places follow
-    the s shared parameters of a field, and `shared` (s, s) the information on these.
+    `noise` (r, 2e, 2e) is the covariance for given shared parameters of the field, such as the wavefront; the rows of
+    all exposures precede the columns. `mixed` (r, 2e, s) are derivatives of the places by the s shared parameters, and
+    `shared` (s, s) is the information matrix of these parameters.
     """
 
     fitted: Array
@@ -150,89 +165,97 @@ class Places:
 
 
 def places_of(blocks: Blocks, centers: Array, tilt_of_pixel: float) -> Places:
-    """Return the places of targets at `centers` (r, e, 2) on the sensor, from the information of a field fit."""
+    """Return places from `centers` (r, e, 2) on the sensor, with covariances from the information of a field fit."""
     shared, inverse = blocks.damped(0.0)
-    twice = 2 * centers.shape[1]
-    # How the places of maximum likelihood move when shared parameters change: inverse information times mixed one.
-    follow = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, :twice] / tilt_of_pixel
+    coordinates = 2 * centers.shape[1]
+    # The maximum-likelihood place changes with shared parameters by -inverse(own information) (mixed information).
+    slopes = (inverse @ blocks.mixed.swapaxes(-1, -2))[:, :coordinates] / tilt_of_pixel
     k = blocks.waves
-    waves = (follow[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(follow), twice, -1)
-    noise = inverse[:, :twice, :twice] / tilt_of_pixel**2
-    return Places(centers, noise, -np.concatenate([waves, follow[:, :, k:]], axis=-1), shared)
+    waves = (slopes[:, :, :k, None] * blocks.basis[:, None, None]).reshape(len(slopes), coordinates, -1)
+    noise = inverse[:, :coordinates, :coordinates] / tilt_of_pixel**2
+    return Places(centers, noise, -np.concatenate([waves, slopes[:, :, k:]], axis=-1), shared)
 
 
 def fit_distortion(
     ideal: Array, used: NDArray[np.intp], places: Places, *, pose: str, degree: int, sensor: Sensor
 ) -> Distortion:
-    """Return the distortion from ideal places (n, 2) of all targets and the fitted ones of those `used` (r,)."""
-    known = np.isfinite(ideal[used]).all(axis=1)
-    at = np.flatnonzero(known)
-    given, seen = ideal[used[at]], places.fitted[at]
-    first = seen[:, 0]
+    """Return the distortion, given the `ideal` places (n, 2) of all targets and the fitted `places` of r targets.
+
+    `used` (r,) are the indices of the fitted targets.
+    """
+    at = np.flatnonzero(np.isfinite(ideal[used]).all(axis=1))
+    chart, fitted = ideal[used[at]], places.fitted[at]
+    first = fitted[:, 0]
     degree = highest_degree(degree, len(at))
-    transform = _similarity(given, first) if pose == "free" else np.eye(2, 3)
+    transform = _similarity(chart, first) if pose == "free" else np.eye(2, 3)
     m = (degree + 1) * (degree + 2) // 2
-    held = _alignment(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
+    pose_basis = _pose_basis(m, sensor.shape) if pose == "free" else np.zeros((0, 2 * m))
     for turn in range(_TURNS):
-        spots = _moved(transform, given)
-        basis = monomials(*sensor.relative(*sensor.positions(spots)), degree)
-        found, distance = robust(basis, first - spots, np.ones(len(at)), np.eye(2))
-        # 1.4826 times the median is the standard deviation of a normal distribution.
-        good = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _NEAREST)
-        if good.mean() < 1.0 - _MOST_OUTLIERS:  # the degree is too low, or places are far less exact than images
+        ideal_places = _transformed(transform, chart)
+        basis = monomials(*sensor.relative(*sensor.positions(ideal_places)), degree)
+        polynomials, distance = robust(basis, first - ideal_places, np.ones(len(at)), np.eye(2))
+        # 1.4826 times the median estimates the standard deviation of a normal distribution.
+        good = distance <= _OUTLIER * max(1.4826 * float(np.median(distance)), _MIN_DEVIATION)
+        if (
+            good.mean() < 1.0 - _MAX_OUTLIERS
+        ):  # the degree is too low, or ideal places are far less accurate than images
             good[:] = True
-            found = np.asarray(np.linalg.lstsq(basis, first - spots, rcond=None)[0].T, np.float64)
+            polynomials = np.asarray(np.linalg.lstsq(basis, first - ideal_places, rcond=None)[0].T, np.float64)
         if pose == "known" or turn == _TURNS - 1:
             break
-        # What polynomials have of an alignment moves the ideal places instead.
-        own = (held.T @ (held @ found.ravel())).reshape(2, m)
-        transform = _similarity(given, spots + basis @ own.T)
-    kept = at[good]
-    part = Places(seen[good], places.noise[kept], places.mixed[kept], places.shared)
-    off = part.fitted - spots[good][:, None]
-    model = _PlaceModel(basis[good], off, part)
-    most = max(4.0 * float(np.sqrt((off**2).mean())), 1e-6)
+        # The shift, rotation and magnification in the polynomials are moved to the pose.
+        pose_part = (pose_basis.T @ (pose_basis @ polynomials.ravel())).reshape(2, m)
+        transform = _similarity(chart, ideal_places + basis @ pose_part.T)
+    accepted = at[good]
+    accepted_places = Places(fitted[good], places.noise[accepted], places.mixed[accepted], places.shared)
+    displacement = accepted_places.fitted - ideal_places[good][:, None]
+    model = _PlaceModel(basis[good], displacement, accepted_places)
     solution, covariance, chi2 = model.fit(0.0)
-    low, scatter, high = 0.0, 0.0, most
-    # The scatter with which chi2 is 1, by bisection: chi2 falls as the scatter rises.
+    low, scatter, high = 0.0, 0.0, max(4.0 * float(np.sqrt((displacement**2).mean())), 1e-6)
+    # Bisection for the scatter at which chi2 is 1: chi2 falls as the scatter rises.
     for _ in range(_HALVINGS if chi2 > 1.0 else 0):
         scatter = 0.5 * (low + high)
-        solution, covariance, above = model.fit(scatter)
-        low, high = (scatter, high) if above > 1.0 else (low, scatter)
-    # Without the alignment, which is that of the pose and no distortion.
-    rest = np.eye(2 * m) - held.T @ held
-    coefficients = (rest @ solution[: 2 * m]).reshape(2, m)
-    residuals = np.full((len(ideal), seen.shape[1], 2), np.nan)
-    residuals[used[kept]] = model.residuals(solution)
+        solution, covariance, new_chi2 = model.fit(scatter)
+        low, high = (scatter, high) if new_chi2 > 1.0 else (low, scatter)
+    # Shift, rotation and magnification belong to the pose, not to the distortion.
+    projection = np.eye(2 * m) - pose_basis.T @ pose_basis
+    coefficients = (projection @ solution[: 2 * m]).reshape(2, m)
+    residuals = np.full((len(ideal), fitted.shape[1], 2), np.nan)
+    residuals[used[accepted]] = model.residuals(solution)
     limit, findings = float(goodness_of_fit.most(math.sqrt(2.0 / model.freedom))), []
     if chi2 > limit:
-        text = f"places scatter by {scatter:.2g} pixels beside noise, which standard errors include"
+        text = f"places scatter by {scatter:.2g} pixels in excess of noise, and standard errors include this scatter"
         findings.append(Finding("scatter", "note", text, {"scatter": scatter, "chi2": chi2, "limit": limit}))
-    if lost := len(at) - len(kept):
-        findings.append(Finding("rejected", "note", f"{lost} places far off rejected", {"rejected": lost}))
+    if lost := len(at) - len(accepted):
+        text = f"rejected {lost} of {len(at)} places, which are far from the polynomials"
+        findings.append(Finding("rejected", "note", text, {"rejected": lost}))
     return Distortion(
         coefficients=coefficients,
-        covariance=rest @ covariance[: 2 * m, : 2 * m] @ rest.T,
+        covariance=projection @ covariance[: 2 * m, : 2 * m] @ projection.T,
         degree=degree,
         pose=transform,
-        ideal=_moved(transform, ideal),
+        ideal=_transformed(transform, ideal),
         residuals=residuals,
         scatter=scatter,
         chi2=chi2,
         findings=Findings(findings),
-        summary=f"distortion of degree {degree} from {len(kept)} places",
+        summary=f"distortion of degree {degree} from {len(accepted)} places",
         _sensor=sensor,
     )
 
 
 class _PlaceModel:
-    """Displacements (r, e, 2) as polynomials, an alignment of each later exposure, and shared parameters."""
+    """Linear model of displacements (r, e, 2).
 
-    def __init__(self, basis: Array, off: Array, places: Places) -> None:
-        self.basis, self.off, self.places = basis, off, places
-        r, e, _ = off.shape
+    Its parameters are the coefficients of polynomials, an affine change for each exposure but the first, and changes
+    of the shared parameters of the field.
+    """
+
+    def __init__(self, basis: Array, displacement: Array, places: Places) -> None:
+        self.basis, self.displacement, self.places = basis, displacement, places
+        r, e, _ = displacement.shape
         m, own = basis.shape[1], min(3, basis.shape[1])
-        # Rows of the design are those of `noise`: rows of all exposures, then columns.
+        # Coordinates are in the order of `noise`: the rows of all exposures, then the columns.
         design = np.zeros((r, 2, e, 2 * m + 2 * own * (e - 1)))
         for j in range(2):
             design[:, j, :, j * m : (j + 1) * m] = basis[:, None]
@@ -241,52 +264,52 @@ class _PlaceModel:
                 design[:, j, i, start : start + own] = basis[:, :own]
         self.design = design.reshape(r, 2 * e, -1)
         self.freedom = max(2 * e * r - self.design.shape[2], 1)
-        # The shared parameters are known as well as the images tell them.
+        # The prior of the shared parameters is their information in the images.
         self.joined = np.concatenate([self.design, places.mixed], axis=-1)
         self.prior = np.zeros((self.joined.shape[2],) * 2)
         self.prior[self.design.shape[2] :, self.design.shape[2] :] = places.shared
-        self.data = off.swapaxes(1, 2).reshape(r, -1)
-        # A hole that is off its place is so in all exposures.
-        self.alike = np.kron(np.eye(2), np.ones((e, e)))
+        self.data = displacement.swapaxes(1, 2).reshape(r, -1)
+        # Covariance for a scatter of 1 pixel: a pinhole that is out of place is displaced equally in all exposures.
+        self.scatter_covariance = np.kron(np.eye(2), np.ones((e, e)))
 
     def fit(self, scatter: float) -> tuple[Array, Array, float]:
-        """Return parameters, their covariance and chi2 per degree of freedom, for a scatter of places.
+        """Return parameters, their covariance and chi2 per degree of freedom, for a scatter of places in pixels.
 
-        Parameters that nothing determines are 0.
+        Parameters that the places do not determine are set to 0.
         """
-        weight = np.linalg.inv(self.places.noise + scatter**2 * self.alike)
+        weight = np.linalg.inv(self.places.noise + scatter**2 * self.scatter_covariance)
         weighted = weight @ self.joined
         normal = np.tensordot(self.joined, weighted, ([0, 1], [0, 1])) + self.prior
-        # Scaled to a diagonal of 1: parameters have different units.
+        # The matrix is scaled to a diagonal of 1 because parameters have different units.
         scale = 1.0 / np.sqrt(np.maximum(np.diag(normal), 1e-300))
         scales = np.outer(scale, scale)
         inverse = np.linalg.pinv(normal * scales, rcond=1e-13, hermitian=True) * scales
         values = inverse @ np.tensordot(weighted, self.data, ([0, 1], [0, 1]))
-        off = self.joined @ values - self.data
-        total = float(np.einsum("ni,nij,nj->", off, weight, off) + values @ self.prior @ values)
+        residual = self.joined @ values - self.data
+        total = float(np.einsum("ni,nij,nj->", residual, weight, residual) + values @ self.prior @ values)
         return values, inverse, total / self.freedom
 
     def residuals(self, solution: Array) -> Array:
-        """Return displacements minus those of a solution, (r, e, 2)."""
-        model = (self.design @ solution[: self.design.shape[2]]).reshape(len(self.off), 2, -1)
-        return np.asarray(self.off - model.swapaxes(1, 2))
+        """Return displacements minus those of the polynomials and affine changes in a solution, (r, e, 2)."""
+        model = (self.design @ solution[: self.design.shape[2]]).reshape(len(self.displacement), 2, -1)
+        return np.asarray(self.displacement - model.swapaxes(1, 2))
 
 
 def displaced(found: Distortion, u: Array, v: Array) -> Array:
-    """Return displacements (..., 2), pixels, at relative positions."""
+    """Return displacements (..., 2), pixels, at positions u (by columns) and v (by rows) from -1 to 1."""
     return np.asarray(monomials(u, v, found.degree) @ found.coefficients.T)
 
 
 @dataclass(frozen=True)
 class Sensor:
-    """Rows and columns of a sensor, with the axis in its middle, and its pixel pitch."""
+    """Shape of a sensor, whose middle is on the axis, and its pixel pitch."""
 
     shape: tuple[int, int]
     pixel: float
 
     @property
     def axis(self) -> tuple[float, float]:
-        """Row and column of the middle."""
+        """Row and column of the middle of the sensor."""
         rows, columns = self.shape
         return (rows - 1) / 2.0, (columns - 1) / 2.0
 
@@ -296,16 +319,15 @@ class Sensor:
         return np.asarray(x), np.asarray(y)
 
     def relative(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Return positions over the sensor, from -1 to 1."""
-        row, column = (part / self.pixel + at for part, at in zip((y, x), self.axis, strict=True))
-        # The outer edges of the pixels are at -1 and 1.
+        """Return positions u by columns and v by rows, which are -1 and 1 at the outer edges of the sensor."""
+        row, column = (part / self.pixel + middle for part, middle in zip((y, x), self.axis, strict=True))
         v, u = (2.0 * (part + 0.5) / side - 1.0 for part, side in zip((row, column), self.shape, strict=True))
         return np.asarray(u), np.asarray(v)
 
     def grid(self, count: int) -> tuple[Array, Array]:
-        """Return x and y of `count` positions from edge to edge."""
+        """Return x and y of `count` positions each, from edge to edge of the sensor."""
         y, x = (
-            (np.linspace(-0.5, side - 0.5, count) - at) * self.pixel
-            for side, at in zip(self.shape, self.axis, strict=True)
+            (np.linspace(-0.5, side - 0.5, count) - middle) * self.pixel
+            for side, middle in zip(self.shape, self.axis, strict=True)
         )
         return np.asarray(x), np.asarray(y)

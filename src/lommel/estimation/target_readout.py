@@ -1,20 +1,25 @@
 r"""Images of pinholes and of checkerboard corners ("crossings") from sampled PSFs, and their derivatives.
 
-An image is the object convolved with the PSF, the pixel and a blur, a mixture of Gaussians. The spectrum of the
-intensity of a PSF ends at the frequency 1 / (lambda*N). With samples less than 1/2 lambda*N apart, sums over samples
-are therefore equal to the convolution integrals, and only frequencies of the object up to 1 / (lambda*N) are needed.
-For a pinhole, a uniform disc, this spectrum is known in closed form. A crossing is sampled after convolution with a
-narrow Gaussian, which the transfer function then divides out. Its two edges lie at ``p = x cos a + y sin a = 0`` and,
-with the other angle, q = 0. In units of the standard deviation of the Gaussian the convolution is
+An image is the object convolved with the PSF, the pixel area and a blur, which is a mixture of Gaussians. The
+spectrum of a PSF's intensity ends at the frequency 1 / (lambda*N). If samples are less than 1/2 lambda*N apart, sums
+over samples are therefore equal to the convolution integrals, and only frequencies of the object up to 1 / (lambda*N)
+are needed.
+
+A pinhole is a uniform disc, whose spectrum is known in closed form. A crossing, -1/2 in black and 1/2 in white
+squares, is sampled after convolution with a narrow Gaussian; its spectrum is later divided by that of the Gaussian.
+The edges of a crossing are the lines ``p = x cos a + y sin a = 0`` and ``q = x cos b + y sin b = 0``, where a and b
+are the angles of their normals. Twice the convolved crossing, with p and q in units of the standard deviation of the
+Gaussian, is
 
 .. math:: \mathrm{E}[\mathrm{sgn}(p + \nu_p)\, \mathrm{sgn}(q + \nu_q)]
           = e(p)\, e(q) + 4 \rho\, g(p)\, g(q) + 2 \rho^2\, g_1(p)\, g_1(q) + O(\rho^3),
 
-with :math:`e(p) = \mathrm{erf}(p / \sqrt{2})`, the normal density g and :math:`g_1(p) = p\, g(p)`. Here
-:math:`\rho`, near 0, is the cosine of the angle between the normals of the edges, the correlation of :math:`\nu_p`
-and :math:`\nu_q`. Parallel edges of a checkerboard, one square apart, alternate in sign and are summed.
+with :math:`e(p) = \mathrm{erf}(p / \sqrt{2})`, the normal density g and :math:`g_1(p) = p\, g(p)`. The noise
+:math:`\nu_p, \nu_q` is standard normal; its correlation :math:`\rho`, near 0, is the cosine of the angle between the
+normals. Parallel edges of a checkerboard, one square apart, alternate in sign, and e, g and g_1 are summed over them.
 
-Uneven illumination of a chart is estimated from the white squares of all windows as a smooth function of position.
+The uneven illumination of a chart is estimated from the white squares of all windows, as a smooth function of
+position.
 """
 
 from __future__ import annotations
@@ -35,14 +40,14 @@ from lommel.estimation.field_signs import highest_degree, monomials
 _STEP = 0.45  # largest distance between samples of PSFs, lambda*N
 _OBJECT_STEP = 0.285  # largest distance between samples of objects, lambda*N
 _MARGIN = 8.0  # lambda*N by which the samples of PSFs extend beyond the outer pixels
-_PAD = 5.0  # lambda*N of zero padding, so that light that wraps around does not reach the pixels
-_ALIAS = 12.0  # minus the logarithm of the narrow Gaussian's spectrum where its aliases begin
-_SEPARATE = 12.0  # standard deviations of the Gaussian: edges farther apart do not overlap
-_FLAT = 6.5  # standard deviations from an edge beyond which it is flat
-_SINGLE = 1e30  # lambda*N: side of the squares that stands for a single crossing
-_DIRECTIONS = 90  # angles over half a turn at which a crossing is searched
-_LIGHT_DEGREE, _LIGHT_ITERATIONS = 4, 10  # of the polynomial of uneven illumination, and of its robust fit
-_EDGE_PIXELS = 2  # pixels beside edges that are excluded from white squares
+_PAD = 5.0  # lambda*N of zero padding on each side: light that wraps around must not reach the pixels
+_ALIAS = 12.0  # minus the log of the narrow Gaussian's transfer function at the lowest frequency with aliases below 1
+_SEPARATE = 12.0  # standard deviations of the Gaussian: parallel edges farther apart do not overlap
+_FLAT = 6.5  # standard deviations of the Gaussian: at larger distances from an edge, e is 1 or -1
+_SINGLE = 1e30  # lambda*N: side of squares that represents a single crossing
+_DIRECTIONS = 90  # number of trial angles, in half a turn, for the initial estimate of a crossing
+_LIGHT_DEGREE, _LIGHT_ITERATIONS = 4, 10  # polynomial of the illumination: degree, iterations of its robust fit
+_EDGE_PIXELS = 2  # width of the border that is excluded from white squares
 _MIN_WHITE = 10  # smallest number of white pixels of a window
 
 
@@ -62,7 +67,7 @@ class Target(NamedTuple):
 
 
 class TargetReadout:
-    """Map from samples of PSFs on a lattice to the pixels of a window, for objects near its middle pixel.
+    """Map from samples of PSFs on a lattice to the pixels of a window whose middle pixel is near the target.
 
     Parameters
     ----------
@@ -74,10 +79,10 @@ class TargetReadout:
     shape : Shape
         Blur as a mixture of Gaussians.
     integrate : bool
-        Pixel-integrated images; else point-sampled.
+        Whether images are pixel-integrated; if False, they are point-sampled.
     """
 
-    widest = math.inf  # largest blur, pixels: there is no limit
+    widest = math.inf  # largest blur width, pixels: there is no limit
 
     def __init__(
         self, window: tuple[int, int], pixel: float, target: Target, shape: Shape, *, integrate: bool
@@ -95,13 +100,13 @@ class TargetReadout:
         f_row = fft.fftfreq(self._sides[0], self.step)[:, None]
         f_column = fft.rfftfreq(self._sides[1], self.step)[None]
         square = f_row**2 + f_column**2
-        inside = square <= 1.1  # beyond the frequency 1 the PSF has none; a little more for rounding
-        # Single precision: errors of images are 1e-6 of the peak, and noise is a thousand times larger.
-        # Derivative of the log of the transfer function of a Gaussian with respect to its variance in pixels^2.
+        inside = square <= 1.1  # the spectrum of the PSF is 0 beyond the frequency 1; the margin is for rounding
+        # Single precision is sufficient: errors of images are 1e-6 of the peak, and noise is a thousand times larger.
+        # The derivative of the log of a Gaussian's transfer function with respect to its variance in pixels^2:
         self._log_slope: Values = np.float32(-2.0 * (math.pi * pixel) ** 2) * square.astype(np.float32)
         pixel_transfer = np.sinc(pixel * f_row) * np.sinc(pixel * f_column) if integrate else np.ones(square.shape)
-        # Shift from the first sample of a PSF to the middle of the first pixel, so that pixels are at multiples of
-        # the samples per pixel.
+        # The origin is shifted from the first sample of a PSF to the centre of the first pixel: pixel k is then
+        # sample k * samples_per_pixel.
         corner = [half - (side // 2) * self._samples_per_pixel for half, side in zip(halves, window, strict=True)]
         shift = np.exp(2j * math.pi * self.step * (f_row * corner[0] + f_column * corner[1]))
         transfer = inside * pixel_transfer * shift
@@ -115,7 +120,7 @@ class TargetReadout:
         object_step = self.step / self._object_samples
         variance = _ALIAS / (2.0 * (math.pi * (1.0 / object_step - 1.0)) ** 2)
         self._width = math.sqrt(variance)
-        # Division by the spectrum of the narrow Gaussian.
+        # Division by the transfer function of the narrow Gaussian.
         transfer *= np.exp(2.0 * math.pi**2 * variance * np.where(inside, square, 0.0)) / self._object_samples**2
         self._transfer = transfer.astype(np.complex64)
         y, x = (
@@ -125,12 +130,12 @@ class TargetReadout:
         self._x, self._y = x[None].astype(np.float32), y[:, None].astype(np.float32)
 
     def _edge_terms(self, angle: float) -> tuple[Values, Values, Values, Values]:
-        """Return e(p), g(p) and g1(p) (module docstring) summed over parallel edges, and dp / d angle."""
+        """Return e(p), g(p) and g1(p) (module docstring), summed over parallel edges, and the derivative of p."""
         p = self._x * math.cos(angle) + self._y * math.sin(angle)
         derivative = self._y * math.cos(angle) - self._x * math.sin(angle)
         pitch = min(self.target.size * self.pixel, _SINGLE)
         e, g, g1 = (np.zeros_like(p) for _ in range(3))
-        if pitch > _SEPARATE * self._width:  # only the nearest edge matters at each point
+        if pitch > _SEPARATE * self._width:  # at each point, only the nearest edge contributes
             k = np.rint(p / pitch)
             distance, sign = (p - k * pitch) / self._width, 1.0 - 2.0 * (k - 2.0 * np.floor(0.5 * k))
             near = np.abs(distance) < _FLAT
@@ -150,24 +155,25 @@ class TargetReadout:
         difference = float(angles[0] - angles[1])
         rho, sine = math.cos(difference), math.sin(difference)
         value = e * other_e + 4.0 * rho * g * other_g + 2.0 * rho**2 * g1 * other_g1
-        # Each angle changes the position of its edge and rho: d rho = -sine d(difference).
+        # An angle changes p or q, and rho by -sine d(difference).
         by_rho = -4.0 * sine * (g * other_g + rho * g1 * other_g1)
         by_first = 2.0 * g * dp * other_e - 4.0 * rho * g1 * dp * other_g + by_rho
         by_second = 2.0 * other_g * dq * e - 4.0 * rho * other_g1 * dq * g - by_rho
         return [self._coarse_spectrum(0.5 * part) for part in (value, by_first, by_second)]
 
     def _coarse_spectrum(self, fine: Values) -> Values:
-        """Return the spectrum of a finely sampled object at the frequencies of the lattice of samples."""
-        whole = fft.rfft2(fine)
+        """Return the spectrum of a finely sampled object at the frequencies of the coarser lattice of PSF samples."""
+        spectrum = fft.rfft2(fine)
         rows, columns = self._sides
         half = (rows + 1) // 2
-        coarse = np.concatenate([whole[:half], whole[len(whole) - (rows - half) :]])
+        coarse = np.concatenate([spectrum[:half], spectrum[len(spectrum) - (rows - half) :]])
         return np.asarray(coarse[:, : columns // 2 + 1])
 
     def _spectra(self, squares: Array, angles: Array, *, slopes: bool) -> list[Values]:
-        """Return the factor on the spectra of samples, and its derivatives by squared blurs (if `slopes`) and angles.
+        """Return the transfer function from the samples of a PSF to the image, followed by its derivatives.
 
-        `squares` (b,) are in pixels^2.
+        The derivatives are by the squared blur widths `squares` (b,), pixels^2, if `slopes`, and then by the
+        `angles`.
         """
         shape = self.blur
         gaussians = [
@@ -190,9 +196,9 @@ class TargetReadout:
     ) -> list[Values]:
         """Return images and their derivatives, each of shape (r, height, width).
 
-        The first images are those of `samples`, r PSFs and any derivatives of these. If `slopes`, the derivatives of
-        the first image by the squared blurs follow (`squares`, shape (r, b), pixels^2), and then those by the
-        `angles` (r, a) in any case.
+        The first images are those of `samples`: r PSFs, and any derivatives of the PSFs. If `slopes`, the derivatives
+        of the images of the PSFs by their squared blur widths `squares` (r, b), pixels^2, follow. The last ones are
+        always the derivatives by the `angles` (r, a).
         """
         count = len(samples) + (self.blur.unknown if slopes else 0) + self.target.angles
         images: list[Values] = [np.empty((len(squares), *self._pixels), np.float32) for _ in range(count)]
@@ -203,8 +209,8 @@ class TargetReadout:
             spectra = [*(factor * spectrum for spectrum in sampled), *(sampled[0] * by for by in derivatives)]
             for image, spectrum in zip(images, spectra, strict=True):
                 fine = fft.irfft2(spectrum, self._sides)
-                every = self._samples_per_pixel
-                image[k] = fine[tuple(slice(0, side * every, every) for side in self._pixels)]
+                step = self._samples_per_pixel
+                image[k] = fine[tuple(slice(0, side * step, step) for side in self._pixels)]
 
         side_by_side(read_one, range(len(squares)), threads)
         return images
@@ -217,21 +223,21 @@ def _edge(distance: Values, sign: Values | float) -> tuple[Values, Values, Value
 
 
 def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
-    """Return estimates of row and column of a crossing from the middle pixel, and the angles of its two normals."""
+    """Return initial estimates of a crossing: row and column relative to the middle pixel, and two angles."""
     height, width = image.shape
     y, x = (np.arange(side) - side // 2 for side in (height, width))
     x, y = x[None].astype(float), y[:, None].astype(float)
     window = np.exp(-0.5 * (x**2 + y**2) / (0.3 * min(height, width)) ** 2)
-    # Matched filter. A crossing is odd about each edge: the level between black and white must be 0.
+    # Matched filter. The pattern is odd about each edge: the mean of black and white levels is subtracted.
     contrast = image - np.median(image)
     patterns = []
     for angle in np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS:
         p, q = x * math.cos(angle) + y * math.sin(angle), y * math.cos(angle) - x * math.sin(angle)
         pattern = np.tanh(p) * np.tanh(q) * window
-        # A uniform image must not match.
+        # The filter must not respond to a uniform image.
         patterns.append(pattern - pattern.mean())
     stack = np.array(patterns)
-    # Zero-padded to twice the sides, so that the correlation does not wrap around.
+    # Zero padding to twice the sides: the correlation must not wrap around.
     size = [fft.next_fast_len(2 * side, real=True) for side in (height, width)]
     correlation = fft.irfft2(fft.rfft2(contrast, size) * np.conj(fft.rfft2(stack, size)), size)
     near = [max(2, side // 5) for side in (height, width)]
@@ -243,11 +249,11 @@ def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
 
 
 def relative_light(electrons: Array, valid: NDArray[np.bool_], u: Array, v: Array) -> Array:
-    """Return the illumination of each pixel over that in the middle of its window, in the shape of `electrons`.
+    """Return the illumination of each pixel divided by that in the middle of its window, shape of `electrons`.
 
     `electrons` and `valid` have the shape (windows, exposures, height, width). `u` (windows, width) and `v` (windows,
     height) are positions of pixels on the sensor, from -1 to 1. The logarithm of the illumination is a polynomial in
-    u and v of degree 4, or lower if there are fewer windows than 1.5 for each coefficient.
+    u and v, of the highest degree up to 4 for which there are at least 1.5 windows per coefficient.
     """
     count, exposures, height, width = electrons.shape
     degree = highest_degree(_LIGHT_DEGREE, 4 * count // 3)

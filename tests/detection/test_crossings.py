@@ -155,7 +155,7 @@ def test_points_beside_the_grid_have_none():
     ("places", "message"),
     [
         (np.zeros((3, 2)), "at least 4 points"),
-        (np.column_stack([np.zeros(8), np.arange(8.0)]), "places must be of a square grid"),
+        (np.column_stack([np.zeros(8), np.arange(8.0)]), "places must be on a square grid"),
     ],
 )
 def test_what_is_no_grid_is_told(places, message):

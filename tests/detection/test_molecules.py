@@ -113,7 +113,7 @@ def test_molecules_beside_defects_are_found_and_fitted_as_without_them(value):
     fits = [lm.localize.fit(table, one.images, noise=noise, corners=one.corners) for one in (whole, found)]
     np.testing.assert_array_equal(fits[0].z, fits[1].z)
     assert np.abs(fits[1].discrepancy).max() < 5.0
-    with pytest.raises(ValueError, match="read must be below 1000 electrons where pixels are no defects"):
+    with pytest.raises(ValueError, match="read must be below 1000 electrons for pixels that are not defects"):
         find(broken, noise=lm.Noise(read=np.full((64, 64), 1e3)))
 
 

@@ -74,7 +74,7 @@ def test_a_camera_file_is_read_with_all_it_says(write):
         ("0.46", "nan", r"camera.gain \(line 7\): must be finite"),
         ("offset = 100", "ofset = 100", r"camera.ofset \(line 8\): unknown key; did you mean offset"),
         ('pixel = "6.5 um"\n', "", "camera.pixel: is missing"),
-        ("[camera]", "[lens]", "is not the file of a camera"),
+        ("[camera]", "[lens]", "is not a camera file"),
         ("[camera]", "[sensor]", "camera: is missing"),
     ],
 )

@@ -84,18 +84,18 @@ def test_filters_and_light_multiply(tmp_path, sensor):
         ("", "is empty"),
         ("wavelength,red\n400,1\n500,1", "line 1: the first column must be the wavelength with its unit"),
         ("wavelength (furlong),red\n400,1\n500,1", "with its unit"),
-        ("nm,red,red\n400,1,1\n500,1,1", "line 1: columns must have names that differ"),
-        ("nm\n400\n500", "columns must have names"),
+        ("nm,red,red\n400,1,1\n500,1,1", "line 1: columns must have different names"),
+        ("nm\n400\n500", "columns must have different names"),
         ("nm,red\n400,1\n500,x", "line 3, red: must be a number, got 'x'"),
         ("nm,red\n400,1\n500,nan", "line 3, red: a value must be finite, got nan"),
         ("nm,red\n400,1\n500,1,2\n600", "line 3 must have 2 cells, .* got 3; line 4 must have 2 cells, .* got 1"),
-        ("nm,red\n400,1", "two wavelengths or more, got 1"),
-        ("nm,red\n400,1\n400,2", "wavelength 400 nm comes twice"),
+        ("nm,red\n400,1", "must have at least two wavelengths, got 1"),
+        ("nm,red\n400,1\n400,2", "wavelength 400 nm occurs twice"),
         ("nm,red\n400,1\n500,-1", "red must be >= 0, got -1"),
         ("nm,red\n400,0\n500,0", "channels must have light, got none for red"),
         ("m,red\n400,1\n500,1", "wavelength"),
-        ("nm,red\n99,1\n500,1", "wavelength 99 nm must be from 100 nm to 20 um"),
-        ("um,red\n0.4,1\n21,1", "wavelength 21 um must be from 100 nm to 20 um"),
+        ("nm,red\n99,1\n500,1", "wavelengths must be from 100 nm to 20 um, got 99 nm"),
+        ("um,red\n0.4,1\n21,1", "wavelengths must be from 100 nm to 20 um, got 21 um"),
         ("nm,red\n100,1\n20000,1", "tol=0.001 takes more than 256 wavelengths|weights of .* are not found"),
     ],
 )
@@ -120,7 +120,7 @@ def test_tables_that_do_not_meet_are_told(tmp_path, sensor):
     far = write(tmp_path / "far.csv", "nm,t", np.array([800.0, 900.0]), np.ones(2))
     with pytest.raises(ValueError, match="wavelengths in common, got 400 to 700 nm, 800 to 900 nm"):
         lm.load_channels(sensor, filters=far)
-    with pytest.raises(ValueError, match=r"sensor.csv must have one column beside the wavelength"):
+    with pytest.raises(ValueError, match=r"sensor.csv must have one column besides the wavelength"):
         lm.load_channels(sensor, illuminant=sensor)
 
 

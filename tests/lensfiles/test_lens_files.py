@@ -366,7 +366,7 @@ def test_a_bad_seidel_term_is_told_with_its_key_and_line(load, change, where):
     [
         (None, "No such file or directory"),
         (TABLE.replace("7,0.05", "7,x"), "a.csv: line 6: the coefficient must be a real number, got 'x'"),
-        (TABLE.replace("# wavelength: 1100 nm\n", ""), "a.csv: must state the wavelength of its waves"),
+        (TABLE.replace("# wavelength: 1100 nm\n", ""), "a.csv: must state the wavelength, as its unit is waves"),
     ],
 )
 def test_a_fault_of_a_table_is_told_with_its_name_and_that_of_the_lens_file(load, tmp_path, table, told):

@@ -134,11 +134,8 @@ def test_an_objective_that_dips_has_no_cover_glass(load):
     found = load(("immersion = 1.518", "immersion = 1.333\ndipping = true"), ("1.3\n", "0.8\n"), (glass, ""))
     assert found.objective.coverslip is None
     missing = fault(load, (glass, ""))
-    assert (
-        missing
-        == "[coverslip] is missing; leave it out only of an objective that dips into the sample, dipping = true"
-    )
-    assert "has no meaning for an objective that dips" in fault(load, ("= 1.518", "= 1.518\ndipping = true"))
+    assert missing == "[coverslip] is missing; it may be left out only for an objective with dipping = true"
+    assert "must be left out for an objective that dips" in fault(load, ("= 1.518", "= 1.518\ndipping = true"))
 
 
 @pytest.mark.parametrize(
@@ -226,7 +223,7 @@ def test_one_of_several_films_is_told_by_its_line(load):
 
 
 def test_a_lens_is_no_microscope_and_either_reader_names_the_other(load, lenses, tmp_path):
-    with pytest.raises(LensFileError, match=r"phone.toml: describes a lens, \[lens\], .*load_instrument reads it"):
+    with pytest.raises(LensFileError, match=r"phone.toml: describes a lens \(section \[lens\]\), .*load_instrument"):
         lm.load_microscope(lenses["phone"])
     load()
     with pytest.raises(LensFileError, match=r"describes a microscope, .*load_microscope or one of the commands"):

@@ -160,28 +160,30 @@ def find(
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
     count = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
     validation.optional("noise", noise, Noise)
-    given = (noise or Noise(read=0.0)).require_shape(counts.values.shape)
-    # A third of the box: wide enough that a molecule hardly raises its own background.
-    camera, wide = given.poisson, min(rows, columns) / 3.0
+    camera_noise = (noise or Noise(read=0.0)).require_shape(counts.values.shape)
+    # With a third of the box, a molecule hardly increases its own background.
+    camera, wide = camera_noise.poisson, min(rows, columns) / 3.0
     light, read = camera.electrons(filled(counts.values, counts.hidden, narrow)), camera.read
     defects = np.zeros(light.shape[1:], bool)
     if not isinstance(read, float):
-        defects = np.asarray(given.read) >= DEFECT
+        defects = np.asarray(camera_noise.read) >= DEFECT
         if defects.all():
-            raise ValueError(f"read must be below {DEFECT:g} electrons where pixels are no defects, got none")
+            raise ValueError(
+                f"read must be below {DEFECT:g} electrons for pixels that are not defects, got no such pixel"
+            )
         read = np.where(defects, np.median(read[~defects]), read)
     kernel = Kernel(light.shape[1:], narrow, wide)
     variance = np.full(light.shape[1:], read**2) if isinstance(read, float) else kernel.squared(read**2)
 
-    known = smoothed(1.0 - defects, narrow)
+    known_fraction = smoothed(1.0 - defects, narrow)
 
     def maxima(frame: Array) -> tuple[Values, Values, Array]:
-        return kernel.maxima(filled(frame[None], defects[None], narrow, known)[0], variance, level)
+        return kernel.maxima(filled(frame[None], defects[None], narrow, known_fraction)[0], variance, level)
 
-    found = side_by_side(maxima, list(light), count)
-    frame = np.repeat(np.arange(len(light)), [part[0].size for part in found])
-    row, column, score = (np.concatenate([part[k] for part in found] or [np.empty(0, int)]) for k in range(3))
-    # Twice the frame number: spots of different frames are never near.
+    spots = side_by_side(maxima, list(light), count)
+    frame = np.repeat(np.arange(len(light)), [part[0].size for part in spots])
+    row, column, score = (np.concatenate([part[k] for part in spots] or [np.empty(0, int)]) for k in range(3))
+    # With twice the frame number as a coordinate, spots of different frames are at least 2 boxes apart.
     kept = brightest(np.column_stack([row / rows, column / columns, 2.0 * frame]), score, APART)
     overlapping = int(score.size - kept.sum())
     corners = np.column_stack([row - rows // 2, column - columns // 2])
@@ -196,60 +198,64 @@ def find(
     return Spots(frame + start, row, column, score[kept], counts.marked()[boxes], *left, false_spots)
 
 
-def frame_counts(frames: ArrayLike, box: tuple[int, int], **given: Any) -> Counts:
-    """Return frames (n, rows, columns); ValueError if they are smaller than a box."""
+def frame_counts(frames: ArrayLike, box: tuple[int, int], **options: Any) -> Counts:
+    """Return frames as counts (n, rows, columns); ValueError if they are smaller than a box."""
     shape = f"(frames, rows, columns), at least the box of {box[0]} x {box[1]}"
-    return image_counts("frames", frames, shape, box, empty=True, **given)[0]
+    return image_counts("frames", frames, shape, box, empty=True, **options)[0]
 
 
 def image_counts(
-    name: str, images: ArrayLike, shape: str, box: tuple[int, int], *, saturation: float | None, **more: Any
+    name: str, images: ArrayLike, shape: str, box: tuple[int, int], *, saturation: float | None, **options: Any
 ) -> tuple[Counts, bool]:
-    """Return images (n, rows, columns), and whether they were one, without an axis for several.
+    """Return images as counts (n, rows, columns), and whether `images` is a single image of shape (rows, columns).
 
-    ValueError, with the `shape` in words, if they are smaller than a box; or if nothing of one is known.
+    ValueError if images are smaller than a box, or if an image has no valid pixel; `shape` is the required shape as
+    text.
     """
-    made = Counts.of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **more)
-    if made.values.shape[-2] < box[0] or made.values.shape[-1] < box[1]:
-        raise ValueError(f"{name} must have the shape {shape}, got {made.values.shape}")
-    if len(made.values):
-        made.require_known(name)
-    single = made.values.ndim == 2
-    return (made[None] if single else made), single
+    counts = Counts.of(name, images, sides=(2, 3), shape=shape, saturation=saturation, **options)
+    if counts.values.shape[-2] < box[0] or counts.values.shape[-1] < box[1]:
+        raise ValueError(f"{name} must have the shape {shape}, got {counts.values.shape}")
+    if len(counts.values):
+        counts.require_known(name)
+    single = counts.values.ndim == 2
+    return (counts[None] if single else counts), single
 
 
-def filled(planes: Values, left: NDArray[np.bool_], width: float, known: Array | None = None) -> Values:
-    """Return images with the mean of the pixels around, by a Gaussian of this width, where they are left out.
+def filled(planes: Values, left_out: NDArray[np.bool_], width: float, known_fraction: Array | None = None) -> Values:
+    """Return images in which pixels that are left out have the weighted mean of the others, by a Gaussian of `width`.
 
-    `known` is the share of pixels that are not, around each, where it is the same in all images.
+    `known_fraction` is the smoothed fraction of pixels that are not left out, if it is the same for all images.
     """
-    if not left.any():
+    if not left_out.any():
         return planes
-    made = np.where(left, 0.0, planes).astype(np.float64)
-    for image, out in zip(made, left, strict=True):
+    images = np.where(left_out, 0.0, planes).astype(np.float64)
+    for image, out in zip(images, left_out, strict=True):
         if out.any():
-            share = smoothed(1.0 - out, width) if known is None else known
-            # A mean over known pixels alone: smoothed light over the smoothed share of known ones.
-            image[out] = (smoothed(image, width) / np.maximum(share, 1e-300))[out]
-            if (lost := out & (share <= _FAR)).any():
-                image[lost] = np.median(image[~out])
-    return made
+            fraction = smoothed(1.0 - out, width) if known_fraction is None else known_fraction
+            # Left-out pixels are 0: smoothed light / smoothed fraction is the mean over the other pixels.
+            image[out] = (smoothed(image, width) / np.maximum(fraction, 1e-300))[out]
+            if (isolated := out & (fraction <= _FAR)).any():
+                image[isolated] = np.median(image[~out])
+    return images
 
 
 class Kernel:
-    """The difference of two Gaussians over frames of a shape."""
+    """The difference of two Gaussians (module docstring) for frames of a given shape."""
 
     def __init__(self, shape: tuple[int, ...], narrow: float, wide: float) -> None:
         self.narrow, self.wide = narrow, wide
         self.squares, self.cubes = _moments(shape[0], shape[1], narrow, wide)
 
     def maxima(self, light: Array, variance: Array, level: float) -> tuple[Values, Values, Array]:
-        """Return rows, columns and heights of the maxima of a frame above `level`."""
+        """Return rows, columns and scores (module docstring) of the maxima of a frame whose score is >= `level`.
+
+        `variance` is the read variance of pixels, electrons^2.
+        """
         background = smoothed(light, self.wide)
         excess = smoothed(light, self.narrow) - background
         mean = np.maximum(np.maximum(background, 0.0) + variance, _LEAST)
-        # A height is less than the excess over its standard deviation: few pixels are left to compute it of.
-        # x |x| keeps the sign: pixels below the background drop out.
+        # The score is less than (excess / standard deviation): it is computed only for pixels where that is at least
+        # `level`. The product x abs(x) has the sign of x, which rejects pixels below the background.
         bright = np.nonzero(excess * np.abs(excess) >= level**2 * self.squares * mean)
         near = math.ceil(self.narrow)
         heights = np.zeros((light.shape[0] + 2 * near, light.shape[1] + 2 * near))
@@ -258,36 +264,36 @@ class Kernel:
         heights[row, column] = own
         peak = own >= level
         for down in range(-near, near + 1):
-            # Not below any other within the narrow Gaussian's standard deviation.
+            # A maximum is not below any pixel within one standard deviation of the narrow Gaussian.
             for across in range(-near, near + 1):
                 peak &= own >= heights[row + down, column + across]
         return bright[0][peak], bright[1][peak], own[peak]
 
     def squared(self, variance: Array) -> Array:
-        """Return the variances of pixels, averaged with the square of the narrow Gaussian as weight."""
-        # The square of a Gaussian is one of a standard deviation smaller by sqrt(2).
+        """Return the mean variance of pixels, weighted by the square of the narrow Gaussian."""
+        # The square of a Gaussian is a Gaussian with the standard deviation divided by sqrt(2).
         return smoothed(variance, self.narrow / math.sqrt(2.0))
 
 
 def _heights(excess: Array, mean: Array, squares: Array, cubes: Array) -> Array:
-    """Return heights above the background in standard deviations of its noise."""
+    """Return the scores s (module docstring): heights above the background in standard deviations of its noise."""
     size = cubes / squares
     expected, above = mean * squares / size**2, np.maximum(excess / size, 0.0)
-    # The likelihood ratio of the module's docstring; log1p keeps its digits for small excess.
+    # log1p loses no digits for small excess.
     ratio = (expected + above) * np.log1p(above / expected) - above
     return np.asarray(np.sqrt(2.0 * np.maximum(ratio, 0.0)))
 
 
 def smoothed(light: Array, sigma: float) -> Array:
-    """Return an image after a Gaussian of this standard deviation, reflected at edges."""
+    """Return an image convolved with a Gaussian of this standard deviation, with reflection at the edges."""
     return np.asarray(ndimage.gaussian_filter(light, sigma, mode="reflect", truncate=_REACH))
 
 
 @lru_cache(maxsize=16)
 def _moments(rows: int, columns: int, narrow: float, wide: float) -> tuple[Array, Array]:
-    """Return the sums of the squares and cubes of the kernel at each pixel, with reflection at edges."""
+    """Return the sums of squares and of cubes of the kernel at each pixel, with reflection at the edges."""
     of_rows, of_columns = (_sums(side, narrow, wide) for side in (rows, columns))
-    # Binomial expansion of (narrow - wide)^power, each term separable in rows and columns.
+    # Binomial expansion of (narrow - wide)^power; each term is separable in rows and columns.
     squares, cubes = (
         sum(sign * math.comb(power, k) * np.outer(of_rows[power - k, k], of_columns[power - k, k])
             for k, sign in zip(range(power + 1), (1.0, -1.0, 1.0, -1.0), strict=False))
@@ -297,35 +303,39 @@ def _moments(rows: int, columns: int, narrow: float, wide: float) -> tuple[Array
 
 
 def _sums(side: int, narrow: float, wide: float) -> dict[tuple[int, int], Array]:
-    """Return the sums along one side of products of the two Gaussians, by their powers."""
+    """Return, for powers (i, j), the sums of narrow^i wide^j along one axis at each pixel."""
     reach = math.ceil(_REACH * wide) + 1
     count = min(side, 2 * reach + 1)
     one, other = (
         ndimage.gaussian_filter1d(np.eye(count), sigma, axis=0, mode="reflect", truncate=_REACH)
         for sigma in (narrow, wide)
     )
-    # Between the edges all pixels are alike.
+    # Pixels farther than `reach` from both edges have equal sums.
     place = np.minimum(np.arange(side), np.maximum(reach, np.arange(side) + count - side))
     powers = [(i, power - i) for power in (2, 3) for i in range(power + 1)]
     return {(i, j): (one**i * other**j).sum(axis=1)[place] for i, j in powers}
 
 
 def _density(threshold: float, narrow: float, wide: float) -> float:
-    """Return the expected number of maxima of noise above a threshold, per pixel."""
+    """Return the expected number of maxima of noise above a threshold, per pixel (module docstring)."""
     pairs = ((1.0, 2.0 * narrow**2), (-2.0, narrow**2 + wide**2), (1.0, 2.0 * wide**2))
-    # Integrals of products of two Gaussians, and of their slopes, by the sum of their variances.
-    slopes, squares = (math.fsum(share / total**power for share, total in pairs) for power in (2.0, 1.0))
+    # Integrals of (dk/dx)^2 and k^2, up to common factors: a product of two Gaussians depends on the sum of
+    # variances.
+    slopes, squares = (math.fsum(factor / total**power for factor, total in pairs) for power in (2.0, 1.0))
     return slopes / squares * threshold * math.exp(-0.5 * threshold**2) / math.sqrt(2.0 * math.pi) ** 3
 
 
 def brightest(places: Array, score: Array, near: float) -> NDArray[np.bool_]:
-    """Return which positions (n, axes) are kept, the highest first, none within `near` of another along all axes."""
+    """Return a mask of the positions (n, axes) to keep: those without a kept one of higher score within `near`.
+
+    `near` is the distance along each axis.
+    """
     kept = np.ones(score.size, bool)
-    beside = cKDTree(places).query_ball_point(places, near, p=np.inf) if score.size > 1 else []
-    lonely = np.array([len(each) < 2 for each in beside], bool)
-    for spot in np.argsort(-score, kind="stable")[: len(beside)].tolist():
-        if kept[spot] and not lonely[spot]:
-            kept[beside[spot]] = False
+    neighbors = cKDTree(places).query_ball_point(places, near, p=np.inf) if score.size > 1 else []
+    isolated = np.array([len(indices) < 2 for indices in neighbors], bool)
+    for spot in np.argsort(-score, kind="stable")[: len(neighbors)].tolist():
+        if kept[spot] and not isolated[spot]:
+            kept[neighbors[spot]] = False
             kept[spot] = True
     return kept
 

@@ -1,4 +1,8 @@
-"""Isolated stars, beads, pinholes and crossings of a checkerboard in images: windows around each, others refused."""
+"""Detection of isolated stars, beads, pinholes and checkerboard crossings in images, and windows around them.
+
+Targets that cannot be fitted are refused, with a reason. In this file, distances "in windows" are divided by the
+sides of a window, and places are rows and columns.
+"""
 
 from __future__ import annotations
 
@@ -23,29 +27,28 @@ from lommel.recorded.noise import Noise
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-# In the order in which they are tried: a pixel of the window is saturated, it extends beyond the image, a quarter
-# of it is masked or NaN, another target is within its reach, all light is in one pixel.
+# A pixel of the window is saturated; the window extends beyond the image; too much of it is masked or NaN; another
+# target is too near; one pixel has nearly all the light.
 _REASONS = ("saturated", "edge", "masked", "neighbor", "defect")
-_STRUCTURE = 0.25  # of a window: maxima closer than this belong to one image
-# Share of the light of a spot above the background that one pixel holds, at least: sharp images hold less of theirs.
-_INSIDE = 0.55  # of a window: half of it, and a pixel
-_ONE_PIXEL = 0.8
-_HIT = 0.25  # share of a window, or of its middle half, of left-out pixels that rejects it
-_CANDIDATE = 1.0  # standard deviations above which the highest maximum is reported where there is no spot
-# Of crossings.
-_LEAST, _MOST = 9, 21  # smallest and largest side of a chosen window, pixels
-_RING = 3.0  # radius, in standard deviations of the smoothing, on which a crossing changes its sign four times
-_POINTS = 64  # points on the ring
-_ALIKE = 0.55  # share of the ring's variance in its second harmonic: at least 0.68 for a square wave
-_CONTRAST = 0.25  # of the usual contrast: four squares of less are print, not the chart
-_SPACED = 10.0  # percent of crossings whose windows may overlap others
+_STRUCTURE = 0.25  # windows: maxima closer than this belong to one image
+_INSIDE = 0.55  # windows: a target farther than this from the middle of a window is outside it
+_ONE_PIXEL = 0.8  # fraction of a spot's light in one pixel above which it is a defect; the sharpest images have less
+_MAX_MASKED = 0.25  # largest fraction of masked pixels of a usable window, and of its middle half
+_CANDIDATE = 1.0  # height, standard deviations, from which the highest maximum is reported if there is no spot
+# For crossings:
+_MIN_WINDOW, _MAX_WINDOW = 9, 21  # smallest and largest side of an automatic window, pixels
+_CIRCLE = 3.0  # radius of a circle around a crossing, standard deviations of the smoothing
+_POINTS = 64  # number of points on this circle
+_SECOND_HARMONIC = 0.55  # least fraction of the variance on the circle in its second harmonic: ideally 0.81
+_CONTRAST = 0.25  # least contrast relative to the 75th percentile: weaker crossings are print, not the chart
+_OVERLAPPING = 10.0  # percentage of crossings whose automatic windows may overlap others
 _STEPS = ((1, 0), (-1, 0), (0, 1), (0, -1))
-_NEAR = 0.25  # of a step: largest distance of a point from where its neighbour predicts it
-_SEEDS = 20  # crossings that a grid is started from
+_MAX_OFFSET = 0.25  # largest distance of a point from its predicted place, relative to a step of the grid
+_SEEDS = 20  # number of points from which a grid is grown
 
 
 class Refused(NamedTuple):
-    """A spot that was refused: place, brightness in standard deviations, and one of the reasons."""
+    """A target that was refused: row and column, height in standard deviations of the noise, and reason."""
 
     row: int
     column: int
@@ -55,12 +58,12 @@ class Refused(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Targets:
-    """Places of targets in an image or several, windows around them, and what was refused.
+    """Places of targets in one or several images, windows around them, and refused targets.
 
     Attributes
     ----------
     places, centers, windows, refused, shape, left_out
-        As of :class:`lommel.PointSources`.
+        See :class:`lommel.PointSources`.
     """
 
     places: NDArray[np.int64]
@@ -73,11 +76,11 @@ class Targets:
 
     @property
     def message(self) -> str:
-        """How many were found, and how many refused for each reason."""
+        """Number of targets found, and number refused for each reason."""
         raise NotImplementedError
 
-    def _refusal_note(self, noun: str, apart: str = "") -> str:
-        """Return how many were found, and how many refused for each of the reasons."""
+    def _summary(self, noun: str, apart: str = "") -> str:
+        """Return the number of targets found and the numbers refused for each reason, as text."""
         counts = Counter(each.reason for each in self.refused)
         refused = ", ".join(f"{counts[reason]} {reason}" for reason in _REASONS if counts[reason]) or "none"
         text = f"{len(self)} {noun}{'s' * (len(self) != 1)} found{apart}; refused: {refused}"
@@ -85,7 +88,7 @@ class Targets:
         return text + f"; {lost} pixel{'s' * (lost != 1)} left out (masked or NaN)" * (lost > 0)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Return matplotlib axes with the image, the windows, and the refused ones by reason.
+        """Return matplotlib axes with the image, the windows, and the refused targets marked by reason.
 
         Parameters
         ----------
@@ -114,29 +117,30 @@ class Targets:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class PointSources(Targets):
-    """Isolated point sources in an image or stack: the answer of :func:`lommel.find_spots`.
+    """Isolated point sources in an image or stack, returned by :func:`lommel.find_spots`.
 
     Attributes
     ----------
     places : ndarray of int, shape (n, 2)
-        Row and column, in the image, of the middle pixel ``(rows // 2, columns // 2)`` of each window, brightest
-        first.
+        Row and column in the image of the middle pixel ``(rows // 2, columns // 2)`` of each window, in the order of
+        falling `score`.
     centers : ndarray, shape (n, 2)
-        Row and column of the centroid of the light of each, in the image.
-    windows : ndarray, shape (n, rows, columns), of a stack (n, planes, rows, columns)
-        Cut from the image, in its unit and type; a masked array if pixels of the image are left out.
+        Row and column in the image of the centroid of each spot.
+    windows : ndarray, shape (n, rows, columns), or (n, planes, rows, columns) for a stack
+        Windows cut from the image, in its unit and type; a masked array if pixels of the image are left out.
     score : ndarray, shape (n,)
-        Height above the background in standard deviations of its noise.
+        Height above the background in standard deviations of the background noise.
     flux : ndarray, shape (n,)
-        Electrons above the background in the window, of all planes; a rough estimate.
+        Electrons above the background in the window, sum of all planes; a rough estimate.
     refused : tuple of Refused
-        Row, column, score and reason of the others: "saturated", "edge", "masked", "neighbor" or "defect".
+        Row, column, score and reason of each refused spot. Reasons are "saturated", "edge", "masked", "neighbor" and
+        "defect".
     shape : (int, int)
-        Of the image.
+        Shape of the image.
     left_out : int
-        Number of pixels of all planes that are masked, NaN or infinite.
+        Number of pixels in all planes that are masked, NaN or infinite.
     candidate : Refused or None
-        Where there is no spot at all: the highest maximum, which is below the threshold.
+        The highest maximum, which is below the threshold, if no maximum is above it.
     """
 
     score: Array
@@ -145,8 +149,8 @@ class PointSources(Targets):
 
     @property
     def message(self) -> str:
-        """How many were found, and how many refused for each reason."""
-        text = self._refusal_note("spot")
+        """Number of spots found, and number refused for each reason."""
+        text = self._summary("spot")
         if (best := self.candidate) is not None:
             where = f"at row {best.row}, column {best.column}"
             text += f"; the highest maximum, {where}, is {best.score:.3g} standard deviations high"
@@ -171,35 +175,36 @@ def find_spots(
     Parameters
     ----------
     images : array_like, shape (height, width) or (planes, height, width)
-        As recorded, in the unit of `noise`; a stack is of one field, such as the planes of a z stack or exposures at
-        several defoci, and spots are found in its sum. NaN, infinite and masked values are left out.
+        Recorded images, in the unit of `noise`. A stack shows one field, such as the planes of a z stack or exposures
+        at several defoci; spots are detected in the sum of its images. NaN, infinite and masked values are left out.
     noise : Noise
         Gain, offset and read noise of the camera, each a number or a map of the image.
     window : int or (int, int), default 33
-        Rows and columns of the windows, at least 5. A window should hold the image of a point and some background.
+        Rows and columns of the windows, at least 5. A window should contain the image of a point and some background.
     threshold : float, default 8.0
-        Least height of a spot in standard deviations of the background noise, at least 3.
+        Minimum height of a spot in standard deviations of the background noise, at least 3.
     width : float, default 2.0
-        Standard deviation of the smoothing in pixels, at most a quarter of the window: about that of the images. Of
-        defocused stars (rings) about the radius of the ring, so that it is found as one spot.
+        Standard deviation of the smoothing in pixels, at most a quarter of the window. It should be about that of the
+        images. For a defocused star, whose image is a ring, it should be about the radius of the ring: the ring is
+        then detected as one spot.
     apart : float, default 1.0
-        Least distance from the middle of a window to other spots, along rows or columns, in windows; at 0.5 other
-        spots are outside of it, at 1.0 windows of the same size do not overlap.
+        Minimum distance from the middle of a window to other spots, along rows or columns, relative to the sides of
+        the window. With 0.5 other spots are outside the window; with 1.0 windows do not overlap.
     faintest : float, default 0.02
-        Spots dimmer than this share of another do not count as its neighbours. Maxima within a quarter of a window
-        are parts of one image.
+        Spots dimmer than this fraction of another spot do not count as its neighbours. Maxima within a quarter of a
+        window are parts of one image.
     mask : array_like of bool, shape of `images` or (height, width), optional
-        True where a pixel is to be left out, such as defects.
+        True for pixels to leave out, such as defects.
     saturation : float, optional
-        Values from here on, in the unit of the images, are saturated. In images of integers the largest value of
-        their type always is.
+        Values greater than or equal to this, in the unit of the images, are saturated. The largest value of an
+        integer type always counts as saturated.
     most : int, optional
-        Keep only so many, the brightest.
+        Maximum number of spots; those of the highest score are kept.
 
     Returns
     -------
     PointSources
-        Places, windows, and the spots refused with the reason of each.
+        Places and windows of spots, and refused spots with reasons.
 
     Raises
     ------
@@ -208,10 +213,10 @@ def find_spots(
 
     Notes
     -----
-    Detection by a difference of Gaussians, the wide one a third of the window, as of :func:`lommel.localize.find`. A
-    window is centred on the pixel nearest to the centroid of the light above three standard deviations of the
-    background within a quarter of a window of the maximum. For the search, pixels that are left out have the mean of
-    those around.
+    Spots are detected by a difference of Gaussians, as in :func:`lommel.localize.find`; the standard deviation of the
+    wide Gaussian is a third of the window. A window is centred on the pixel nearest to the centroid of the spot. The
+    centroid includes pixels within a quarter of a window of the maximum that are more than three standard deviations
+    above the background. For detection, pixels that are left out are replaced by the mean of pixels around them.
 
     Examples
     --------
@@ -227,35 +232,35 @@ def find_spots(
     validation.instance("noise", noise, Noise)
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     narrow = validation.real("width", width, least=0.5, most=min(rows, columns) / 4.0)
-    far = validation.real("apart", apart, least=0.0, most=100.0)
+    distance = validation.real("apart", apart, least=0.0, most=100.0)
     faint = validation.real("faintest", faintest, least=0.0, most=1.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
     shape = f"(height, width) or (planes, height, width), at least the window of {rows} x {columns}"
     counts, single = image_counts("images", images, shape, box, mask=mask, saturation=saturation)
-    alike = noise.poisson
-    electrons = alike.electrons(filled(counts.values, counts.hidden, narrow))
-    variance = alike.variance(np.zeros_like(electrons)).sum(axis=0)
+    camera = noise.poisson
+    electrons = camera.electrons(filled(counts.values, counts.hidden, narrow))
+    variance = camera.variance(np.zeros_like(electrons)).sum(axis=0)
     light = electrons.sum(axis=0)
     kernel = Kernel(light.shape, narrow, min(rows, columns) / 3.0)
-    spread = kernel.squared(variance)
-    row, column, score = kernel.maxima(light, spread, level)
+    kernel_variance = kernel.squared(variance)
+    row, column, score = kernel.maxima(light, kernel_variance, level)
     candidate = None
     if not row.size:
-        lower = zip(*(each.tolist() for each in kernel.maxima(light, spread, _CANDIDATE)), strict=True)
-        below = [Refused(row, column, high, "below the threshold") for row, column, high in lower]
-        candidate = max(below, key=lambda one: one.score, default=None)
-    own = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
-    row, column, score = row[own], column[own], score[own]
-    background = _level(light, box)
+        lower = zip(*(each.tolist() for each in kernel.maxima(light, kernel_variance, _CANDIDATE)), strict=True)
+        below = [Refused(row, column, height, "below the threshold") for row, column, height in lower]
+        candidate = max(below, key=lambda maximum: maximum.score, default=None)
+    separate = brightest(np.column_stack([row, column]), score, _STRUCTURE * min(box))
+    row, column, score = row[separate], column[separate], score[separate]
+    background = _background(light, box)
     bright = (smoothed(light, narrow) - background)[row, column]
     center, flux, peak = np.zeros((row.size, 2)), np.zeros(row.size), np.zeros(row.size)
     for k, at in enumerate(zip(row.tolist(), column.tolist(), strict=True)):
         center[k], flux[k], peak[k] = _centroid(light, background, variance, at, box)
     middle = np.rint(center).astype(np.int64)
-    near = _neighbors(middle / box, bright, peak > _ONE_PIXEL, far, faint)
+    neighbor = _neighbors(middle / box, bright, peak > _ONE_PIXEL, distance, faint)
     reasons = unusable(middle, counts, box)
-    for k, share in enumerate(peak.tolist()):
-        reasons[k] = reasons[k] or ("defect" if share > _ONE_PIXEL else "neighbor" if near[k] else "")
+    for k, fraction in enumerate(peak.tolist()):
+        reasons[k] = reasons[k] or ("defect" if fraction > _ONE_PIXEL else "neighbor" if neighbor[k] else "")
     order = np.array([k for k in np.argsort(-score, kind="stable").tolist() if not reasons[k]][:count], np.intp)
     return PointSources(
         score=score[order],
@@ -277,7 +282,10 @@ def checked_window(window: int | tuple[int, int]) -> tuple[int, int]:
 def target_windows(
     counts: Counts, single: bool, center: Array, order: Values, box: tuple[int, int], score: Array, reasons: list[str]
 ) -> Json:
-    """Return the fields of :class:`Targets`: windows in an order, masked if pixels are left out anywhere."""
+    """Return the fields of :class:`Targets`: windows of the targets `order`, and targets with a reason as refused.
+
+    Windows are masked arrays if any pixel of the images is left out.
+    """
     (rows, columns), left, middle = box, counts.hidden, np.rint(center).astype(np.int64)
     at = np.s_[:, *box_pixels(middle[order] - np.array([rows // 2, columns // 2]), box)]
     values, out = (np.ascontiguousarray(np.moveaxis(part[at], 0, 1)) for part in (counts.values, left))
@@ -288,39 +296,39 @@ def target_windows(
         "places": middle[order],
         "centers": center[order],
         "windows": cut[:, 0] if single else cut,
-        "refused": tuple(sorted(refused, key=lambda one: -one.score)),
+        "refused": tuple(sorted(refused, key=lambda target: -target.score)),
         "shape": left.shape[1:],
         "left_out": int(left.sum()),
     }
 
 
 def unusable(middle: NDArray[np.int64], counts: Counts, box: tuple[int, int]) -> list[str]:
-    """Return for each place why its window cannot be fitted: "saturated", "edge" or "masked"; or ""."""
-    (rows, columns), full, found = box, np.asarray(counts.full.any(axis=0)), list[str]()
+    """Return for each place the reason to refuse its window ("saturated", "edge" or "masked"), or "" if usable."""
+    (rows, columns), full, reasons = box, np.asarray(counts.full.any(axis=0)), list[str]()
     for top, first in (middle - [rows // 2, columns // 2]).tolist():
         window = full[max(top, 0) : max(top + rows, 0), max(first, 0) : max(first + columns, 0)]
         part = counts.hidden[:, max(top, 0) : top + rows, max(first, 0) : first + columns]
-        # Masked pixels near the target matter more than at the edge of the window.
+        # The middle half is tested separately because masked pixels near the target matter most.
         inner = part[:, rows // 4 : rows - rows // 4, columns // 4 : columns - columns // 4]
         if window.any():
-            found.append("saturated")
+            reasons.append("saturated")
         elif window.shape != box or min(top, first) < 0:
-            found.append("edge")
+            reasons.append("edge")
         else:
-            found.append("masked" if max(part.mean(), inner.mean()) >= _HIT else "")
-    return found
+            reasons.append("masked" if max(part.mean(), inner.mean()) >= _MAX_MASKED else "")
+    return reasons
 
 
-def _level(light: Array, box: tuple[int, int]) -> Array:
-    """Return the background: the median over cells of about a window, which few pixels of a spot do not shift."""
+def _background(light: Array, box: tuple[int, int]) -> Array:
+    """Return the background: medians over cells of about the size of a window, interpolated linearly."""
     cells = tuple(max(1, round(side / size)) for side, size in zip(light.shape, box, strict=True))
     edges = [np.linspace(0, side, n + 1).astype(int) for side, n in zip(light.shape, cells, strict=True)]
-    found = np.array(
+    medians = np.array(
         [[np.median(light[a:b, c:d]) for c, d in zip(edges[1], edges[1][1:], strict=False)]
          for a, b in zip(edges[0], edges[0][1:], strict=False)]
     )  # fmt: skip
-    # A cell that a spot fills is as its neighbours are.
-    smooth = ndimage.median_filter(found, size=3, mode="nearest")
+    # A cell that a spot fills has the background of its neighbours.
+    smooth = ndimage.median_filter(medians, size=3, mode="nearest")
     at = [(np.arange(side) + 0.5) * n / side - 0.5 for side, n in zip(light.shape, cells, strict=True)]
     return np.asarray(ndimage.map_coordinates(smooth, np.meshgrid(*at, indexing="ij"), order=1, mode="nearest"))
 
@@ -328,17 +336,17 @@ def _level(light: Array, box: tuple[int, int]) -> Array:
 def _centroid(
     light: Array, background: Array, variance: Array, at: tuple[int, int], box: tuple[int, int]
 ) -> tuple[Array, float, float]:
-    """Return the centroid of a spot, its electrons in a window, and the share of the brightest pixel in them."""
+    """Return the centroid of a spot, its electrons in a window, and the fraction of its light in one pixel."""
     middle = np.array(at, dtype=np.float64)
-    for turn in range(3):  # twice near the middle, then the whole window for its light
-        share = 0.5 if turn == 2 else _STRUCTURE
-        reach = [max(1, int(share * side)) for side in box]
-        low = np.clip(np.rint(middle).astype(int) - reach, 0, np.array(light.shape) - 1)
-        high = np.minimum(np.rint(middle).astype(int) + reach + 1, light.shape)
+    for turn in range(3):  # two iterations of the centroid near the maximum, then the electrons of the whole window
+        half_window = 0.5 if turn == 2 else _STRUCTURE
+        radius = [max(1, int(half_window * side)) for side in box]
+        low = np.clip(np.rint(middle).astype(int) - radius, 0, np.array(light.shape) - 1)
+        high = np.minimum(np.rint(middle).astype(int) + radius + 1, light.shape)
         part = np.s_[low[0] : high[0], low[1] : high[1]]
         above = light[part] - background[part]
         noise = np.sqrt(np.maximum(background[part], 0.0) + variance[part] + 1e-12)
-        # Pixels above the noise alone: those of the background would pull the centroid to the middle of the window.
+        # Only pixels above the noise: pixels of the background would move the centroid to the middle of the window.
         bright = np.where(above > 3.0 * noise, above, 0.0)
         total = float(bright.sum())
         if turn < 2 and total > 0.0:
@@ -347,46 +355,46 @@ def _centroid(
     return middle, float(above.sum()), float(bright.max()) / total if total > 0.0 else 0.0
 
 
-def _neighbors(places: Array, bright: Array, single: NDArray[np.bool_], reach: float, faint: float) -> list[bool]:
-    """Return which places, in windows, have another within reach that is not much dimmer.
+def _neighbors(places: Array, bright: Array, defect: NDArray[np.bool_], distance: float, faint: float) -> list[bool]:
+    """Return for each place whether another one is nearer than `distance` and not dimmer than the fraction `faint`.
 
-    A `single` pixel that is a defect has no light around it: it counts within the window alone.
+    Places and distance are in windows. A `defect` counts only inside a window because it has no light around it.
     """
-    found = [False] * len(places)
-    if len(places) > 1 and reach > 0.0:
-        for pair in cKDTree(places).query_pairs(reach * (1.0 - 1e-9), p=math.inf):
+    has_neighbor = [False] * len(places)
+    if len(places) > 1 and distance > 0.0:
+        for pair in cKDTree(places).query_pairs(distance * (1.0 - 1e-9), p=math.inf):
             outside = np.abs(places[pair[0]] - places[pair[1]]).max() > _INSIDE
             for one, other in (pair, pair[::-1]):
-                found[one] |= bool(bright[other] >= faint * bright[one]) and not (single[other] and outside)
-    return found
+                has_neighbor[one] |= bool(bright[other] >= faint * bright[one]) and not (defect[other] and outside)
+    return has_neighbor
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Crossings(Targets):
-    """Crossings of a checkerboard in an image or several exposures: the answer of :func:`lommel.find_crossings`.
+    """Crossings of a checkerboard in one or several exposures, returned by :func:`lommel.find_crossings`.
 
     Attributes
     ----------
     places : ndarray of int, shape (n, 2)
-        Row and column, in the image, of the middle pixel ``(rows // 2, columns // 2)`` of each window, row by row.
+        Row and column in the image of the middle pixel ``(rows // 2, columns // 2)`` of each window, sorted by rows.
     centers : ndarray, shape (n, 2)
-        Row and column of the saddle of the smoothed image, to a tenth of a pixel or so.
-    windows : ndarray, shape (n, rows, columns), of exposures (n, exposures, rows, columns)
-        Cut from the image, in its unit and type; a masked array if pixels of the image are left out.
+        Row and column of the saddle point of the smoothed image, accurate to about a tenth of a pixel.
+    windows : ndarray, shape (n, rows, columns), or (n, exposures, rows, columns) for several exposures
+        Windows cut from the image, in its unit and type; a masked array if pixels of the image are left out.
     indices : ndarray, shape (n, 2)
-        Row and column of each on the board, as of :func:`lommel.grid_indices`: ideal places, but for distortion. NaN
-        where not known.
+        Row and column of each crossing on the board, from :func:`lommel.grid_indices`; NaN if unknown. They are the
+        places of the crossings without distortion, in squares.
     contrast : ndarray, shape (n,)
-        White less black squares, electrons a pixel in all exposures together; a rough estimate.
+        White minus black level, electrons per pixel, sum of all exposures; a rough estimate.
     square : float
-        Side of a square in the image, pixels: the median distance between neighbours; NaN of fewer than two.
+        Side of a square in the image, pixels: the median distance between neighbours; NaN if there are none.
     refused : tuple of Refused
-        Row, column, score (standard deviations of the noise) and reason of the others: "saturated", "edge",
-        "masked" or "neighbor".
+        Row, column, score (standard deviations of the noise) and reason of each refused crossing. Reasons are
+        "saturated", "edge", "masked" and "neighbor".
     shape : (int, int)
-        Of the image.
+        Shape of the image.
     left_out : int
-        Number of pixels of all exposures that are masked, NaN or infinite.
+        Number of pixels in all exposures that are masked, NaN or infinite.
     """
 
     indices: Array
@@ -395,9 +403,9 @@ class Crossings(Targets):
 
     @property
     def message(self) -> str:
-        """How many were found, and how many refused for each reason."""
+        """Number of crossings found, their distance, and number refused for each reason."""
         apart = f", {self.square:.3g} pixels apart" if math.isfinite(self.square) else ""
-        return self._refusal_note("crossing", apart)
+        return self._summary("crossing", apart)
 
 
 def find_crossings(
@@ -416,29 +424,30 @@ def find_crossings(
     Parameters
     ----------
     images : array_like, shape (height, width) or (exposures, height, width)
-        As recorded, in the unit of `noise`; exposures are of one chart that did not move.
-        NaN, infinite and masked values are left out.
+        Recorded images, in the unit of `noise`; several exposures show one chart that did not move. NaN, infinite and
+        masked values are left out.
     noise : Noise
         Gain, offset and read noise of the camera, each a number or a map of the image.
     window : int or (int, int), optional
-        Rows and columns of the windows, at least 5. By default as large as squares allow without overlap, 9 to 21.
+        Rows and columns of the windows, at least 5. The default is a square of 9 to 21 pixels, chosen so that at
+        most about a tenth of the windows overlap.
     threshold : float, default 8.0
-        Least height of a crossing in standard deviations of the noise, at least 3.
+        Minimum height of a crossing in standard deviations of the noise, at least 3.
     width : float, default 2.0
-        Standard deviation of the smoothing in pixels, at least 1: about that of the blur of edges. Squares must be
-        larger than four of these.
+        Standard deviation of the smoothing in pixels, at least 1. It should be about that of the blur of edges; the
+        sides of squares must be larger than four of these.
     mask : array_like of bool, shape of `images` or (height, width), optional
-        True where a pixel is to be left out, such as defects.
+        True for pixels to leave out, such as defects.
     saturation : float, optional
-        Values from here on, in the unit of the images, are saturated. In images of integers the largest value of
-        their type always is.
+        Values greater than or equal to this, in the unit of the images, are saturated. The largest value of an
+        integer type always counts as saturated.
     most : int, optional
-        Keep only so many, spread over the image.
+        Maximum number of crossings, which are chosen evenly over the image.
 
     Returns
     -------
     Crossings
-        Places and windows for ``fit_field(..., targets="crossing")``, and those refused with the reason of each.
+        Places and windows for ``fit_field(..., targets="crossing")``, and refused crossings with reasons.
 
     Raises
     ------
@@ -447,10 +456,10 @@ def find_crossings(
 
     Notes
     -----
-    Maxima of minus the determinant of the Hessian of the smoothed image, where it is a saddle (Rufli, Scaramuzza and
-    Siegwart 2008, doi:10.1109/IROS.2008.4650703, compare detectors). Around a crossing brightness changes between
-    white and black four times: the second harmonic on a ring has most of the variance there. Borders of a chart,
-    where three squares or two meet, ends of lines and print do not.
+    Crossings are saddle points of the smoothed image: maxima of minus the determinant of the Hessian (Rufli,
+    Scaramuzza and Siegwart 2008, doi:10.1109/IROS.2008.4650703, compare detectors). On a circle around a crossing,
+    brightness changes between white and black four times, and most of its variance is in the second harmonic. This
+    test rejects the border of a chart, where two or three squares meet, and also ends of lines and print.
 
     Examples
     --------
@@ -466,18 +475,19 @@ def find_crossings(
     level = validation.real("threshold", threshold, least=3.0, most=1e3)
     sigma = validation.real("width", width, least=1.0, most=50.0)
     count = None if most is None else validation.integer("most", most, least=1, most=10**9)
-    rows, columns = least = box or (_LEAST, _LEAST)
+    rows, columns = least = box or (_MIN_WINDOW, _MIN_WINDOW)
     shape = f"(height, width) or (exposures, height, width), at least the window of {rows} x {columns}"
     counts, single = image_counts("images", images, shape, least, mask=mask, saturation=saturation)
     electrons = noise.electrons(filled(counts.values, counts.hidden, sigma))
     light, variance = electrons.sum(axis=0), noise.variance(np.maximum(electrons, 0.0)).sum(axis=0)
     center, score, contrast = _saddles(light, variance, sigma, level)
-    apart = _nearest(center)
-    square = float(np.median(np.sqrt((apart**2).sum(axis=1)))) if len(center) > 1 else math.nan
+    offset = _nearest_offsets(center)
+    square = float(np.median(np.sqrt((offset**2).sum(axis=1)))) if len(center) > 1 else math.nan
     if box is None:
-        room = float(np.percentile(np.abs(apart).max(axis=1), _SPACED)) if len(center) > 1 else float(_MOST)
-        side = int(min(max(room, _LEAST), _MOST, *light.shape))
-        box = (side - 1 + side % 2,) * 2
+        spacings = np.abs(offset).max(axis=1)
+        spacing = float(np.percentile(spacings, _OVERLAPPING)) if len(center) > 1 else float(_MAX_WINDOW)
+        side = int(min(max(spacing, _MIN_WINDOW), _MAX_WINDOW, *light.shape))
+        box = (side - 1 + side % 2,) * 2  # an odd number of pixels
     middle = np.rint(center).astype(np.int64)
     reasons = unusable(middle, counts, box)
     usable = np.flatnonzero([not reason for reason in reasons])
@@ -499,13 +509,13 @@ def find_crossings(
 
 
 def _saddles(light: Array, variance: Array, sigma: float, level: float) -> tuple[Array, Array, Array]:
-    """Return places (n, 2) of crossings, heights in standard deviations, and their contrast in electrons."""
+    """Return places (n, 2) of crossings, heights in standard deviations of the noise, and contrasts in electrons."""
 
-    def derived(rows: int, columns: int) -> Array:
+    def derivative(rows: int, columns: int) -> Array:
         return np.asarray(ndimage.gaussian_filter(light, sigma, order=(rows, columns), mode="nearest"))
 
-    across, along, mixed = derived(0, 2), derived(2, 0), derived(1, 1)
-    # Of white noise of variance v the mixed derivative has v / (16 pi sigma^6), and the others three times that.
+    across, along, mixed = derivative(0, 2), derivative(2, 0), derivative(1, 1)
+    # White noise of variance v gives the mixed derivative a variance of v / (16 pi sigma^6).
     noise = ndimage.gaussian_filter(variance, sigma / math.sqrt(2.0), mode="nearest") / (16.0 * math.pi * sigma**6)
     saddle = np.maximum(mixed * mixed - across * along, 0.0)
     height = np.sqrt(saddle / np.maximum(noise, 1e-12))
@@ -516,37 +526,38 @@ def _saddles(light: Array, variance: Array, sigma: float, level: float) -> tuple
     center = np.column_stack([row, column]).astype(np.float64)
     for axis, step in ((0, (1, 0)), (1, (0, 1))):  # the vertex of a parabola through three values
         low, high = saddle[row - step[0], column - step[1]], saddle[row + step[0], column + step[1]]
-        bend = 2.0 * saddle[row, column] - low - high
-        center[:, axis] += np.clip(0.5 * (high - low) / np.maximum(bend, 1e-300), -0.5, 0.5)
-    turn = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
-    at = center[:, :, None] + _RING * sigma * np.stack([np.sin(turn), np.cos(turn)])
-    # Brightness outside of the image is not known: such points are at its border.
-    ring = ndimage.map_coordinates(
+        curvature = 2.0 * saddle[row, column] - low - high
+        center[:, axis] += np.clip(0.5 * (high - low) / np.maximum(curvature, 1e-300), -0.5, 0.5)
+    angle = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
+    at = center[:, :, None] + _CIRCLE * sigma * np.stack([np.sin(angle), np.cos(angle)])
+    # Points outside the image have the brightness of the nearest pixel at its border.
+    circle = ndimage.map_coordinates(
         ndimage.gaussian_filter(light, 0.5 * sigma, mode="nearest"), at.swapaxes(0, 1), order=1, mode="nearest"
     )
-    power = np.abs(np.fft.rfft(ring, axis=1)[:, 1:]) ** 2 if len(ring) else np.zeros((0, _POINTS // 2))
-    power[:, -1:] *= 0.5
-    contrast = np.pi * np.sqrt(power[:, 1]) / _POINTS  # of a square wave
-    good = power[:, 1] > _ALIKE * np.maximum(power.sum(axis=1), 1e-300)
+    power = np.abs(np.fft.rfft(circle, axis=1)[:, 1:]) ** 2 if len(circle) else np.zeros((0, _POINTS // 2))
+    power[:, -1:] *= 0.5  # the highest frequency has no negative counterpart
+    contrast = np.pi * np.sqrt(power[:, 1]) / _POINTS  # peak to peak of a square wave with this second harmonic
+    good = power[:, 1] > _SECOND_HARMONIC * np.maximum(power.sum(axis=1), 1e-300)
     if good.any():
         good &= contrast > _CONTRAST * np.percentile(contrast[good], 75.0)
     return center[good], height[row, column][good], contrast[good]
 
 
 def _spread(center: Array, kept: NDArray[np.intp], most: int | None) -> NDArray[np.intp]:
-    """Return at most so many of the places kept, each as far from those before as any."""
+    """Return at most `most` of the places `kept`; each is the one farthest from all places chosen before."""
     if most is None or most >= len(kept):
         return kept
     places = center[kept]
-    chosen, far = [int(np.argmax(((places - places.mean(axis=0)) ** 2).sum(axis=1)))], np.full(len(kept), math.inf)
+    chosen = [int(np.argmax(((places - places.mean(axis=0)) ** 2).sum(axis=1)))]
+    squared_distance = np.full(len(kept), math.inf)
     while len(chosen) < most:
-        far = np.minimum(far, ((places - places[chosen[-1]]) ** 2).sum(axis=1))
-        chosen.append(int(np.argmax(far)))
+        squared_distance = np.minimum(squared_distance, ((places - places[chosen[-1]]) ** 2).sum(axis=1))
+        chosen.append(int(np.argmax(squared_distance)))
     return kept[chosen]
 
 
-def _nearest(center: Array) -> Array:
-    """Return the distance of each place to the nearest other, (n, 2)."""
+def _nearest_offsets(center: Array) -> Array:
+    """Return the offset (row, column) from each place to its nearest neighbour, shape (n, 2)."""
     if len(center) < 2:
         return np.zeros_like(center)
     _, at = cKDTree(center).query(center, k=2)
@@ -554,7 +565,7 @@ def _nearest(center: Array) -> Array:
 
 
 def grid_indices(places: ArrayLike) -> Array:
-    """Return the row and column, on a square grid, of points in an image.
+    """Return the row and column of image points in a square grid.
 
     Parameters
     ----------
@@ -564,18 +575,19 @@ def grid_indices(places: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (n, 2)
-        Whole numbers from 0 on, that grow downwards and to the right in an image turned by less than 45 degrees; NaN
-        of points without a neighbour on the grid.
+        Whole numbers from 0; NaN for points that are not connected to the grid. If the grid is rotated by less than
+        45 degrees, the row index increases downwards and the column index to the right.
 
     Raises
     ------
     TypeError, ValueError
-        If there are fewer points, they are not finite, or no two steps of a grid are among them.
+        If there are fewer than 4 points, points are not finite, or fewer than 4 points form a grid.
 
     Notes
     -----
-    From a point in the middle each neighbour is looked for a step away, and steps are measured anew there: distortion
-    and perspective may change them slowly. Points may be missing, as long as there is a way around.
+    The grid is grown from a point in the middle: the neighbours of a point are one step of the grid away from it. The
+    steps are measured again at each point, because distortion and perspective change them slowly. Points may be
+    missing if the others are still connected by steps.
 
     Examples
     --------
@@ -591,22 +603,25 @@ def grid_indices(places: ArrayLike) -> Array:
     for seed in np.argsort(((at - np.median(at, axis=0)) ** 2).sum(axis=1))[:_SEEDS].tolist():
         if seed in best or (steps := _steps(at, tree, seed)) is None:
             continue
-        found = _grown(at, tree, seed, steps)
-        if len(found) > len(best):
-            best = found
+        grid = _grow_grid(at, tree, seed, steps)
+        if len(grid) > len(best):
+            best = grid
         if len(best) > len(at) // 2:
             break
     if len(best) < 4:
-        raise ValueError(f"places must be of a square grid, got {len(at)} points of which no 4 are")
-    known = np.full(at.shape, np.nan)
-    known[list(best)] = list(best.values())
-    return np.asarray(known - np.nanmin(known, axis=0))
+        raise ValueError(f"places must be on a square grid, got {len(at)} points, fewer than 4 of which form a grid")
+    indices = np.full(at.shape, np.nan)
+    indices[list(best)] = list(best.values())
+    return np.asarray(indices - np.nanmin(indices, axis=0))
 
 
 def _steps(places: Array, tree: cKDTree, seed: int) -> Array | None:
-    """Return the steps (2, 2) downwards and to the right beside a point, None without two at about right angles."""
-    away, near = tree.query(places[seed], k=min(5, len(places)))
-    offsets = (places[near] - places[seed])[away > 0.0]
+    """Return the steps (2, 2) from a point to the next one downwards and to the right.
+
+    Return None if no two of the nearest points are at about right angles.
+    """
+    distance, near = tree.query(places[seed], k=min(5, len(places)))
+    offsets = (places[near] - places[seed])[distance > 0.0]
     unit = offsets / np.linalg.norm(offsets, axis=1)[:, None]
     down = int(np.argmax(np.abs(unit[:, 0])))
     across = int(np.argmin(np.abs(unit @ unit[down])))
@@ -618,21 +633,21 @@ def _steps(places: Array, tree: cKDTree, seed: int) -> Array | None:
     return np.asarray(steps)
 
 
-def _grown(places: Array, tree: cKDTree, seed: int, steps: Array) -> dict[int, tuple[int, int]]:
-    """Return the indices of points that steps lead to."""
-    found, taken = {seed: (0, 0)}, {(0, 0)}
+def _grow_grid(places: Array, tree: cKDTree, seed: int, steps: Array) -> dict[int, tuple[int, int]]:
+    """Return the grid indices of all points that are connected to the point `seed` by steps of the grid."""
+    indices, occupied = {seed: (0, 0)}, {(0, 0)}
     waiting = deque([(seed, steps)])
     while waiting:
-        point, own = waiting.popleft()
+        point, own_steps = waiting.popleft()
         for step in _STEPS:
-            index = (found[point][0] + step[0], found[point][1] + step[1])
-            away = np.asarray(step) @ own
-            distance, other = tree.query(places[point] + away)
-            if index in taken or other in found or distance > _NEAR * np.linalg.norm(away):
+            index = (indices[point][0] + step[0], indices[point][1] + step[1])
+            offset = np.asarray(step) @ own_steps
+            distance, other = tree.query(places[point] + offset)
+            if index in occupied or other in indices or distance > _MAX_OFFSET * np.linalg.norm(offset):
                 continue
-            found[int(other)] = index
-            taken.add(index)
-            changed = own.copy()
-            changed[0 if step[0] else 1] = sum(step) * (places[other] - places[point])
-            waiting.append((int(other), changed))
-    return found
+            indices[int(other)] = index
+            occupied.add(index)
+            new_steps = own_steps.copy()
+            new_steps[0 if step[0] else 1] = sum(step) * (places[other] - places[point])
+            waiting.append((int(other), new_steps))
+    return indices

@@ -154,8 +154,8 @@ class Places:
     """Fitted places of r targets in e exposures (r, e, 2), pixels, with their covariance.
 
     `noise` (r, 2e, 2e) is the covariance for given shared parameters of the field, such as the wavefront; the rows of
-    all exposures precede the columns. `mixed` (r, 2e, s) are derivatives of the places by the s shared parameters, and
-    `shared` (s, s) is the information matrix of these parameters.
+    all exposures precede the columns. `mixed` (r, 2e, s) are derivatives of the places by the s shared parameters,
+    and `shared` (s, s) is the information matrix of these parameters.
     """
 
     fitted: Array

@@ -1,4 +1,4 @@
-"""Cameras in TOML files, and the sections that lenses and microscopes share: [sensor] and [aberrations.zernike]."""
+"""Camera files in TOML, and two sections of lens and microscope files: [sensor] and [aberrations.zernike]."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from lommel.lensfiles.toml_files import (
 from lommel.optics.wavefront.wavefront import Wavefront
 
 NAME = "the name of an example (lommel examples --find camera) or of a .toml file"
-"""Description of valid entries of `camera`, for messages."""
+"""Description of the valid values of `camera`, for error messages."""
 
 
 class _Camera(Section):
@@ -53,16 +53,20 @@ class _File(Section):
 def load_camera(path: str | PathLike[str]) -> Camera:
     """Read a camera file.
 
-    Keys: ``name`` (by default that of the file) and ``source``; ``[camera]`` pixel, a text with a unit such as
-    ``"6.5 um"`` or a list of height and width; and, where they are known, read (electrons rms), full_well
-    (electrons), gain (electrons per count), offset (counts) and excess (1 to 100), the excess noise factor of
-    electron multiplication. With em_gain, gain and read are those of the output amplifier and are divided by it, and
-    excess is 2 unless it is stated: those of a :class:`lommel.Camera` are of electrons before multiplication.
+    Keys: ``name`` (by default the name of the file) and ``source``. The section ``[camera]`` has ``pixel``, a string
+    with a unit such as ``"6.5 um"`` or a list of height and width. Its other keys are optional: ``read`` (electrons
+    rms), ``full_well`` (electrons), ``gain`` (electrons per count), ``offset`` (counts) and ``excess`` (1 to 100),
+    the excess noise factor of electron multiplication.
+
+    If there is ``em_gain``, the multiplication gain, ``gain`` and ``read`` in the file are those of the output
+    amplifier, and ``excess`` is 2 by default. Gain and read noise of the :class:`lommel.Camera` then refer to
+    electrons before multiplication: both are divided by ``em_gain``.
 
     Parameters
     ----------
     path : path or str
-        The file, or the name of an example: ``"andor-zyla-5.5"``. ``lommel examples --find camera`` lists them.
+        The file, or the name of an example such as ``"andor-zyla-5.5"``. ``lommel examples --find camera`` lists the
+        examples.
 
     Returns
     -------
@@ -71,10 +75,10 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     Raises
     ------
     LensFileError
-        If the file is not valid TOML, or for missing, unknown or invalid entries, all reported together with key and
-        line.
+        If the file is not valid TOML or has missing, unknown or invalid entries; all are reported together, with key
+        and line.
     ValueError
-        If there is no example of this name.
+        If no example has this name.
     OSError
         If the file cannot be read.
 
@@ -86,47 +90,47 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     """
     source = validation.path("path", path)
     if named(source):
-        there = of_kind("camera")
-        if source.name not in there:
-            found = near(source.name, there)
-            # There are too many examples for a message, which therefore states how to list them.
-            meant = f"; {found}" if found.startswith("did") else ""
-            raise ValueError(f"camera must be {NAME}, got {validation.shown(source.name)}{meant}")
-        source = there[source.name]
+        examples = of_kind("camera")
+        if source.name not in examples:
+            similar = near(source.name, examples)
+            # There are too many examples for a message: only a similar name is included.
+            suggestion = f"; {similar}" if similar.startswith("did") else ""
+            raise ValueError(f"camera must be {NAME}, got {validation.shown(source.name)}{suggestion}")
+        source = examples[source.name]
     text, raw = toml_files.parsed(source)
     if "camera" not in raw and ("lens" in raw or "objective" in raw):
         kind = "lens" if "lens" in raw else "objective"
-        raise LensFileError(f"{validation.line(source)}: has a section [{kind}], and is not the file of a camera")
+        raise LensFileError(f"{validation.line(source)}: is not a camera file, because it has a section [{kind}]")
     return toml_files.built(source, raw, text, _File, partial(_camera_of_file, stem=source.stem))
 
 
 def named(path: Path) -> bool:
-    """Return True if a path may be the name of an example, without a folder and without a suffix."""
+    """Return True if a path may be the name of an example: it has no folder and no suffix .toml."""
     return path.suffix.lower() != ".toml" and path.name == str(path)
 
 
 def _camera_of_file(file: _File, *, stem: str) -> Camera:
     stated = dict(file.camera)
-    times = stated.pop("em_gain")
+    em_gain = stated.pop("em_gain")
     # Electron multiplication multiplies the variance of the light by the excess noise factor.
     if stated["excess"] is None:
-        stated["excess"] = _EXCESS if times is not None and times > 1.0 else 1.0
+        stated["excess"] = _EXCESS if em_gain is not None and em_gain > 1.0 else 1.0
     for name in ("gain", "read"):
-        if times is not None and (name == "gain" or stated[name] is not None):
-            # Refer gain and read noise to electrons before multiplication: divide by the multiplication gain.
-            stated[name] = (1.0 if stated[name] is None else stated[name]) / times
+        if em_gain is not None and (name == "gain" or stated[name] is not None):
+            # The quotient refers to electrons before multiplication.
+            stated[name] = (1.0 if stated[name] is None else stated[name]) / em_gain
     return Camera(stem if file.name is None else file.name, file.source, **stated)
 
 
-_EXCESS = 2.0  # excess noise factor of a register with many stages of small gain
+_EXCESS = 2.0  # excess noise factor of an electron multiplication register with many stages of small gain
 
 
 def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable | None, list[str]]:
-    """Return the table of [aberrations.zernike] (None without this section) and its errors."""
-    above = raw.get("aberrations")
-    section = above.get("zernike") if isinstance(above, dict) else None
+    """Return the table of the section [aberrations.zernike], or None without this section, and error messages."""
+    aberrations = raw.get("aberrations")
+    section = aberrations.get("zernike") if isinstance(aberrations, dict) else None
     if not isinstance(section, dict):
-        return None, []  # absent, or an error that pydantic reports
+        return None, []  # the section is absent, or pydantic reports its wrong type
 
     def where(keys: Sequence[str]) -> str:
         return text_files.place(text, ["aberrations", "zernike", *keys])
@@ -135,24 +139,26 @@ def read_zernike(raw: Toml, text: str, context: Context) -> tuple[ZernikeTable |
         return zernike_tables.build_section(section, where)
     try:
         if others := [key for key in section if key != "file"]:
-            raise ValueError(f"the file states everything; leave out {', '.join(others)}")
+            raise ValueError(f"the table file replaces all other keys; leave out {', '.join(others)}")
         table = read_beside(context, section["file"], "the path of a table", zernike_tables.load_zernike)
         if table.wavelength is None and table.unit in ("radians", "waves"):
-            raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
+            raise ValueError(
+                f"{validation.line(section['file'])}: must state the wavelength, as its unit is {table.unit}"
+            )
         return table, []
     except ValueError as error:
-        # The message has one line for each error of the table.
+        # The message has one line for each error of the table; the lines are joined.
         return None, [f"{where(['file'])}: {'; '.join(part.strip() for part in str(error).splitlines())}"]
 
 
 def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
-    """Return the wavefront of a table at a wavelength, metres; a table without a wavelength refers to this one."""
-    own = wavelength if table.wavelength is None else table.wavelength
-    return replace(table, wavelength=own).wavefront(wavelength)
+    """Return the wavefront of a table at a wavelength (metres), which is also the default of its own wavelength."""
+    table_wavelength = wavelength if table.wavelength is None else table.wavelength
+    return replace(table, wavelength=table_wavelength).wavefront(wavelength)
 
 
-def _read(value: object) -> object:
-    """Return a camera, or raise its error during validation, so that it is reported with all other errors."""
+def _camera_or_error(value: object) -> object:
+    """Return a camera; raise an error that reading it caused, so that pydantic reports it with all other errors."""
     if isinstance(value, ValueError):
         raise value
     return value
@@ -164,12 +170,12 @@ class Sensor(Section):
     pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
     shape: Annotated[tuple[int, int], BeforeValidator(checked_by(validation.image_shape))] | None = None
     integrate: Annotated[bool, Field(strict=True)] | None = None
-    camera: Annotated[Camera | None, BeforeValidator(_read)] = None
+    camera: Annotated[Camera | None, BeforeValidator(_camera_or_error)] = None
 
     @model_validator(mode="before")
     @classmethod
     def _of_camera(cls, raw: object, info: ValidationInfo) -> object:
-        """Return the section with its camera, whose pixel pitch is used unless the section has one."""
+        """Return the section with its camera, whose pixel pitch is the default of `pixel`."""
         if not isinstance(raw, dict) or "camera" not in raw:
             return raw
         name = raw["camera"]
@@ -179,14 +185,15 @@ class Sensor(Section):
             else:
                 camera = read_beside(info.context, name, NAME, load_camera)
         except ValueError as error:
-            return {"pixel": "1 um"} | raw | {"camera": error}  # a placeholder: the error is reported
+            # The pixel pitch is a placeholder: only the error is reported.
+            return {"pixel": "1 um"} | raw | {"camera": error}
         sides = [camera.pixel] if isinstance(camera.pixel, float) else list(camera.pixel)
         texts = [f"{side!r} m" for side in sides]
         return {"pixel": texts if len(texts) > 1 else texts[0]} | raw | {"camera": camera}
 
 
 class PhotoSensor(Sensor):
-    """The section [sensor] of a lens, whose pixels may be rectangular and have a fill factor."""
+    """The section [sensor] of a lens: pixels may be rectangular and have a fill factor."""
 
     pixel: Annotated[float | tuple[float, float], PlainValidator(pitch)]  # type: ignore[assignment]
     fill: Annotated[tuple[float, float], PlainValidator(checked_by(partial(validation.fill, "fill")))] = (1.0, 1.0)

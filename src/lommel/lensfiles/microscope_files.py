@@ -200,7 +200,7 @@ class Microscope:
         target = validation.path("path", path)
         if target.suffix.lower() != ".toml":
             raise ValueError(f"path must end in .toml, got {validation.line(target)}")
-        atomic.write(target, _text(self).encode())
+        atomic.write(target, _file_text(self).encode())
 
     @property
     def z(self) -> Array:
@@ -299,7 +299,7 @@ class _Emission(BuiltSection):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return an error message if more than one emitter is given."""
+        """Return an error message if the section has more than one of the keys emitter, dipole and beam."""
         kinds = sorted({"emitter", "dipole", "beam"} & set(given))
         return f"takes one of emitter, dipole and beam, got {' and '.join(kinds)}" if len(kinds) > 1 else None
 
@@ -311,7 +311,7 @@ class _Emission(BuiltSection):
 
 
 class _Aberrations(Section):
-    zernike: Toml | None = None  # checked by `camera_files.read_zernike`
+    zernike: Toml | None = None  # validated by `camera_files.read_zernike`
 
 
 class _Stack(Section):
@@ -336,92 +336,96 @@ class _File(Section):
 
     @classmethod
     def fault(cls, given: Toml) -> str | None:
-        """Return an error message if [coverslip] contradicts the key "dipping" of the objective."""
+        """Return an error message if a section [coverslip] contradicts the key "dipping" of the objective."""
         objective = given.get("objective")
         dipping = objective.get("dipping", False) if isinstance(objective, dict) else False
         if dipping is not ("coverslip" in given):
-            return None  # also where `dipping` is not a boolean: that error is reported by its own check
-        reason = "has no meaning for" if dipping else "is missing; leave it out only of"
-        return f"[coverslip] {reason} an objective that dips into the sample, dipping = true"
+            return None  # also if `dipping` is not a boolean, which pydantic reports
+        if dipping:
+            return "[coverslip] must be left out for an objective that dips into the sample, dipping = true"
+        return "[coverslip] is missing; it may be left out only for an objective with dipping = true"
 
 
-def _text(of: Microscope) -> str:
+def _file_text(microscope: Microscope) -> str:
     """Return the text of a microscope file."""
-    one = of.objective
-    if one.working_distance is None:
-        raise ValueError("the objective must have a working_distance: microscope files require it")
-    lines = [f"name = {_value(of.name)}", f"source = {_value(of.source)}"]
-    for name, entries in (*_layer_sections(one), *_light_sections(of), *_plane_sections(of)):
+    if microscope.objective.working_distance is None:
+        raise ValueError("objective must have a working_distance, which microscope files require, got None")
+    lines = [f"name = {_value(microscope.name)}", f"source = {_value(microscope.source)}"]
+    layers = _layer_sections(microscope.objective)
+    for name, entries in (*layers, *_light_sections(microscope), *_plane_sections(microscope)):
         lines.append(f"\n[{name}]")
         lines += [f"{key} = {_value(value)}" for key, value in entries.items() if value is not None]
-    if of.aberrations is not None:
-        waves = of.aberrations.to_zernike(order="noll", unit="waves")
+    if microscope.aberrations is not None:
+        waves = microscope.aberrations.to_zernike(order="noll", unit="waves")
         terms = sorted((index, float(c)) for index, c in waves.items() if float(c) and index > 1)
         lines += ["\n[aberrations.zernike]", 'order = "noll"', 'unit = "waves"', 'normalization = "rms"']
         lines.append("terms = { " + ", ".join(f"{index} = {c:.12g}" for index, c in terms) + " }")
-    if of.errors:
+    if microscope.errors:
         lines.append("\n[errors]")
-        lines += [f"{json.dumps(name)} = {_value(float(error))}" for name, error in of.errors.items()]
+        lines += [f"{json.dumps(name)} = {_value(float(error))}" for name, error in microscope.errors.items()]
     return "\n".join(lines) + "\n"
 
 
 _Sections: TypeAlias = Iterator[tuple[str, Mapping[str, object]]]
 
 
-def _layer_sections(one: Objective) -> _Sections:
+def _layer_sections(objective: Objective) -> _Sections:
     """Yield the sections of an objective and of its layers."""
-    assert one.working_distance is not None
+    assert objective.working_distance is not None
     yield (
         "objective",
         {
-            "NA": one.NA,
-            "magnification": one.magnification,
-            "working_distance": _metres(one.working_distance),
-            "immersion": one.immersion,
-            "dipping": True if one.coverslip is None else None,
-            "apodization": list(illumination(one.apodization).powers) or None,
+            "NA": objective.NA,
+            "magnification": objective.magnification,
+            "working_distance": _micrometres(objective.working_distance),
+            "immersion": objective.immersion,
+            "dipping": True if objective.coverslip is None else None,
+            "apodization": list(illumination(objective.apodization).powers) or None,
         },
     )
-    if one.coverslip is not None:
-        yield "coverslip", _layer_entries(one.coverslip)
-    for film in one.films:
+    if objective.coverslip is not None:
+        yield "coverslip", _layer_entries(objective.coverslip)
+    for film in objective.films:
         yield "[films]", _layer_entries(film)
-    if one.design != Design(one.immersion, one.coverslip):
-        yield "design", {"immersion": one.design.immersion}
-        if one.design.coverslip is not None:
-            yield "design.coverslip", _layer_entries(one.design.coverslip)
+    if objective.design != Design(objective.immersion, objective.coverslip):
+        yield "design", {"immersion": objective.design.immersion}
+        if objective.design.coverslip is not None:
+            yield "design.coverslip", _layer_entries(objective.design.coverslip)
 
 
 def _layer_entries(layer: Layer) -> Mapping[str, object]:
-    return {"index": layer.index, "thickness": _metres(layer.thickness)}
+    return {"index": layer.index, "thickness": _micrometres(layer.thickness)}
 
 
-def _light_sections(of: Microscope) -> _Sections:
-    """Yield the sections of the sample and of the emitter; ValueError for an emitter that files cannot state."""
-    yield "sample", {"index": of.objective.sample, "depth": _metres(of.depth)}
-    named = next((name for name in ("isotropic", "scalar") if emitter_of(name) == of.emitter), None)
-    yield "emission", {"wavelength": _metres(of.wavelength), "emitter": named}
-    if named is not None:
+def _light_sections(microscope: Microscope) -> _Sections:
+    """Yield the sections of the sample and of the emission; ValueError if files do not support the emitter."""
+    emitter = microscope.emitter
+    yield "sample", {"index": microscope.objective.sample, "depth": _micrometres(microscope.depth)}
+    name = next((name for name in ("isotropic", "scalar") if emitter_of(name) == emitter), None)
+    yield "emission", {"wavelength": _micrometres(microscope.wavelength), "emitter": name}
+    if name is not None:
         return
-    if isinstance(of.emitter, Dipole):
-        yield "emission.dipole", vars(of.emitter)
-    elif isinstance(of.emitter, Beam) and isinstance(of.emitter.polarization, str):
-        yield "emission.beam", {"polarization": of.emitter.polarization}
+    if isinstance(emitter, Dipole):
+        yield "emission.dipole", vars(emitter)
+    elif isinstance(emitter, Beam) and isinstance(emitter.polarization, str):
+        yield "emission.beam", {"polarization": emitter.polarization}
     else:
-        raise ValueError(f"emitter must be one that files state, got {of.emitter!r}")
+        raise ValueError(f"emitter must be one that microscope files support (see load_microscope), got {emitter!r}")
 
 
-def _plane_sections(of: Microscope) -> _Sections:
-    """Yield the sections of the stack, if any, and of the sensor."""
-    if of.planes > 1:
-        yield "stack", {"planes": of.planes, "step": _metres(of.step), "origin": of.origin}
-    shape = None if of.shape is None else list(of.shape)
-    yield "sensor", {"pixel": _metres(of.pixel), "shape": shape, "integrate": of.integrate}
+def _plane_sections(microscope: Microscope) -> _Sections:
+    """Yield the sections of the stack, if it has several planes, and of the sensor."""
+    if microscope.planes > 1:
+        step = _micrometres(microscope.step)
+        yield "stack", {"planes": microscope.planes, "step": step, "origin": microscope.origin}
+    shape = None if microscope.shape is None else list(microscope.shape)
+    pixel = _micrometres(microscope.pixel)
+    yield "sensor", {"pixel": pixel, "shape": shape, "integrate": microscope.integrate}
 
 
-def _metres(value: float) -> str:
-    # Twelve digits, so that rounding of the conversion to micrometres does not show.
-    return f"{1e6 * value:.12g} um"
+def _micrometres(metres: float) -> str:
+    # Twelve digits hide the rounding error of the conversion.
+    return f"{1e6 * metres:.12g} um"
 
 
 def _value(value: object) -> str:
@@ -433,7 +437,7 @@ def _value(value: object) -> str:
 
 
 def describes_microscope(path: str | PathLike[str]) -> bool:
-    """Return whether a file describes a microscope, not a lens."""
+    """Return True if a file describes a microscope: it has a section [objective] and no section [lens]."""
     _, raw = toml_files.parsed(validation.path("path", path))
     return "objective" in raw and "lens" not in raw
 
@@ -447,23 +451,25 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     - ``[objective]``: NA, magnification, working_distance, immersion (refractive index), dipping (true for an
       objective without a cover glass), apodization (a number, or the powers of :class:`lommel.Apodization`)
     - ``[coverslip]`` and ``[[films]]`` (thin films in order from glass to sample): index, thickness
-    - ``[design]`` and ``[design.coverslip]``: media for which the objective was corrected, if it is used with others
+    - ``[design]`` and ``[design.coverslip]``: media for which the objective was corrected, if other media are used
     - ``[sample]``: index, depth of the emitter below the cover glass
-    - ``[emission]``: wavelength, emitter ("isotropic", the default, or "scalar"); instead of emitter a section
-      ``[emission.dipole]`` (polar, azimuth, wobble) or, for an excitation beam, ``[emission.beam]`` (polarization)
-    - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; its wavelength is that of
-      the emission by default
+    - ``[emission]``: wavelength, emitter ("isotropic", the default, or "scalar"). The key emitter may be replaced by
+      a section ``[emission.dipole]`` (polar, azimuth, wobble) or, for an excitation beam, ``[emission.beam]``
+      (polarization)
+    - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; its wavelength is by default
+      the emission wavelength
     - ``[errors]``: standard errors of fitted parameters, by name
-    - ``[stack]``: planes, step, origin of z at plane ``planes // 2`` ("brightest", the default, "paraxial" or
-      "coverslip"); without this section a single plane at the brightest focus
-    - ``[sensor]``: camera, or pixel (on the camera); shape and integrate as for a lens
+    - ``[stack]``: planes, step and origin of z, at which plane ``planes // 2`` lies ("brightest", the default,
+      "paraxial" or "coverslip"); without this section there is a single plane, at the brightest focus
+    - ``[sensor]``: camera, or pixel (pitch on the camera); shape and integrate, as for a lens
 
     Parameters
     ----------
     path : path
         Microscope file to read.
     folder_only : bool, default False
-        Refuse tables of aberrations outside the folder of the file, as :func:`lommel.load_instrument` does.
+        If True, an error is raised for tables of aberrations outside the folder of the file, as in
+        :func:`lommel.load_instrument`.
 
     Returns
     -------
@@ -487,7 +493,8 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     text, raw = toml_files.parsed(source)
     if "lens" in raw and "objective" not in raw:
         raise LensFileError(
-            f"{validation.line(source)}: describes a lens, [lens], not a microscope: lommel.load_instrument reads it"
+            f"{validation.line(source)}: describes a lens (section [lens]), not a microscope; read it with "
+            "lommel.load_instrument"
         )
     context: Context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = camera_files.read_zernike(raw, text, context)

@@ -1,4 +1,4 @@
-"""Tables, also in CSV: Zernike coefficients over the field, and spectral sensitivities of colour channels."""
+"""Tables in CSV and other files: Zernike coefficients over the field, spectral sensitivities of colour channels."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront.wavefront import Wavefront
 from lommel.special import zernike
 
-_MOST_COLUMNS = 1000  # largest number of columns, above the number of Zernike terms
+_MAX_COLUMNS = 1000  # largest number of columns of a field table; there are fewer Zernike terms
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
 _SHORTEST, _LONGEST = 1e-7, 2e-5  # range of wavelengths, metres; others are probably in a wrong unit
-_MOST_POINTS = 200_000
-_LEAST = -0.01  # of the largest value: least value, as dark measurements count as 0
+_MAX_POINTS = 200_000  # number of wavelengths above which curves are not refined further
+_MIN_RELATIVE = -0.01  # least (value / largest value) that counts as 0: dark measurements may be negative
 
 
 @dataclass(frozen=True)
@@ -39,16 +39,16 @@ class FieldTable:
     Attributes
     ----------
     positions : dict of str to tuple of float
-        Either ``"height"`` or ``"x"`` and ``"y"``: metres from the axis.
+        Either ``"height"``, or ``"x"`` and ``"y"``: distances from the axis, metres.
     terms : dict of int to tuple of float
-        Coefficients by index, each as long as the positions.
+        Coefficients at all positions for each Zernike index.
     order : str
-        Of the indices: "noll", "ansi" or "fringe".
+        Order of the Zernike indices: "noll", "ansi" or "fringe".
 
     Raises
     ------
     TypeError, ValueError
-        If they have other types or differ in length.
+        If the attributes have other types, or positions and terms differ in length.
     """
 
     positions: dict[str, tuple[float, ...]]
@@ -78,10 +78,10 @@ class FieldTable:
         ----------
         pupil : Pupil
         unit, normalization : str
-            As of :meth:`lommel.Wavefront.zernike`.
+            Unit and normalization of the coefficients, see :meth:`lommel.Wavefront.zernike`.
         direction : {"x", "y"}
-            Direction of the heights: along rising columns, or along rising rows (downwards). Coefficients are in the
-            axes of the sensor in either case: the coma of heights along y is a sine.
+            Direction of the heights: x by columns, or y by rows (downwards). Coefficients always refer to the axes of
+            the sensor: the coma of heights along y is a sine term.
 
         Returns
         -------
@@ -90,13 +90,13 @@ class FieldTable:
         Raises
         ------
         TypeError, ValueError
-            If a unit or a direction does not exist, or as :meth:`lommel.FieldMap.radial`,
-            :meth:`lommel.FieldMap.on_grid` and :meth:`lommel.FieldMap.scattered`.
+            If a unit or a direction does not exist, or if :meth:`lommel.FieldMap.radial`,
+            :meth:`lommel.FieldMap.on_grid` or :meth:`lommel.FieldMap.scattered` raises an error.
 
         Notes
         -----
-        Positions of a full rectangular grid, four or more each way, are interpolated by bicubic splines, others by
-        radial basis functions.
+        Wavefronts are interpolated by bicubic splines if the positions x and y are a full rectangular grid of at
+        least four columns and four rows. For other positions x and y, radial basis functions are used.
         """
         validation.choice("direction", direction, ("x", "y"))
         checked(pupil)
@@ -111,7 +111,7 @@ class FieldTable:
         across, down = np.unique(x), np.unique(y)
         order = np.lexsort((x, y))
         grid = np.meshgrid(across, down)
-        # Bicubic splines need a grid of four points along each axis; other positions count as scattered.
+        # Bicubic splines need at least four points along each axis.
         full = min(across.size, down.size) >= 4 and x.size == grid[0].size
         if full and (x[order] == grid[0].ravel()).all() and (y[order] == grid[1].ravel()).all():
             return FieldMap.on_grid(across, down, wavefront[order.reshape(grid[0].shape)], aperture=aperture)
@@ -121,13 +121,14 @@ class FieldTable:
 def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     """Read a table from a CSV file: a line of column names, then a line for each position.
 
-    Lines that are empty or begin with ``#`` are skipped. Columns and cells are those of :func:`read_rows`.
+    Lines that are empty or begin with ``#`` are skipped. For columns and cells see :func:`read_rows`.
 
     Parameters
     ----------
     path : path
+        CSV file to read.
     order : {"noll", "ansi", "fringe"}
-        Of the indices.
+        Order of the Zernike indices.
 
     Returns
     -------
@@ -136,7 +137,7 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     Raises
     ------
     ValueError
-        For all errors together, each with its line.
+        If there are errors in the file; all are reported together, each with its line.
     OSError
         If the file cannot be read.
     """
@@ -155,15 +156,17 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
 def read_rows(columns: Sequence[str], rows: Sequence[Sequence[object]], order: str) -> FieldTable:
     """Return a table from names of columns and rows of cells.
 
-    The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
-    others are Zernike indices such as ``Z4``, with numbers.
+    The first column is ``height``, or the first two columns are ``x`` and ``y``. Their cells are lengths: strings
+    with a unit, or 0. The names of all other columns are Zernike indices such as ``Z4``, and their cells are numbers.
 
     Parameters
     ----------
     columns : list of str
+        Names of the columns.
     rows : list of lists
+        Cells of each row.
     order : {"noll", "ansi", "fringe"}
-        Of the indices.
+        Order of the Zernike indices.
 
     Returns
     -------
@@ -172,9 +175,9 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[object]], order: s
     Raises
     ------
     TypeError
-        If these are not lists, or a column name is not a text.
+        If `columns` or `rows` is not a list, or a column name is not a string.
     ValueError
-        For all errors together, each with its row.
+        If there are errors in the table; all are reported together, each with its row.
     """
     for name, value in (("columns", columns), ("rows", rows)):
         if not isinstance(value, list | tuple):
@@ -188,66 +191,66 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[object]], order: s
 
 
 def _table(
-    columns: Sequence[str], rows: Iterable[tuple[int, Sequence[object]]], order: str, called: str
+    columns: Sequence[str], rows: Iterable[tuple[int, Sequence[object]]], order: str, row_name: str
 ) -> FieldTable:
-    """Return a table of numbered rows; error messages name a row by the text `called` and its number."""
+    """Return a table from numbered rows; in error messages a row is `row_name` and its number."""
     places = ("height",) if columns and columns[0] == "height" else ("x", "y")
     if tuple(columns[: len(places)]) != places:
         got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
         raise ValueError(f"the first columns must be height, or x and y, got {got}")
     errors: list[str] = []
     indices: list[int] = []
-    if len(columns) > _MOST_COLUMNS:
-        raise ValueError(f"there must be at most {_MOST_COLUMNS} columns, got {len(columns)}")
+    if len(columns) > _MAX_COLUMNS:
+        raise ValueError(f"there must be at most {_MAX_COLUMNS} columns, got {len(columns)}")
     for name in columns[len(places) :]:
         try:
             if not (found := re.fullmatch(r"Z(\d{1,5})", name)):
                 raise ValueError(f"column {validation.shown(name)} must be a Zernike index such as Z4")
             zernike.term(int(found[1]), order)
             if int(found[1]) in indices:
-                raise ValueError(f"column {name} comes twice")
+                raise ValueError(f"column {name} occurs twice")
             indices.append(int(found[1]))
         except ValueError as error:
             errors.append(str(error))
     if len(columns) == len(places):
         errors.append("there must be a column for a Zernike coefficient, such as Z4")
     count = len(places)
-    kinds = [*[_length] * count, *[_coefficient] * (len(columns) - count)]
-    whole = [tuple(values) for values in _cells(columns, rows, kinds, called, errors)]
+    converters = [*[_length] * count, *[_coefficient] * (len(columns) - count)]
+    values = [tuple(column) for column in _numbers(columns, rows, converters, row_name, errors)]
     return FieldTable(
-        dict(zip(places, whole[:count], strict=True)), dict(zip(indices, whole[count:], strict=True)), order
+        dict(zip(places, values[:count], strict=True)), dict(zip(indices, values[count:], strict=True)), order
     )
 
 
-def _cells(
+def _numbers(
     columns: Sequence[str],
     rows: Iterable[tuple[int, Sequence[object]]],
-    kinds: Sequence[Callable[[Any], float]],
-    called: str,
+    converters: Sequence[Callable[[Any], float]],
+    row_name: str,
     errors: list[str],
 ) -> list[array[float]]:
-    """Return the numbers in each column of numbered rows; ValueError with earlier `errors` and errors of cells."""
+    """Return the numbers in each column of numbered rows; ValueError for previous `errors` and errors of cells."""
     # Compact arrays need a thirtieth of the memory of Python numbers.
-    read, number = [array("d") for _ in columns], 0
+    numbers, number = [array("d") for _ in columns], 0
     for number, row in rows:
         if len(errors) > text_files.MANY:
             break
         if len(row) != len(columns):
-            errors.append(f"{called} {number} must have {len(columns)} cells, as there are columns, got {len(row)}")
+            errors.append(f"{row_name} {number} must have {len(columns)} cells, one for each column, got {len(row)}")
             continue
-        for values, cell, convert, name in zip(read, row, kinds, columns, strict=True):
+        for values, cell, convert, name in zip(numbers, row, converters, columns, strict=True):
             try:
                 values.append(convert(cell))
             except ValueError as error:
-                errors.append(f"{called} {number}, {name}: {error}")
+                errors.append(f"{row_name} {number}, {name}: {error}")
     if not number:
         errors.append("there must be a row for each position or wavelength, got none")
     text_files.refuse(errors)
-    return read
+    return numbers
 
 
 def _length(cell: str | float) -> float:
-    """Return a length in metres from a number or a text."""
+    """Return a length in metres from 0 or a string with a unit."""
     return (
         _length_from_text(cell)
         if isinstance(cell, str)
@@ -261,7 +264,7 @@ def _length_from_text(cell: str) -> float:
 
 
 def _coefficient(cell: object) -> float:
-    """Return a number from a number or a text."""
+    """Return a finite number from a number or a string."""
     value = text_files.number(cell) if isinstance(cell, str) else cell
     if isinstance(value, float) and math.isfinite(value):
         return value
@@ -283,44 +286,48 @@ def load_channels(
 ) -> Channels:
     """Read spectral sensitivities of colour channels from CSV, ASCII or FITS tables, times filters and a spectrum.
 
-    The first line names the columns: the wavelength with its unit, as ``wavelength (nm)``, ``lambda_um`` or ``nm``,
-    then one for each channel, as ``red`` or ``red (%)``. The other lines hold numbers, in any order. Lines that are
-    empty or begin with ``#`` are skipped; cells end with commas, tabs or semicolons (numbers may then have a decimal
-    comma). Values down to -1 % of the largest count as 0. Files without commas, tabs and semicolons have columns
-    separated by blanks, by default without a line of names; FITS files have them in their first table, whose first
-    numeric column is the wavelength, with a TUNIT.
+    The first line of a CSV table has the names of the columns. The first name is the wavelength with its unit, such
+    as ``wavelength (nm)``, ``lambda_um`` or ``nm``; the other names are those of channels, such as ``red`` or ``red
+    (%)``. The other lines are numbers, with wavelengths in any order. Lines that are empty or begin with ``#`` are
+    skipped. Cells are separated by commas, tabs or semicolons; if there are semicolons, numbers may have a decimal
+    comma. Negative values down to -1 % of the largest value count as 0.
+
+    In files without commas, tabs and semicolons, columns are separated by blanks, and the line of names is optional.
+    In FITS files, the first table is read; its first numeric column is the wavelength, in the unit TUNIT.
 
     Parameters
     ----------
     path : path
         Quantum efficiency of each channel, electrons per photon; or the throughput of a telescope's passband.
     filters : path or sequence of paths, optional
-        Transmissions, each with one column beside the wavelength.
+        Transmissions of filters; each table has one column in addition to the wavelength.
     illuminant : path, optional
-        Spectrum of the light, or of a star, in any unit; constant by default.
+        Spectrum of the light source or of a star, in any unit; constant by default.
     light : {"photons", "energy", "frequency"}, default "photons"
-        What `illuminant` holds: photons or energy per wavelength (F_lambda), or energy per frequency (F_nu).
+        Quantity in `illuminant`: photons or energy per wavelength (F_lambda), or energy per frequency (F_nu).
     detector : {"photons", "energy"}, default "photons"
-        What pixels count. With `light` this weights wavelengths by powers of the wavelength.
+        Quantity that pixels count. `light` and `detector` determine a power of the wavelength, by which the product
+        of the tables is multiplied.
     unit : str, optional
-        Unit of wavelengths, such as "angstrom" or "nm", in files that do not state it.
+        Unit of wavelengths, such as "angstrom" or "nm", for files that do not state it.
     tol : float, default 1e-3
+        Tolerance of the spectral sampling, see :meth:`lommel.Channels.from_curves`.
     paths : float, default 5e-6
-        Tolerance of the spectral sampling, and the path differences it holds for; see
-        :meth:`lommel.Channels.from_curves`.
+        Largest path difference for which the tolerance holds, metres.
 
     Returns
     -------
     Channels
-        With ``error``, a bound on the error of the spectral sampling. Tables are interpolated linearly, and light
-        beyond any of the tables is ignored. Of products of tables, what straight lines between closer points leave
-        out is part of it as it is measured, at most a tenth of `tol`.
+        The attribute ``error`` is a bound on the error of the spectral sampling. Tables are interpolated linearly;
+        light at wavelengths that are not in all tables is ignored. A product of tables is approximated by straight
+        lines between closer points. The error of this approximation is estimated, not proven, and included in
+        ``error``; it is at most a tenth of `tol`.
 
     Raises
     ------
     TypeError, ValueError
-        If a file is not such a table, with the numbers of its lines; if the tables have no wavelengths in common or a
-        channel has no light; or as :meth:`lommel.Channels.from_curves`.
+        If a file is not a valid table (errors are reported with line numbers), if the tables have no wavelengths in
+        common, if a channel has no light, or if :meth:`lommel.Channels.from_curves` raises an error.
     OSError
         If a file cannot be read.
     """
@@ -338,53 +345,58 @@ def load_channels(
         columns, at, values = _curves(other, unit)
         if len(columns) != 1:
             raise ValueError(
-                f"{validation.line(other)} must have one column beside the wavelength, got {', '.join(columns)}"
+                f"{validation.line(other)} must have one column besides the wavelength, got {', '.join(columns)}"
             )
         tables.append((at, values))
     low, high = max(at[0] for at, _ in tables), min(at[-1] for at, _ in tables)
     if not low < high:
         spans = ", ".join(f"{at[0] * 1e9:g} to {at[-1] * 1e9:g} nm" for at, _ in tables)
         raise ValueError(f"tables must have wavelengths in common, got {spans}")
-    every = np.unique(np.concatenate([at for at, _ in tables]))
-    every = every[(every >= low) & (every <= high)]
-    # Equal wavelengths of tables in different units differ by rounding errors.
-    every = every[np.append(True, np.diff(every) > 1e-9 * high)]
+    wavelengths = np.unique(np.concatenate([at for at, _ in tables]))
+    wavelengths = wavelengths[(wavelengths >= low) & (wavelengths <= high)]
+    # Equal wavelengths in different units differ by rounding errors: one of them is kept.
+    wavelengths = wavelengths[np.append(True, np.diff(wavelengths) > 1e-9 * high)]
+    longest = wavelengths[-1]
 
-    def weighted(at: Array) -> Array:
-        found = np.ones((len(names), at.size)) * (at / every[-1]) ** power
+    def product_at(at: Array) -> Array:
+        product = np.ones((len(names), at.size)) * (at / longest) ** power
         for waves, values in tables:
-            found *= np.stack([np.interp(at, waves, row) for row in values])
-        return np.asarray(found)
+            product *= np.stack([np.interp(at, waves, row) for row in values])
+        return np.asarray(product)
 
-    product, left = weighted(every), 0.0
+    product, product_error = product_at(wavelengths), 0.0
     if len(tables) > 1 or power:
-        every, product, left = _straightened(weighted, every, 0.1 * tol)
+        wavelengths, product, product_error = _refined(product_at, wavelengths, 0.1 * tol)
     dark = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
     if dark:
         raise ValueError(f"{validation.line(path)}: channels must have light, got none for {', '.join(dark)}")
     try:
-        made = Channels.from_curves(every, product, names, tol=max(tol - left, 1e-6), paths=paths)
-        if made.error + left > tol:
+        channels = Channels.from_curves(wavelengths, product, names, tol=max(tol - product_error, 1e-6), paths=paths)
+        if channels.error + product_error > tol:
             raise ValueError(f"tol={tol:g} is too small for products of these tables; give {2.0 * tol:.1g}")
-        vars(made).update(error=made.error + left)
-        return made
+        vars(channels).update(error=channels.error + product_error)
+        return channels
     except ValueError as error:
         raise ValueError(f"{validation.line(path)}: {reading.reason(error)}") from None
 
 
-def _straightened(curves: Callable[[Array], Array], at: Array, allowed: float) -> tuple[Array, Array, float]:
-    """Return points between which curves are nearly straight, their values, and the relative error of the light."""
+def _refined(curves: Callable[[Array], Array], at: Array, allowed: float) -> tuple[Array, Array, float]:
+    """Return points between which curves are nearly straight, values there, and an estimate of the relative error.
+
+    The error is that of an image computed from straight lines between the points. Refinement stops when it is at most
+    `allowed`.
+    """
     while True:
-        between = 0.5 * (at[1:] + at[:-1])
+        middle = 0.5 * (at[1:] + at[:-1])
         values, step = curves(at), np.diff(at)
-        # The mean deviation of a parabola from its chord is 2/3 of the deviation in the middle.
-        off = (np.abs(curves(between) - 0.5 * (values[:, 1:] + values[:, :-1])) * step).sum(axis=1)
+        # The deviation at the middle is used for the whole step; for a parabola, the mean deviation is 2/3 of it.
+        deviation = (np.abs(curves(middle) - 0.5 * (values[:, 1:] + values[:, :-1])) * step).sum(axis=1)
         light = np.maximum(np.trapezoid(values, at, axis=1), 1e-300)
-        left = float((off / light).max()) if values.max(axis=1).all() else 0.0
-        # The error counts twice: in the image, and in the light by which it is divided.
-        if 2.0 * left <= allowed or at.size > _MOST_POINTS:
-            return at, values, 2.0 * left
-        at = np.sort(np.concatenate([at, between]))
+        error = float((deviation / light).max()) if values.max(axis=1).all() else 0.0
+        # The error counts twice: in the image, and in the light by which the image is divided.
+        if 2.0 * error <= allowed or at.size > _MAX_POINTS:
+            return at, values, 2.0 * error
+        at = np.sort(np.concatenate([at, middle]))
 
 
 def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Array]:
@@ -393,51 +405,55 @@ def _curves(path: _PATH, unit: str | None = None) -> tuple[list[str], Array, Arr
     try:
         data = reading.contents(source, reading.MAX_TEXT)
         if fits_images.is_fits(data):
-            return _of_fits(fits_images.read_columns(data, reading.MAX_TEXT), unit)
+            return _fits_table(fits_images.read_columns(data, reading.MAX_TEXT), unit)
         if len(data) > reading.MAX_LIST:
             raise ValueError(f"is larger than {reading.MAX_LIST} bytes")
         text = reading.decoded(data)
         # Without commas or semicolons, blanks separate columns.
         if not any(re.search("[,;\t]", line) for line in text.splitlines() if not line.lstrip().startswith("#")):
-            return _of_blanks(text, source.stem, unit)
+            return _blank_separated_table(text, source.stem, unit)
         # If the comma is the decimal sign, semicolons separate columns.
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
-        return _columns(text_files.rows(text.replace("\t", ",")))
+        return _spectral_table(text_files.rows(text.replace("\t", ",")))
     except ValueError as error:
         raise ValueError(f"{validation.line(source)}: {reading.reason(error)}") from None
 
 
-def _of_blanks(text: str, name: str, unit: str | None) -> tuple[list[str], Array, Array]:
-    """Return the table of blank-separated numbers, under a line of names or, with `unit`, without one."""
+def _blank_separated_table(text: str, name: str, unit: str | None) -> tuple[list[str], Array, Array]:
+    """Return the table of blank-separated columns; `unit` is required if there is no line of column names.
+
+    A single column without a name is called `name`; several columns are numbered.
+    """
     lines = [(place, line[0].split()) for place, line in text_files.rows(text, "\n")]
     try:
         float(lines[0][1][0])
     except (ValueError, IndexError):
-        return _columns(iter(lines))  # names
+        return _spectral_table(iter(lines))  # the first line has names
     count = len(lines[0][1]) - 1
     names = [name] if count == 1 else [str(k + 1) for k in range(count)]
-    return _columns(iter([(0, [_stated(unit), *names]), *lines]))
+    return _spectral_table(iter([(0, [_required(unit), *names]), *lines]))
 
 
-def _of_fits(columns: list[tuple[str, str, Array]], unit: str | None) -> tuple[list[str], Array, Array]:
-    """Return the table of a FITS file's columns, the first of which is the wavelength."""
+def _fits_table(columns: list[tuple[str, str, Array]], unit: str | None) -> tuple[list[str], Array, Array]:
+    """Return the table of the columns (name, unit, values) of a FITS file; the first is the wavelength."""
     if len(columns) < 2:
-        raise ValueError(f"must have columns of numbers for wavelength and values, got {len(columns)}")
-    said = columns[0][1].lower().rstrip("s")
-    said = {"micron": "um", "a": "angstrom", "ang": "angstrom"}.get(said, said)
-    head = [said if said in LENGTHS else _stated(unit), *(name for name, _, _ in columns[1:])]
+        raise ValueError(f"must have at least two numeric columns, for wavelength and values, got {len(columns)}")
+    tunit = columns[0][1].lower().rstrip("s")
+    tunit = {"micron": "um", "a": "angstrom", "ang": "angstrom"}.get(tunit, tunit)
+    head = [tunit if tunit in LENGTHS else _required(unit), *(name for name, _, _ in columns[1:])]
     rows = zip(*(values for _, _, values in columns), strict=True)
-    return _columns(iter([(0, head), *((k, [repr(float(x)) for x in row]) for k, row in enumerate(rows, 1))]))
+    return _spectral_table(iter([(0, head), *((k, [repr(float(x)) for x in row]) for k, row in enumerate(rows, 1))]))
 
 
-def _stated(unit: str | None) -> str:
+def _required(unit: str | None) -> str:
     if unit is None:
         raise ValueError('states no unit of wavelengths; pass unit="nm" or "angstrom"')
     return unit
 
 
-def _columns(rows: Iterator[tuple[int, list[str]]]) -> tuple[list[str], Array, Array]:
+def _spectral_table(rows: Iterator[tuple[int, list[str]]]) -> tuple[list[str], Array, Array]:
+    """Return names, wavelengths and values (see `_curves`) from a row of column names and rows of numbers."""
     place, head = next(rows, (0, []))
     if not head:
         raise ValueError("is empty; its first line must name the columns, such as wavelength (nm), red")
@@ -447,22 +463,22 @@ def _columns(rows: Iterator[tuple[int, list[str]]]) -> tuple[list[str], Array, A
             f"line {place}: the first column must be the wavelength with its unit, such as wavelength (nm), got "
             f"{validation.shown(head[0])}"
         )
-    shares = [_PERCENT.fullmatch(name) for name in head[1:]]
-    names = [share[1] if share else name for share, name in zip(shares, head[1:], strict=True)]
+    percents = [_PERCENT.fullmatch(name) for name in head[1:]]
+    names = [match[1] if match else name for match, name in zip(percents, head[1:], strict=True)]
     if not names or not all(names) or len(set(names)) != len(names):
-        raise ValueError(f"line {place}: columns must have names that differ, got {validation.shown(head[1:])}")
-    table = np.array(_cells(head, rows, [_coefficient] * len(head), "line", [])).T
+        raise ValueError(f"line {place}: columns must have different names, got {validation.shown(head[1:])}")
+    table = np.array(_numbers(head, rows, [_coefficient] * len(head), "line", [])).T
     if len(table) < 2:
-        raise ValueError(f"must have two wavelengths or more, got {len(table)}")
+        raise ValueError(f"must have at least two wavelengths, got {len(table)}")
     table = table[np.argsort(table[:, 0], kind="stable")]
     waves, curves = table[:, 0] * LENGTHS[unit[1].lower()], np.ascontiguousarray(table[:, 1:].T)
-    if same := np.flatnonzero(np.diff(waves) <= 0.0).tolist():
-        raise ValueError(f"wavelength {table[same[0], 0]:g} {unit[1]} comes twice")
-    for wave, said in ((waves[0], table[0, 0]), (waves[-1], table[-1, 0])):
-        if not _SHORTEST * (1.0 - 1e-9) <= wave <= _LONGEST * (1.0 + 1e-9):
-            raise ValueError(f"wavelength {said:g} {unit[1]} must be from 100 nm to 20 um")
+    if equal := np.flatnonzero(np.diff(waves) <= 0.0).tolist():
+        raise ValueError(f"wavelength {table[equal[0], 0]:g} {unit[1]} occurs twice")
+    for metres, number in ((waves[0], table[0, 0]), (waves[-1], table[-1, 0])):
+        if not _SHORTEST * (1.0 - 1e-9) <= metres <= _LONGEST * (1.0 + 1e-9):
+            raise ValueError(f"wavelengths must be from 100 nm to 20 um, got {number:g} {unit[1]}")
     for name, row in zip(names, curves, strict=True):
-        if row.min() < _LEAST * abs(row.max()):
+        if row.min() < _MIN_RELATIVE * abs(row.max()):
             raise ValueError(f"{name} must be >= 0, got {row.min():g}")
-    percent = np.array([0.01 if share else 1.0 for share in shares])[:, None]
-    return names, waves, np.maximum(curves, 0.0) * percent
+    factor = np.array([0.01 if match else 1.0 for match in percents])[:, None]
+    return names, waves, np.maximum(curves, 0.0) * factor

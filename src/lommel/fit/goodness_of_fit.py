@@ -1,20 +1,21 @@
 r"""Goodness of fit: tests of chi2, of the variance of photon noise, and of stripes in residuals.
 
-`chi2` is Pearson's sum divided by its expectation, and s the standard deviation of chi2. Its distribution is close to
-a gamma distribution of mean 1 and standard deviation s, that of a chi-squared variable divided by its 2 / s^2 degrees
-of freedom (Satterthwaite 1946, doi:10.2307/3002019). Counts of few electrons yield fewer degrees of freedom than
-pixels.
+`chi2` is Pearson's sum of squares divided by its expectation; s is the standard deviation of chi2. Its distribution
+is close to that of a chi-squared variable divided by its number of degrees of freedom, 2 / s^2: a gamma distribution
+of mean 1 and standard deviation s (Satterthwaite 1946, doi:10.2307/3002019). For images of few electrons, 2 / s^2 is
+less than the number of pixels.
 
-The score test of excess noise is of a variance that is a multiple of the light, as of electron multiplication. With
-the mean m of a pixel in electrons, the variance v = m + read^2 that was taken, the residual r and s = m / v, the
-slope of the log-likelihood by the share f, of a variance ``v + f m``, is half of ``sum s (r^2 / v - 1)``, which has
-the variance ``sum s^2 (2 + 1 / v)`` of Poisson numbers. A wrong mean makes large residuals, too, but where there is
-much light: the test asks that these are as large where there is little.
+Excess noise: electron multiplication increases the variance of a pixel from ``v = m + read^2`` to ``v + f m``, where
+m is the mean in electrons. With the residual r, the score test of f uses the statistic ``sum (m / v) (r^2 / v - 1)``,
+twice the derivative of the log-likelihood at f = 0. For Poisson counts its variance is ``sum (m / v)^2 (2 + 1 / v)``.
+A wrong mean also increases residuals, but mainly in bright pixels. Excess noise is therefore reported only if f is
+about equal for dim and bright pixels.
 
-The score test of a wave of wave vector k that is added to an image, of any phase, is of ``F(k) = sum r exp(-i k x) /
-v``, whose mean square is ``W(0)`` and whose square has the mean ``W(2 k)``, where W is the transform of 1 / v. The
-squares of real and imaginary part over their covariance follow chi2 of two degrees of freedom (of one where F is
-real), those of several images add up. Dim pixels count most: a wrong PSF is seen by chi2 long before.
+Stripes: the score test of a sinusoid of wave vector k and any phase uses the statistic ``F(k) = sum r exp(-i k x) /
+v``. With the Fourier transform W of 1 / v, the mean of ``abs(F)^2`` is ``W(0)``, and the mean of ``F^2`` is ``W(2
+k)``. These means determine the covariance matrix of real and imaginary part. The squared length of (real, imaginary)
+in the metric of its inverse has a chi-squared distribution with two degrees of freedom (one if F is real). Sums over
+images are chi-squared, too. Dim pixels have the largest weight: for a wrong PSF, chi2 is the more sensitive test.
 """
 
 from __future__ import annotations
@@ -36,11 +37,12 @@ SURE = 1e-3
 """Probability that a search continues although its fit is correct."""
 _RARE = 1e-2  # probability below which a chi2 is reported
 _EXCEEDS = 5.0  # smallest significance of excess noise that is reported, standard deviations
-_RANGE = 0.8, 1.4  # range of `share` for electron multiplication: 1 at high gain, more if there is also a misfit
+_RANGE = 0.8, 1.4  # range of f (`share`) for electron multiplication: 1 at high gain, more if there is also a misfit
 _CELLS = 8  # number of groups of pixels of similar light
-_FLAT = 0.3  # largest difference of the share of a cell from that of all pixels, plus five standard deviations
-_MIN_PHOTON_PART = 0.1  # smallest s = m / v of a pixel that is used to test the variance of photons
-_REAL = 1e-6  # relative variance of the imaginary part below which a transform counts as real
+# Largest difference between f of a group and f of all pixels, in addition to five standard errors.
+_FLAT = 0.3
+_MIN_PHOTON_PART = 0.1  # smallest m / v of pixels in the test of excess noise
+_REAL = 1e-6  # 1 - (abs(W(2 k)) / W(0))^2 below which F counts as real
 _LEAST_SIDE = 6  # smallest side of windows for the test of stripes, pixels
 
 
@@ -64,7 +66,7 @@ def chance(chi2: float, spread: float) -> float:
 
 
 def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
-    """Return the finding of a chi2 that noise does not explain or explains rarely; a doubt below a probability SURE.
+    """Return the finding on a chi2 that noise does not explain, or explains only with a small probability.
 
     `causes` is a text on possible causes of a misfit, or "" if another finding has them.
     """
@@ -90,11 +92,11 @@ class ExcessTest:
     Attributes
     ----------
     share : float
-        (actual variance - assumed variance) / light: ``excess - 1``, or 0 if the assumed noise is right.
+        f = (actual variance - assumed variance) / light: ``excess - 1``, or 0 if the assumed noise is right.
     error : float
         Standard error of `share` if the assumed noise is right.
     flat : bool
-        Whether dim and bright pixels have the same share, which indicates the camera and not wrong means.
+        Whether `share` is about equal for dim and bright pixels: the cause is then the camera, not a wrong mean.
     """
 
     share: float
@@ -108,7 +110,7 @@ class ExcessTest:
 
     @property
     def found(self) -> bool:
-        """Whether there is noise of electron multiplication: `share` is flat, significant and near 1."""
+        """Whether there is noise of electron multiplication: `share` is significant, near 1, and `flat`."""
         return self.flat and self.sigmas > _EXCEEDS and _RANGE[0] <= self.share <= _RANGE[1]
 
     def findings(self, excess: float) -> list[Finding]:
@@ -117,8 +119,8 @@ class ExcessTest:
             return []
         factor = 1.0 + self.share
         text = (
-            f"the variance is {factor:.2f} times that of photons, at dim pixels as at bright ones: an "
-            "electron-multiplying camera doubles the variance: state excess=2; or the gain is half of that stated"
+            f"the variance is {factor:.2f} times that of photons, at dim and bright pixels alike: state excess=2 if "
+            "the camera multiplies electrons; otherwise the gain may be half of the stated gain"
         )
         numbers = {"factor": factor, "error": self.error, "sigmas": self.sigmas}
         return [Finding("excess_noise", "error", text, numbers)]
@@ -129,47 +131,48 @@ def excess_test(residual: ArrayLike, light: ArrayLike, read: ArrayLike) -> Exces
 
     Parameters
     ----------
-    residual, light, read : array_like, of one shape or broadcast to one
-        For each pixel, in electrons: counts minus mean; mean; read variance. Pixels with a residual of NaN are
-        ignored. Residuals of fits with few pixels per parameter are too small: multiply them by
-        ``sqrt(pixels / degrees of freedom)``.
+    residual, light, read : array_like, which broadcast
+        Counts minus mean (electrons), mean (electrons) and read variance (electrons^2) of each pixel. Pixels with a
+        residual of NaN are ignored. A fit reduces residuals: multiply them by ``sqrt(pixels / degrees of freedom)``
+        if there are few pixels per parameter.
 
     Returns
     -------
     ExcessTest
     """
-    off, mean, added = (np.asarray(each, float).ravel() for each in np.broadcast_arrays(residual, light, read))
-    variance = np.maximum(mean + added, 1e-9)
-    s = np.maximum(mean, 0.0) / variance
-    known = np.flatnonzero(np.isfinite(off) & (s > _MIN_PHOTON_PART))
-    if not known.size:
+    r, mean, read_variance = (np.asarray(part, float).ravel() for part in np.broadcast_arrays(residual, light, read))
+    variance = np.maximum(mean + read_variance, 1e-9)
+    photon_part = np.maximum(mean, 0.0) / variance
+    used = np.flatnonzero(np.isfinite(r) & (photon_part > _MIN_PHOTON_PART))
+    if not used.size:
         return ExcessTest(0.0, np.inf, flat=False)
-    known = known[np.argsort(mean[known], kind="stable")]
-    off, mean, variance, s = off[known], mean[known], variance[known], s[known]
-    sums = np.stack([s * (off**2 / variance - 1.0), s * s, s * s * (2.0 + 1.0 / variance)])
-    # Sums over all pixels, and over cells of pixels of similar light, each with an equal part of the total light.
+    used = used[np.argsort(mean[used], kind="stable")]
+    r, mean, variance, photon_part = r[used], mean[used], variance[used], photon_part[used]
+    squared = photon_part * photon_part
+    terms = np.stack([photon_part * (r**2 / variance - 1.0), squared, squared * (2.0 + 1.0 / variance)])
+    # Sums over all pixels, and over groups of pixels of similar light, each with an equal part of the total light.
     starts = np.unique(np.searchsorted(np.cumsum(mean), mean.sum() * np.arange(_CELLS) / _CELLS))
-    beyond, information, spread = np.column_stack([sums.sum(axis=1), np.add.reduceat(sums, starts, axis=1)])
-    shares, errors = beyond / information, np.sqrt(spread) / information
-    # With the excess the variance of the statistic is about its square as large.
+    statistic, information, spread = np.column_stack([terms.sum(axis=1), np.add.reduceat(terms, starts, axis=1)])
+    shares, errors = statistic / information, np.sqrt(spread) / information
+    # Excess noise increases the standard errors by about the factor 1 + share.
     share = float(shares[0])
     slack = _FLAT * max(share, 1.0) + 5.0 * (1.0 + max(share, 0.0)) * errors[1:]
     return ExcessTest(share, float(errors[0]), bool((np.abs(shares[1:] - share) <= slack).all()))
 
 
 def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> list[Finding]:
-    """Return the finding of significant stripes, or offsets of rows or columns, in residuals.
+    """Return the finding on significant stripes, or offsets of rows or columns, in residuals.
 
     Parameters
     ----------
     residual, variance : ndarray, shape (images, height, width)
         Residuals (electrons) and variances (electrons^2), both for electrons divided by `excess`.
     excess : float, default 1
-        Factor of the variance of an electron-multiplying camera.
+        Excess noise factor: the factor by which electron multiplication increases the variance of the light.
     """
     weight = np.where(np.isfinite(residual) & (variance > 0.0), 1.0 / np.maximum(variance, 1e-9), 0.0)
-    seen = (weight > 0.0).sum(axis=(1, 2)) > _LEAST_SIDE**2 // 2
-    weight, residual = weight[seen], residual[seen]
+    enough = (weight > 0.0).sum(axis=(1, 2)) > _LEAST_SIDE**2 // 2
+    weight, residual = weight[enough], residual[enough]
     height, width = residual.shape[1:]
     if not len(weight) or min(height, width) < _LEAST_SIDE:
         return []
@@ -178,34 +181,34 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
     normal = np.einsum("iyx,nyx,jyx->nij", plane, weight, plane)
     pull = np.einsum("iyx,nyx->ni", plane, weight * np.nan_to_num(residual))
     residual = residual - np.tensordot(np.linalg.solve(normal, pull[..., None])[..., 0], plane, 1)
-    half = width // 2 + 1  # of opposite wave vectors one is enough
-    pull, both = np.fft.rfft2(np.nan_to_num(residual) * weight), np.fft.fft2(weight)
-    total = both[:, :1, :1].real
-    twice = both[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(half) % width]
-    spread = total**2 - np.abs(twice) ** 2
-    real = spread < _REAL * total**2
-    # The inverse of the 2 x 2 covariance of real and imaginary part, in complex form.
-    parts = 2.0 * (total * np.abs(pull) ** 2 - (pull**2 * twice.conj()).real) / np.where(real, 1.0, spread)
-    squares = np.where(real, np.abs(pull) ** 2 / total, parts).sum(axis=0)
+    half = width // 2 + 1  # one of each pair of opposite wave vectors is sufficient
+    f, w = np.fft.rfft2(np.nan_to_num(residual) * weight), np.fft.fft2(weight)
+    total = w[:, :1, :1].real
+    twice = w[:, (2 * np.arange(height) % height)[:, None], 2 * np.arange(half) % width]
+    determinant = total**2 - np.abs(twice) ** 2
+    real = determinant < _REAL * total**2
+    # The squared length in the metric of the inverse covariance, written with complex F.
+    complex_squares = 2.0 * (total * np.abs(f) ** 2 - (f**2 * twice.conj()).real) / np.where(real, 1.0, determinant)
+    squares = np.where(real, np.abs(f) ** 2 / total, complex_squares).sum(axis=0)
     freedom = np.where(real, 1.0, 2.0).sum(axis=0)
     # If the noise is larger than stated, the power of all wave vectors is increased: normalize by the median.
     squares /= max(1.0, float(np.median(squares / (2.0 * special.gammaincinv(0.5 * freedom, 0.5)))))
-    alone = special.gammaincc(0.5 * freedom, 0.5 * squares)
-    alone[:2, :2] = alone[-1, :2] = 1.0  # as wide as the window are backgrounds and their slopes
-    i, j = np.unravel_index(int(alone.argmin()), alone.shape)
+    probability = special.gammaincc(0.5 * freedom, 0.5 * squares)
+    probability[:2, :2] = probability[-1, :2] = 1.0  # periods as long as the window are backgrounds, not stripes
+    i, j = np.unravel_index(int(probability.argmin()), probability.shape)
     power = {"stripes": (squares[i, j] - freedom[i, j], len(weight) / freedom[i, j])}
     # The smallest of n independent probabilities is multiplied by n (Bonferroni).
-    chances = {"stripes": float(alone[i, j]) * height * half}
+    chances = {"stripes": float(probability[i, j]) * height * half}
     for name, at, side in (("rows", np.s_[2 : height // 2 + 1, 0], height), ("columns", np.s_[0, 2:half], width)):
-        found, of = float(squares[at].sum()), float(freedom[at].sum())
-        chances[name] = float(special.gammaincc(0.5 * of, 0.5 * found))
-        power[name] = found - of, 2.0 * len(squares[at]) / side
+        square_sum, degrees = float(squares[at].sum()), float(freedom[at].sum())
+        chances[name] = float(special.gammaincc(0.5 * degrees, 0.5 * square_sum))
+        power[name] = square_sum - degrees, 2.0 * len(squares[at]) / side
     kind = min(chances, key=chances.__getitem__)
     if (chance := len(chances) * chances[kind]) >= SURE:
         return []
-    beyond, share = power[kind]
-    # The mean square of F is W(0) for noise alone: what is beyond, as the mean square of an offset.
-    size = excess * math.sqrt(beyond / (share * float(total.sum())))
+    excess_power, factor = power[kind]
+    # The power in excess of that of noise is converted to an rms offset in electrons.
+    size = excess * math.sqrt(excess_power / (factor * float(total.sum())))
     numbers: dict[str, float] = {"size": size, "chance": chance}
     text = f"{kind} of pixels have offsets of {size:.2g} electrons rms"
     if kind == "stripes":
@@ -214,5 +217,5 @@ def stripe_findings(residual: Array, variance: Array, excess: float = 1.0) -> li
         numbers |= {"period": period, "angle": angle}
         way = {0: "along x", 90: "along y"}.get(round(abs(angle)), f"{angle:.0f} deg from x to y")
         text = f"stripes of +-{size:.2g} electrons, every {period:.3g} pixels {way}"
-    text = f"the residuals have a pattern: {text}, as of pick-up, readout, fringes, or light that is not in the model"
+    text = f"the residuals have a pattern: {text}; causes may be pick-up, readout, fringes, or light not in the model"
     return [Finding("pattern", "doubt", text, numbers)]

@@ -1,8 +1,8 @@
 """Fisher scoring: damped steps (Levenberg and Marquardt) to the parameters of maximum likelihood.
 
-Steps use the Fisher information in place of the Hessian; its inverse at the maximum is the covariance. Several sets
-of parameters (starts) are improved at once. A model with parameters in a matrix, one row for each set, provides
-images and their derivatives (:class:`RowModel`). A model with other parameters computes its steps itself
+Steps use the Fisher information in place of the Hessian; its inverse at the maximum is the covariance. The search is
+from several sets of parameters (starts) in parallel. A model whose parameters are a matrix, with one row for each
+set, computes images and their derivatives (:class:`RowModel`). Other models compute their steps themselves
 (:class:`Problem`).
 """
 
@@ -20,19 +20,16 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Declined, ToleranceError
 from lommel.fit import goodness_of_fit
 
-# Predicted gain below which a search has converged, equal to the squared length of the step in standard errors: of an
-# exact search, which does not take this step, and of a fast search, which does.
+# Gain predicted by the next step below which a search has converged; the predicted gain is the squared length of the
+# step in standard errors. A fast search takes this last step, an exact search does not.
 _CONVERGED, _CONVERGED_FAST = 1e-2, 1.0
 _OSCILLATION_DAMPING = 0.5  # least damping after a step that overshoots
 _MAX_PHASE_STEP = 2.0  # radians rms: largest change of the wavefront in a step
-_FIRST_DAMPING, _MIN_DAMPING, _MAX_DAMPING = (
-    1e-2,
-    1e-6,
-    1e8,
-)  # relative to the diagonal; above the last a search fails
+# Damping relative to the diagonal of the information; above the maximum a search fails.
+_FIRST_DAMPING, _MIN_DAMPING, _MAX_DAMPING = 1e-2, 1e-6, 1e8
 _MAX_STRETCH = 16.0  # largest factor by which a step is lengthened
-# A search stalls in a local minimum if its fit is bad and so many steps in a row gain less than this share of the
-# excess deviance.
+# A search is in a local minimum if its fit is bad and _PATIENCE steps in a row gain less than the fraction _STALLED
+# of (chi2 in excess of its limit) * (degrees of freedom).
 _STALLED, _PATIENCE = 1e-4, 3
 
 Report = Callable[[int, float], object]
@@ -43,8 +40,8 @@ class Scores(NamedTuple):
     """Quality of the fit for s sets of p parameters.
 
     `deviance` (s,) is minus the log-likelihood L, `slope` (s, p) the gradient of L, and `information` (s, p, p) the
-    Fisher information. `chi2` (s,) is Pearson's chi2 over its expectation, and `spread` (s,) the standard deviation
-    of `chi2` for a correct model.
+    Fisher information. `chi2` (s,) is Pearson's chi2 divided by its expectation, and `spread` (s,) the standard
+    deviation of `chi2` for a correct model.
     """
 
     deviance: Array
@@ -58,17 +55,17 @@ class RowModel(Protocol):
     """A model of images with parameters `x`, shape (s, p): one row for each set of parameters."""
 
     size: int  # number p of parameters
-    tested: int  # degrees of freedom of a row: pixels less parameters
-    alternatives: bool  # rows are starts for the same images: the search ends when one of them fits
+    tested: int  # degrees of freedom of a row: pixels minus parameters
+    alternatives: bool  # whether rows are starts for the same images: the search then ends when one row fits
 
     def images(self, x: Array, *, fast: bool = False) -> tuple[Any, Any]:
         """Return the PSFs of all images for parameters `x`, and their derivatives.
 
-        If `fast`, they are computed only as exactly as a search needs.
+        If `fast`, images are computed only with the accuracy that a search needs.
         """
 
     def scores(self, x: Array, *, fast: bool = False, rows: NDArray[np.intp] | None = None) -> Scores:
-        """Return the quality of the fit for parameters `x`; `rows` are the indices of these sets in the search."""
+        """Return the quality of the fit for parameters `x`; `rows` are the indices of these sets among all sets."""
         return self.scores_of(x, *self.images(x, fast=fast))
 
     def scores_of(self, x: Array, values: Any, slopes: Any) -> Scores:
@@ -79,14 +76,14 @@ class RowModel(Protocol):
         return x
 
     def within(self, x: Array, before: Array) -> Array:
-        """Limit parameters `x` in place, given those before the step, and return them."""
+        """Limit parameters `x` to their valid range in place, given those before the step, and return them."""
 
     def rms(self, steps: Array) -> Array:
-        """Return the rms change of the phase by each step (radians), 0 without wavefront parameters."""
+        """Return the rms change of the phase by each step (radians); 0 without wavefront parameters."""
         return np.zeros(len(steps))
 
     def steps(self, scores: Scores, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps (s, p), and the gain in deviance that each predicts."""
+        """Return damped steps (s, p) and the decrease of the deviance that is predicted for each step."""
         return damped_steps(scores, damping)
 
 
@@ -100,26 +97,27 @@ class Problem(Protocol):
     search has not ended.
     """
 
-    tested: int  # degrees of freedom: pixels less parameters
-    alternatives: bool  # the first set that fits ends the search
+    tested: int  # degrees of freedom: pixels minus parameters
+    alternatives: bool  # whether the search ends when the first set fits
 
     def step(self, x: Any, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
-        """Return damped steps of these rows, and the gain in deviance that each predicts."""
+        """Return damped steps of these rows and the decrease of the deviance that is predicted for each step."""
 
     @property
     def rms(self) -> Callable[[Array], Array] | None:
-        """Function of steps that returns their rms phase (radians), or None if steps are not to be lengthened."""
+        """Function that returns the rms phase (radians) of steps; None if steps are not lengthened."""
 
     def attempt(self, x: Any, scores: Scores, rows: Rows, step: Array, factor: Array) -> tuple[Any, Scores | None]:
-        """Return parameters after steps times `factor`, and their scores; None if these cannot be computed."""
+        """Return parameters after steps multiplied by `factor`, and their scores (None if not computable)."""
 
 
 @dataclass(frozen=True)
 class Policy:
     """Criteria that end a search.
 
-    A search has converged where the predicted gain is below `settled`. It fails where the damping exceeds
-    `max_damping`, or after `patience` slow steps in a row in a local minimum that does not fit (infinite: never).
+    A search has converged if the predicted gain is below `settled`. It fails if the damping exceeds `max_damping`, or
+    after `patience` slow steps in a row without a good fit; if `patience` is infinite, slow steps do not end a
+    search.
     """
 
     settled: float = _CONVERGED
@@ -128,7 +126,7 @@ class Policy:
 
 
 class Ascent(NamedTuple):
-    """End of a search: parameters, their scores, which sets have converged, and the number of steps tried."""
+    """Result of a search: parameters, their scores, a mask of the converged sets, and the number of steps tried."""
 
     x: Any
     scores: Scores
@@ -147,8 +145,8 @@ def fisher_scoring(
 ) -> Ascent:
     """Take at most `max_steps` damped steps from parameters `x` until all sets have converged or one of them fits.
 
-    At the end, ``last(x, step, rows, converged)`` is called with the next steps of the sets `rows`, which are not
-    taken here.
+    At the end, ``last(x, step, rows, converged)`` is called with the next steps of the sets `rows`; this function
+    does not take them.
     """
     count = len(scores.chi2)
     damping, stretch = np.full(count, _FIRST_DAMPING), np.ones(count)
@@ -158,7 +156,7 @@ def fisher_scoring(
         report(turn, float(scores.chi2.min()))
         rows = np.flatnonzero(moving)
         step, predicted = problem.step(x, scores, rows, damping[rows])
-        # A strongly damped step is short wherever it starts: it does not show convergence.
+        # A strongly damped step is short at any point: a small predicted gain is then no sign of convergence.
         converged = (predicted < policy.settled) & (damping[rows] <= 1.0)
         settled[rows] = converged
         moving[rows] = ~converged & (damping[rows] <= policy.max_damping) & (slow_steps[rows] < policy.patience)
@@ -180,12 +178,12 @@ def fisher_scoring(
         # After a lengthened step that failed, the factor is reset first, and the damping stays.
         damping[rows] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
         if problem.rms is not None:
-            # Steps are lengthened where the last one gained nearly all that its slope predicted: far from the maximum
-            # the information overstates the curvature of the likelihood.
-            straight, bent = gain > 0.65 * predicted, gain < 0.3 * predicted
+            # Steps are lengthened if the last step gained nearly the predicted amount: far from the maximum, the
+            # information is larger than the curvature of the likelihood.
+            linear, curved = gain > 0.65 * predicted, gain < 0.3 * predicted
             longer = np.minimum(2.0 * np.maximum(factor, 1.0), _MAX_STRETCH)
-            stretch[rows] = np.where(straight, longer, np.where(bent, 1.0, stretch[rows]))
-            # Near the maximum, a step that gains much less than predicted overshoots: successive ones would
+            stretch[rows] = np.where(linear, longer, np.where(curved, 1.0, stretch[rows]))
+            # Near the maximum, a step that gains much less than predicted overshoots: without damping, steps would
             # oscillate.
             overshoots = better & (predicted < 1.0) & (gain < 0.25 * predicted)
             damping[rows[overshoots]] = np.maximum(damping[rows[overshoots]], _OSCILLATION_DAMPING)
@@ -205,7 +203,7 @@ def fisher_scoring(
 
 
 class _RowProblem:
-    """Problem of a model with parameters in rows; if `fast`, images are only as exact as a search needs."""
+    """Problem for a model with parameters in rows; if `fast`, images have only the accuracy that a search needs."""
 
     def __init__(self, model: RowModel, fast: bool) -> None:
         self.model, self.fast, self.rms = model, fast, model.rms
@@ -214,7 +212,7 @@ class _RowProblem:
     def step(self, x: Array, scores: Scores, rows: Rows, damping: Array) -> tuple[Array, Array]:
         own = scores if rows.size == len(x) else Scores(*(values[rows] for values in scores))
         step, predicted = self.model.steps(own, damping)
-        # A parameter at its limit has converged although its slope is not 0: only the allowed part of a step counts.
+        # At a limit the slope is not 0: the predicted gain includes only the part of the step within the limits.
         allowed = self.model.within(x[rows] + step, x[rows]) - x[rows]
         return step, np.minimum(predicted, np.maximum((allowed * own.slope).sum(axis=1), 0.0))
 
@@ -222,12 +220,12 @@ class _RowProblem:
         self, x: Array, scores: Scores, rows: Rows, step: Array, factor: Array
     ) -> tuple[Array, Scores | None]:
         new_x = self.model.within(x[rows] + factor[:, None] * step, x[rows])
-        with suppress(Declined, ToleranceError):  # wavefronts too strong to be computed count as no gain
+        with suppress(Declined, ToleranceError):  # a wavefront that is too strong to be computed counts as no gain
             return new_x, self.model.scores(new_x, fast=self.fast, rows=rows)
         return new_x, None
 
     def take(self, x: Array, step: Array, rows: Rows, converged: NDArray[np.bool_]) -> None:
-        """Take the last steps of sets that have converged, in place, without computing scores anew."""
+        """Add the last steps to converged sets, in place, without updating their scores."""
         x[rows[converged]] = self.model.within(x[rows[converged]] + step[converged], x[rows[converged]])
 
 
@@ -236,8 +234,8 @@ def search_rows(
 ) -> tuple[Array, Scores, NDArray[np.bool_], int]:
     """Take damped steps from starts `x` (s, p) until all have converged or one of them fits.
 
-    Return parameters, their scores, which starts have converged, and the number of steps of all starts. A `fast`
-    search starts with the least-squares flux and background, and takes its last step without scoring the result.
+    Return parameters, their scores, a mask of the converged starts, and the number of steps of all starts. A `fast`
+    search starts with the least-squares flux and background; its scores are those before the last step.
     """
     problem = _RowProblem(model, fast)
     values, slopes = model.images(x, fast=fast)
@@ -248,15 +246,15 @@ def search_rows(
     return fisher_scoring(problem, x, scores, max_steps, report, policy, problem.take if fast else None)
 
 
-def reduced_chi2(square: Any, total: Any, spread: Any, share: Any) -> tuple[Any, Any]:
+def reduced_chi2(square: Any, total: Any, variance: Any, fraction: Any) -> tuple[Any, Any]:
     """Return chi2 per degree of freedom and its standard deviation for a correct model.
 
-    `square` is the sum of squared residuals, `total` the sum of their expectations, `spread` the variance of
-    `square`, and `share` the degrees of freedom over the number of pixels. Expectations below 1 (of images below 0)
-    are raised to 1, so that any residual there is a misfit.
+    `square` is the sum of squared residuals, `total` its expectation for known parameters, and `variance` the
+    variance of `square`. `fraction` is (degrees of freedom) / (number of pixels), by which the fit reduces the
+    expectation. An expectation below 1, for images below 0, is replaced by 1: any residual is then a misfit.
     """
-    expected = np.maximum(total * share, 1.0)
-    return square / expected, np.sqrt(spread * share) / expected
+    expected = np.maximum(total * fraction, 1.0)
+    return square / expected, np.sqrt(variance * fraction) / expected
 
 
 def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tuple[Array, Array]:
@@ -265,7 +263,7 @@ def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tu
     `psf`, the counts `counted` (electrons), the read variance `read` and `valid` have the shape (..., pixels). The
     weight of a valid pixel is the inverse of its estimated variance, 1 / (counted + read + 1).
     """
-    # The 1 keeps dark pixels from an infinite weight.
+    # The summand 1 limits the weight of dark pixels.
     flux, mean_counted, mean_psf = weighted_light(psf, counted, valid / (np.maximum(counted, 0.0) + read + 1.0))
     flux = np.maximum(flux, 1.0)
     return flux, mean_counted - flux * mean_psf
@@ -274,8 +272,7 @@ def flux_background(psf: Array, counted: Array, read: Array, valid: Array) -> tu
 def weighted_light(psf: Array, counted: Array, weight: Array) -> tuple[Array, Array, Array]:
     """Return the weighted least-squares flux, and the weighted means of counts and of the PSF, shape (...,) each.
 
-    The background is the mean of the counts less the flux times the mean of the PSF. Arguments have the shape
-    (..., pixels).
+    The background is (mean of the counts) - flux (mean of the PSF). Arguments have the shape (..., pixels).
     """
     total, data = weight.sum(axis=-1), weight * counted
     mean_psf, mean_counted = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
@@ -286,11 +283,11 @@ def weighted_light(psf: Array, counted: Array, weight: Array) -> tuple[Array, Ar
 
 
 def damped_steps(scores: Scores, damping: Array) -> tuple[Array, Array]:
-    """Return Levenberg-Marquardt steps (s, p), and the gain in deviance that each predicts to first order (s,)."""
+    """Return Levenberg-Marquardt steps (s, p), and the decrease (s,) of the deviance predicted to first order."""
     scale = information_roots(scores.information)
     matrix = scores.information / (scale[:, :, None] * scale[:, None, :])
     diagonal = np.arange(scale.shape[1])
-    # Relative to the diagonal: damping does not depend on the units of parameters.
+    # Damping is relative to the diagonal, and so independent of the units of parameters.
     matrix[:, diagonal, diagonal] += damping[:, None]
     step = np.linalg.solve(matrix, (scores.slope / scale)[..., None])[..., 0] / scale
     # Slope times step is the gain to first order: twice the gain of an undamped step in a quadratic function.
@@ -301,13 +298,13 @@ def covariance(information: Array) -> Array:
     """Return the inverse (p, p) of an information matrix, with infinite variances for undetermined parameters."""
     scale = information_roots(information[None])[0]
     scaled = information / np.outer(scale, scale)
-    # Eigenvectors of more than 25 parameters take ten times as long as the inverse, and all threads of BLAS.
+    # For more than 25 parameters, eigenvectors take ten times as long as the inverse, and use all threads of BLAS.
     with suppress(np.linalg.LinAlgError):
         inverse = np.linalg.inv(scaled)
-        if np.linalg.norm(inverse) < 1e8:  # so that no eigenvalue is below 1e-8
+        if np.linalg.norm(inverse) < 1e8:  # no eigenvalue of `scaled` is below 1e-8
             return np.asarray(0.5 * (inverse + inverse.T) / np.outer(scale, scale))
     values, vectors = np.linalg.eigh(scaled)
-    # Derivatives have errors of 1e-6 of the peak, which make an eigenvalue of 0 as large as this.
+    # Derivatives have errors of 1e-6 of the peak: an eigenvalue of 0 may be computed as 1e-10.
     undetermined = values < 1e-10
     affected = (np.abs(vectors[:, undetermined]) > 1e-3).any(axis=1)
     values = np.where(undetermined, np.inf, values)

@@ -456,8 +456,8 @@ def load_microscope(path: str | PathLike[str], *, folder_only: bool = False) -> 
     - ``[emission]``: wavelength, emitter ("isotropic", the default, or "scalar"). The key emitter may be replaced by
       a section ``[emission.dipole]`` (polar, azimuth, wobble) or, for an excitation beam, ``[emission.beam]``
       (polarization)
-    - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; its wavelength is by default
-      the emission wavelength
+    - ``[aberrations.zernike]``: measured wavefront, as in :func:`lommel.load_instrument`; by default its wavelength
+      is the emission wavelength
     - ``[errors]``: standard errors of fitted parameters, by name
     - ``[stack]``: planes, step and origin of z, at which plane ``planes // 2`` lies ("brightest", the default,
       "paraxial" or "coverslip"); without this section there is a single plane, at the brightest focus

@@ -344,15 +344,15 @@ def test_any_number_of_threads_says_the_same(table):
 
 ONE = np.ones((2, 15, 15))
 BAD = [
-    ({"table": 3}, TypeError, "table must be a Table or a sequence of these, got 3"),
-    ({"table": []}, TypeError, r"table must be a Table or a sequence of these, got \[\]"),
+    ({"table": 3}, TypeError, "table must be a Table or a sequence of Tables, got 3"),
+    ({"table": []}, TypeError, r"table must be a Table or a sequence of Tables, got \[\]"),
     ({"images": np.ones((15, 15))}, ValueError, r"images must have the shape \(n, height, width\), of one box"),
-    ({"images": np.ones((2, 17, 17))}, ValueError, r"images must be boxes of \(15, 15\) pixels as the table's"),
+    ({"images": np.ones((2, 17, 17))}, ValueError, r"images must be boxes of \(15, 15\) pixels, the shape"),
     ({"images": "boxes"}, TypeError, "images must"),
     ({"images": ONE + 1j}, TypeError, "images must hold real numbers"),
     ({"noise": 3.0}, TypeError, "noise must be"),
-    ({"noise": lm.Noise(read=np.ones((60, 60)))}, ValueError, "corners must tell where boxes are on a camera"),
-    ({"corners": np.ones((3, 2))}, ValueError, r"corners must have the shape \(2, 2\), a row and a column each"),
+    ({"noise": lm.Noise(read=np.ones((60, 60)))}, ValueError, "corners must be given for a camera"),
+    ({"corners": np.ones((3, 2))}, ValueError, r"corners \(row, column\) must have the shape \(2, 2\)"),
     ({"corners": np.full((2, 2), 0.5)}, ValueError, "corners must be whole numbers, got 0.5"),
     ({"noise": lm.Noise(read=np.ones((60, 60))), "corners": [[0, 0], [50, 0]]}, ValueError, "corners must be"),
     ({"transforms": np.ones((1, 2, 3))}, ValueError, r"transforms must have the shape \(0, 2, 3\), got \(1, 2, 3\)"),
@@ -370,10 +370,10 @@ def test_bad_input_is_refused(case, table):
 
 
 def test_channels_that_do_not_match_are_refused(table):
-    with pytest.raises(ValueError, match="images must be of 2 channels, got 1"):
+    with pytest.raises(ValueError, match="images must have 2 channels, one for each table, got 1"):
         fit([table, table], [ONE])
     with pytest.raises(
-        ValueError, match=re.escape("images must be of as many molecules in each channel, got [2, 1]")
+        ValueError, match=re.escape("images must have equally many boxes in all channels, got [2, 1]")
     ):
         fit([table, table], [ONE, ONE[:1]])
     with pytest.raises(ValueError, match="noise must be a Noise, or one for each of 2 channels, got 3"):

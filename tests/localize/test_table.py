@@ -270,8 +270,8 @@ def test_sizes_of_a_table_in_the_core_do_not_wrap_around(table):
 
 
 BAD = [
-    ({"pupil": lm.Pupil()}, TypeError, "pupil must be one of an Objective (Objective.pupil), got <Pupil"),
-    ({"pupil": SHORT.pupil(depth=1e-6, z=[0, 1e-6], wavelength=6e-7)}, ValueError, "pupil must be of one plane"),
+    ({"pupil": lm.Pupil()}, TypeError, "pupil must be from Objective.pupil, got <Pupil"),
+    ({"pupil": SHORT.pupil(depth=1e-6, z=[0, 1e-6], wavelength=6e-7)}, ValueError, "pupil must be a single pupil"),
     ({"shape": 65}, ValueError, "shape must be 5 to 64 pixels a side, 15 is usual, got (65, 65)"),
     ({"pixel": 16e-6}, ValueError, "pixel must be at most 1.5e-05 m with this pupil, got 1.6e-05"),
     ({"pixel": math.nan}, ValueError, "pixel must be"),
@@ -296,9 +296,9 @@ def test_bad_input_is_refused(case):
 @each(
     "case",
     [
-        ((2.9, 6.0, 0.0), "row must be 3 to 7 with this table, got 2.9"),
-        ((5.0, 8.1, 0.0), "column must be 4 to 8 with this table, got 8.1"),
-        ((5.0, 6.0, 0.4e-6), "z must be -3e-07 to 3.5e-07 with this table, got 4e-07"),
+        ((2.9, 6.0, 0.0), "row must be from 3 to 7, the range of the table, got 2.9"),
+        ((5.0, 8.1, 0.0), "column must be from 4 to 8, the range of the table, got 8.1"),
+        ((5.0, 6.0, 0.4e-6), "z must be from -3e-07 to 3.5e-07, the range of the table, got 4e-07"),
         ((math.nan, 6.0, 0.0), "row must be finite, got nan"),
     ],
 )

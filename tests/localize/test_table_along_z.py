@@ -106,5 +106,5 @@ def test_gains_bound_what_errors_of_values_become():
 
 def test_a_range_too_long_is_refused():
     waves = Waves(OIL.pupil(depth=1e-6, wavelength=600e-9), "z")
-    with pytest.raises(ValueError, match=r"z must span less: 0\.0001 m take more than 200 pieces"):
+    with pytest.raises(ValueError, match=r"z must span less: a range of 0\.0001 m needs more than 200 series"):
         pieces(waves, -5e-5, 5e-5, 1e-6)

@@ -1,4 +1,4 @@
-"""Positions of molecules by maximum likelihood, from their images and a table of the PSF."""
+"""Maximum likelihood estimates of the positions of molecules, from their images and a table of the PSF."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Molecules:
     row, column : ndarray, shape (n,)
         Position in pixels; 0 is the middle of the first pixel of the box or, with `corners`, of the camera.
     z : ndarray, shape (n,)
-        Position of the stage, or depth (`Table.along`), at which the table has the image of the molecule, metres.
+        Position of the stage, or depth of the molecule (see `Table.along`), metres.
     photons : ndarray, shape (n,) or (n, channels)
         Electrons of the molecule in an infinite window.
     background : ndarray, shape (n,) or (n, channels)
@@ -60,14 +60,14 @@ class Molecules:
     errors : MoleculeErrors
         Standard errors of the above estimates by the Cramer-Rao bound.
     log_likelihood : ndarray, shape (n,)
-        Log-likelihood, minus the log-likelihood of a model whose mean equals the counts in every pixel.
+        Log-likelihood minus that of a model whose mean equals the counts in every pixel.
     discrepancy : ndarray, shape (n,)
-        (Pearson's chi2 - expectation) / standard deviation of chi2: about 0 +- 1 if PSF and noise are correct; large
-        for a second molecule in the box, a wrong PSF or a wrong gain.
+        (Pearson's chi2 - its expectation) / (its standard deviation): 0 +- 1 if PSF and noise are correct; large for
+        a second molecule in the box, a wrong PSF or a wrong gain.
     state : ndarray of int, shape (n,)
         Index into ``states``.
     steps : ndarray of int, shape (n,)
-        Number of steps of all starts together.
+        Number of steps, sum of all starts.
     states : tuple of str
         "converged"; "border": the estimate is at a limit of the table; "steps": not converged after 50 steps;
         "undetermined": too few pixels, no light or no information.
@@ -161,8 +161,8 @@ def fit(
         (channels, n, height, width).
     noise : Noise or sequence of Noise, optional
         Gain, offset and read noise of the camera, or of the camera of each channel; by default images are in
-        electrons, without read noise. Maps cover the whole camera, and `corners` gives the positions of boxes in
-        them; pixels with a read noise of 1000 electrons or more are ignored.
+        electrons, without read noise. Maps cover the whole camera; `corners` are then the positions of boxes in the
+        maps. Pixels with a read noise of 1000 electrons or more are ignored.
     corners : array_like, shape (n, 2) or (channels, n, 2), optional
         Row and column (integers) of the first pixel of each box on the camera. Required for maps, and for transforms
         of channels other than shifts by whole pixels. Rows and columns of the estimates then count from the first
@@ -171,18 +171,18 @@ def fit(
         Matrices that map (row, column, 1) of a molecule on the camera of the first channel to row and column on the
         camera of each other channel, for example from beads recorded in all channels; by default the identity.
     saturation : float, optional
-        Pixels of this value or more are saturated, and ignored; in the unit of `images`. By default the largest value
-        of the integer type or, if many pixels have the largest value of 8 to 16 bits, this value.
+        Pixels of this value or more, in the unit of `images`, are saturated, and ignored. By default the largest
+        value of the integer type or, if many pixels have the largest value of 8 to 16 bits, that value.
     starts : int, default 4
-        Number of starts, in different ranges of z, for a molecule whose first estimate is at a limit of the table or
-        has a discrepancy above 2.5; 1 to 20.
+        Number of starts in different ranges of z, 1 to 20. They are used for molecules whose first estimate is at a
+        limit of the table or has a discrepancy above 2.5.
     background : {"flat", "tilted"}, default "flat"
         Background of a box: uniform, or with a slope along rows and one along columns. The two additional parameters
         remove the bias of positions in an uneven background; standard errors are 2 to 4 % larger.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Called with the number of molecules done and their total after each block of molecules.
+        Function that is called after each block of molecules, with the number of molecules done and the total number.
 
     Returns
     -------
@@ -198,8 +198,9 @@ def fit(
     The mean of a pixel is ``mu = photons h + background``, where h is the image in the table. ``counts + read**2`` is
     assumed to have a Poisson distribution of mean ``mu + read**2`` (Huang et al. 2013, doi:10.1038/nmeth.2488).
     Damped Fisher scoring (Smith et al. 2010, doi:10.1038/nmeth.1449) ends when no estimate would change by 0.01
-    standard errors. The start is the most similar of a set of template images over the whole range of z and up to 1.5
-    pixels off the middle of the box: boxes should be centred on molecules, not on the brightest part of the images.
+    standard errors. The search starts at the most similar of a set of template images, which cover the range of z and
+    positions up to 1.5 pixels from the middle of the box. Boxes should therefore be centred on molecules, not on the
+    brightest part of the images.
     Pixels with negative ``counts + read**2``, for example due to a wrong offset, contradict the model and increase
     the `discrepancy`. Systematic errors due to the table are below 1e-3 standard errors for 10^4 photons and
     ``tol=1e-4``. Errors due to a wrong PSF are not included; test the PSF with beads.
@@ -222,7 +223,7 @@ def fit(
     validation.function("progress", progress, required=False)
     tables = [table] if isinstance(table, Table) else list(table) if isinstance(table, Sequence) else []
     if not tables or not all(isinstance(each, Table) for each in tables):
-        raise TypeError(f"table must be a Table or a sequence of these, got {validation.shown(table)}")
+        raise TypeError(f"table must be a Table or a sequence of Tables, got {validation.shown(table)}")
     several = not isinstance(table, Table)
     cameras = _cameras(tables, noise, placed=corners is not None)
     boxes = _boxes(tables, images if several else [images], saturation)
@@ -249,7 +250,7 @@ def fit(
         if progress is not None:
             progress(min(block.stop, total), total)
     values[:, :2] += box_corners[0]
-    # The fit is to electrons divided by the excess noise factor.
+    # The fit uses electrons divided by the excess noise factor.
     for c, camera in enumerate(cameras):
         for columns in (values, errors):
             columns[:, 3 + per_channel * c : 3 + per_channel * (c + 1)] *= camera.excess
@@ -276,7 +277,7 @@ def _named(estimates: Array, several: bool, per_channel: int) -> dict[str, Any]:
 def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter:
     """Return the compiled fitter of these tables with its templates, cached in the first table."""
     if len({(table.z, table.along) for table in tables}) > 1:
-        raise ValueError("table must have channels with the same range of z and the same `along`")
+        raise ValueError("table: the tables of all channels must have the same range of z and the same `along`")
     first = tables[0]
     key = (tuple(map(id, tables)), matrices)
     cached = vars(first).get("_fitter")
@@ -302,9 +303,9 @@ def _fitter(tables: tuple[Table, ...], matrices: bytes) -> engine.MoleculeFitter
 def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[Values]:
     """Return the boxes of each channel, with NaN in pixels to be ignored."""
     if not hasattr(images, "__len__") or (isinstance(images, np.ndarray) and not images.ndim):
-        raise TypeError(f"images must be boxes of each of {len(tables)} channels, got {validation.shown(images)}")
+        raise TypeError(f"images must be boxes for each of {len(tables)} channels, got {validation.shown(images)}")
     if len(images) != len(tables):
-        raise ValueError(f"images must be of {len(tables)} channels, got {len(images)}")
+        raise ValueError(f"images must have {len(tables)} channels, one for each table, got {len(images)}")
     boxes = []
     for table, channel_images in zip(tables, images, strict=True):
         shape = "(n, height, width), of one box images[None]"
@@ -312,11 +313,11 @@ def _boxes(tables: list[Table], images: Any, saturation: float | None) -> list[V
         channel_boxes = counts.marked()
         if channel_boxes.shape[1:] != table.shape:
             raise ValueError(
-                f"images must be boxes of {table.shape} pixels as the table's, got {channel_boxes.shape[1:]}"
+                f"images must be boxes of {table.shape} pixels, the shape of the table, got {channel_boxes.shape[1:]}"
             )
         boxes.append(channel_boxes)
     if len({len(box) for box in boxes}) != 1:
-        raise ValueError(f"images must be of as many molecules in each channel, got {[len(box) for box in boxes]}")
+        raise ValueError(f"images must have equally many boxes in all channels, got {[len(box) for box in boxes]}")
     return boxes
 
 
@@ -332,18 +333,18 @@ def _cameras(tables: list[Table], noise: Noise | Sequence[Noise | None] | None, 
     for camera, table in zip(cameras, tables, strict=True):
         shapes = {getattr(part, "shape", ()) for part in (camera.white, camera.read, camera.offset)} - {()}
         if not placed and shapes - {table.shape}:
-            raise ValueError(f"corners must tell where boxes are on a camera with maps of shape {max(shapes)}")
+            raise ValueError(f"corners must be given for a camera with maps of shape {max(shapes)}, got None")
     return cameras
 
 
 def _corners(corners: Any, channels: int, count: int, several: bool) -> Array:
-    """Return the corners of all boxes, shape (channels, count, 2), 0 if None is given."""
+    """Return the corners of all boxes, shape (channels, count, 2); all are 0 if `corners` is None."""
     values = validation.real_array("corners", np.zeros((count, 2)) if corners is None else corners)
     if values.ndim == 2:
         values = np.broadcast_to(values, (channels, *values.shape))
     if values.shape != (channels, count, 2):
         shape = f"({channels}, {count}, 2)" if several else f"({count}, 2)"
-        raise ValueError(f"corners must have the shape {shape}, a row and a column each, got {np.shape(corners)}")
+        raise ValueError(f"corners (row, column) must have the shape {shape}, got {np.shape(corners)}")
     if (values != np.round(values)).any():
         raise ValueError(f"corners must be whole numbers, got {values[values != np.round(values)].flat[0]:g}")
     return values
@@ -374,7 +375,7 @@ def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
         if isinstance(part, np.ndarray):
             ends = zip(pixels, part.shape, strict=True)
             if len(box) and any(at.min() < 0 or at.max() >= side for at, side in ends):
-                raise ValueError(f"corners must be of boxes within the camera, {part.shape} pixels by {name}")
+                raise ValueError(f"corners: boxes must be within the camera, {part.shape} pixels in the map `{name}`")
             parts[name] = part[pixels]
     white = 1.0 if parts["white"] is None else parts["white"]
     light = (box.astype(np.float64) - parts["offset"]) * white

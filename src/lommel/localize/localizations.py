@@ -33,7 +33,7 @@ _OTHERS = ("sigma_x", "sigma_y", "discrepancy", "log_likelihood", "score")
 
 
 DOUBTFUL = 3.0
-"""Discrepancy from which on an image contradicts the model: noise alone exceeds it for a few of 1000 molecules."""
+"""Smallest discrepancy of an image that contradicts the model; noise alone exceeds it in a few of 1000 fits."""
 MEDIANS = ("photons", "background", "x_error", "y_error", "z_error", "discrepancy")
 
 
@@ -52,7 +52,7 @@ class Recording:
     along : {"z", "depth", "none"}
         Meaning of z: position of the stage, or depth below the cover glass; "none" if z is not estimated.
     name : str
-        File name of the movie, or "".
+        File name of the movie, or "" if it is an array.
     """
 
     frames: int
@@ -71,21 +71,23 @@ class Localizations(FitReport):
     Attributes
     ----------
     table : structured ndarray, shape (n,)
-        ``frame``, from 0; ``x`` and ``y``, position in the sample along columns and rows from the outer corner of the
-        first pixel, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons per pixel; ``x_error``
-        and so on, the Cramer-Rao standard errors of these five; ``sigma_x`` and ``sigma_y``, the standard deviations
-        of a Gaussian fitted to the PSF at this z, metres; ``discrepancy`` and ``log_likelihood`` of the fit;
-        ``score`` of the spot; ``state``, an index into ``states``. Convert to a data frame by
-        ``pandas.DataFrame(found.table)``.
+        Fields: ``frame``, from 0; ``x`` (by columns) and ``y`` (by rows), position in the sample from the outer
+        corner of the first pixel, metres; ``z``, metres; ``photons``, electrons; ``background``, electrons per pixel;
+        ``x_error``, ``y_error``, ``z_error``, ``photons_error`` and ``background_error``, Cramer-Rao standard errors;
+        ``sigma_x`` and ``sigma_y``, standard deviations of a Gaussian fitted to the PSF at this z, metres;
+        ``discrepancy`` and ``log_likelihood`` of the fit; ``score`` of the spot; ``state``, an index into ``states``.
+        ``pandas.DataFrame(localizations.table)`` converts the table to a data frame.
     recording : Recording
-        Size of the movie, pixel pitch, meaning of z.
-    spots, borders, overlapping, saturated, left_out : int
-        Numbers of spots that were fitted, spots that were left out for two reasons, and pixels that were ignored for
-        two reasons; see :class:`lommel.localize.Spots`.
+        Size of the movie, pixel pitch and meaning of z.
+    spots : int
+        Number of spots that were fitted.
+    borders, overlapping, saturated, left_out : int
+        Numbers of spots that were not fitted, and of pixels that were ignored; see :class:`lommel.localize.Spots`.
     ends : int
         Number of fits in the state "border" that are at an end of the range of z.
     states : tuple of str
-        "converged"; and "border", "steps" and "undetermined", whose positions are not estimates.
+        "converged", "border", "steps" and "undetermined", see :class:`lommel.localize.Molecules`. Positions are
+        estimates only in the state "converged".
     findings, summary, converged, reliable, status, message
         Results of the checks of all molecules together, and the verdict; see :class:`lommel.fit.FitReport`. For a
         block of frames they are those of the movie up to the end of the block.
@@ -125,7 +127,7 @@ class Localizations(FitReport):
 
     @property
     def doubtful(self) -> NDArray[np.bool_]:
-        """True for a discrepancy of 3 or more, for example with a second molecule in the box."""
+        """True for a discrepancy of 3 or more, for example due to a second molecule in the box."""
         return np.asarray(self.table["discrepancy"] >= DOUBTFUL)
 
     @property
@@ -167,6 +169,7 @@ class Localizations(FitReport):
         Parameters
         ----------
         *paths : path
+            Files to write.
 
         Raises
         ------
@@ -186,7 +189,7 @@ class Localizations(FitReport):
         Parameters
         ----------
         pixel : float, optional
-            Pixel pitch of the picture, metres in the sample, for at most 4096 pixels a side; by default for 800.
+            Pixel pitch of the picture, metres in the sample. A side has at most 4096 pixels; by default it has 800.
         ax : matplotlib Axes, optional
             Axes to draw in; by default a new figure.
 
@@ -229,14 +232,15 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     Parameters
     ----------
     *paths : path
-        Each ending in .csv (ThunderSTORM) or .hdf5 (Picasso, with a .yaml beside it, which needs h5py).
+        Files to write, with the suffix .csv (ThunderSTORM) or .hdf5 (Picasso; requires h5py). A .hdf5 file has a
+        .yaml file with metadata beside it.
 
     Yields
     ------
     callable
-        Function to be called with the :class:`lommel.localize.Localizations` of each part of a movie in turn; those
-        that did not converge are not written. Files have temporary names until the end of the ``with`` block, and are
-        removed after an error.
+        Function to be called with the :class:`lommel.localize.Localizations` of each part of a movie, in the order of
+        frames. Fits that did not converge are not written. Files have temporary names until the end of the ``with``
+        block, and are removed after an error.
 
     Raises
     ------
@@ -249,12 +253,12 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
 
     Notes
     -----
-    The .csv has the columns of ThunderSTORM, which SMAP, Picasso and others read too: id, frame (from 1), x, y, z in
+    The .csv file has the columns of ThunderSTORM, which SMAP and Picasso also read: id, frame (from 1), x, y, z in
     nanometres, sigma1 (x) and sigma2 (y) in nanometres, intensity (photons), offset (photons per pixel), bkgstd (the
-    root of offset), uncertainty_xy (rms of both errors) and uncertainty_z in nanometres; and the discrepancy of the
-    fit. The .hdf5 has the data set ``locs`` of Picasso: frame (from 0), x, y, sx, sy, lpx, lpy in pixels of the
-    camera, where 0 is the middle of the first pixel; photons, bg; z and lpz in nanometres; log_likelihood. In both z
-    has the meaning that it has in the localisations: position of the stage, or depth.
+    square root of offset), uncertainty_xy (rms of the errors of x and y) and uncertainty_z in nanometres, and the
+    discrepancy of the fit. The .hdf5 file has the data set ``locs`` of Picasso: frame (from 0); x, y, sx, sy, lpx,
+    lpy in pixels of the camera, where 0 is the middle of the first pixel; photons, bg; z and lpz in nanometres;
+    log_likelihood. In both files, z is the position of the stage or the depth, as in the localisations.
 
     Examples
     --------
@@ -263,7 +267,7 @@ def writer(*paths: str | PathLike[str]) -> Iterator[Callable[[Localizations], No
     ...         write(part)
     """
     if not paths:
-        raise TypeError("paths must be one or more, got none")
+        raise TypeError("paths must be one or more files to write, got none")
     with ExitStack() as files:
         formats = [(registry.find("molecules", path), validation.path("path", path)) for path in paths]
         writers = [files.enter_context(form.write(*form.places(path))) for form, path in formats]
@@ -325,7 +329,7 @@ def thunderstorm(path: Path) -> Iterator[Write]:
                 file.writelines(line % row for row in zip(*(column.tolist() for column in columns), strict=True))
 
         yield write
-        # Without molecules the file has a header only.
+        # Without molecules, the file has only a header.
         if not used:
             write_header("z")
 
@@ -371,8 +375,8 @@ def picasso(path: Path, beside: Path) -> Iterator[Write]:
                     remaining = remaining[collected.write(remaining) :]
 
         yield write
-        # The HDF5 library would end the process if the disk were full. It therefore writes to memory, and only the
-        # first row, which reserves the place of the rows in the file.
+        # A full disk would make the HDF5 library end the process: it writes to memory, and only the first row. This
+        # row reserves the place of all rows in the file.
         header = io.BytesIO()
         with h5py.File(header, "w") as file:
             table = file.create_dataset("locs", (done,), _locs(last))

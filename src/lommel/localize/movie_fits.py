@@ -1,4 +1,7 @@
-"""Localisation of the molecules of a movie, block by block: find spots, fit boxes, convert to sample positions."""
+"""Localisation of the molecules of a movie, block by block: find spots, fit boxes, convert to sample positions.
+
+A box is a small window of a frame, around a spot of light.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,7 @@ from lommel.localize.table import Table
 from lommel.recorded.frames import BLOCK, Movie, open_movie
 from lommel.recorded.noise import Noise
 
-_HEIGHTS, _ITERATIONS = 65, 100  # number of heights z at which Gaussians are fitted, and of iterations
+_HEIGHTS, _ITERATIONS = 65, 100  # fit of Gaussians: number of heights z, and number of iterations
 
 
 class MovieKeywords(TypedDict, total=False):
@@ -58,24 +61,24 @@ class MovieOptions:
         Standard deviation in pixels of the Gaussian by which frames are smoothed to find spots. By default the median
         over z of the standard deviation of the images in the table.
     saturation : float, optional
-        Value of a saturated pixel, as in :func:`lommel.localize.find`; saturated pixels are ignored in fits.
+        Value of a saturated pixel, see :func:`lommel.localize.find`; saturated pixels are ignored in fits.
     starts : int, default 4
-        Number of starts of a fit whose first estimate is in doubt.
+        Number of starts of a fit whose first estimate is doubtful, see :func:`lommel.localize.fit`.
     flat : bool, default False
         Estimate x and y only, for PSFs from which z cannot be determined, for example without astigmatism. A fit that
         reaches an end of the range of z then counts as converged, and z is NaN.
     background : {"auto", "flat", "tilted"}, default "auto"
-        Background of each box, as in :func:`lommel.localize.fit`. "auto" starts with a flat background, and changes
-        to a tilted one from the block on in which the mean slope of the residuals of flat fits, of up to a thousand
-        molecules in the whole frame or in a part of it, exceeds five standard deviations.
+        Background of each box, see :func:`lommel.localize.fit`. "auto" starts with a flat background. It changes to a
+        tilted background if the mean slope of the residuals exceeds five standard deviations; this block is fitted
+        again. The mean is over up to a thousand molecules of a block, in the whole frame or in a part of it.
     mask : array_like of bool, shape (rows, columns), optional
         True for pixels to be ignored, for example hot pixels of the camera.
     block : int, optional
-        Number of frames in memory at once; by default as many as have four million pixels.
+        Number of frames in a block, which are in memory together; by default a block has about four million pixels.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
     progress : callable, optional
-        Called with the number of frames done and their total after each block.
+        Function that is called after each block, with the number of frames done and the total number.
     """
 
     noise: Noise | None = None
@@ -109,9 +112,9 @@ def localize_movie(
     Parameters
     ----------
     movie : Movie, path or array_like of shape (frames, rows, columns)
-        Frames as the camera recorded them, in the unit of `noise`.
+        Recorded frames, in the unit of `noise`.
     table : Table
-        Images of a molecule, with the pixels of the camera. Their shape is that of the boxes that are fitted.
+        Table of the images of a molecule, for the pixel pitch of the camera. Boxes have the shape of these images.
     {options}
 
     Returns
@@ -121,7 +124,8 @@ def localize_movie(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or frames are smaller than the boxes; MovieError if a file is not a movie.
+        If an argument is out of range, or frames are smaller than the boxes. A file that is not a movie raises
+        MovieError, which is a ValueError.
     OSError
         If a file cannot be read.
 
@@ -144,18 +148,19 @@ def localize_blocks(
     Parameters
     ----------
     movie, table
-        As in :func:`lommel.localize.localize_movie`.
+        See :func:`lommel.localize.localize_movie`.
     {options}
 
     Yields
     ------
     Localizations
-        Those of one block of frames; also of a block without molecules. :func:`lommel.localize.writer` writes them.
+        The localisations of a block of frames; the table of a block without molecules is empty. They can be written
+        to files by :func:`lommel.localize.writer`.
 
     Raises
     ------
     TypeError, ValueError, OSError
-        As in :func:`lommel.localize.localize_movie`.
+        See :func:`lommel.localize.localize_movie`.
     """
     options.require_known(localize_blocks, given, MovieKeywords)
     validation.instance("table", table, Table)
@@ -170,14 +175,14 @@ def _blocks(
     saturation, threads = given.saturation, given.threads
     widths = gaussian_widths(table)
     if width is None:
-        # Median over z of the geometric mean of both widths.
+        # Median over z of the geometric mean of the widths along y and x.
         width = float(np.clip(np.median(np.sqrt(widths[1] * widths[2])), 0.5, min(table.shape) / 4.0))
     search = partial(find, box=table.shape, noise=camera, threshold=given.threshold, width=width, threads=threads)
     with _opened(movie, given.block) as (shape, blocks, name):
         pixel = table.pixel / table.pupil.magnification  # in the sample
         along = "none" if given.flat else table.along
         recording = Recording(*shape, pixel, table.shape, along, name)
-        # Saturated pixels are already NaN in the values that are fitted: see `marked`.
+        # `counts.marked` replaces saturated pixels by NaN: fits need no test of saturation.
         fit_boxes = partial(fit, noise=camera, saturation=math.inf, starts=given.starts, threads=threads)
         checks, done = Checks(recording, table, fit_boxes, kind), 0
         for frames in blocks:
@@ -202,13 +207,13 @@ def _blocks(
                 given.progress(done, shape[0])
 
 
-_MAX_MOVES = 3  # largest number of times a box is moved
+_MAX_MOVES = 3  # largest number of times that a box is moved
 
 
 def _recentred(
     frames: Values, spots: Spots, first: int, table: Table, fit_boxes: Callable[..., Molecules]
 ) -> Molecules:
-    """Fit the boxes of spots, and fit off-centre molecules (as by coma) again in boxes around their estimates.
+    """Fit the boxes of spots; fit molecules that are off-centre, for example due to coma, again in centred boxes.
 
     `frames` (frames, rows, columns) begin at frame `first` of the movie.
     """
@@ -228,7 +233,7 @@ def _recentred(
         if not moved.size:
             break
         refitted = fit_boxes(boxes(frame[moved], new_corners), corners=new_corners)
-        # A fit that no longer converges in the new box is not kept.
+        # If only the old fit converged, it is kept.
         better = refitted.converged | ~molecules.converged[moved]
         moved, new_corners = moved[better], new_corners[better]
         molecules, corners[moved] = molecules.replaced(moved, refitted[better]), new_corners
@@ -259,14 +264,14 @@ def _opened(
 def _localizations(
     spots: Spots, molecules: Molecules, recording: Recording, widths: tuple[Array, Array, Array], table: Table
 ) -> Localizations:
-    """Return the table of localisations, in metres in the sample; `widths` are those of `gaussian_widths`."""
+    """Return the localisations, in metres in the sample; `widths` is the result of `gaussian_widths`."""
     rows, pixel = np.zeros(len(spots), columns()), recording.pixel
     rows["frame"], rows["score"] = spots.frame, spots.score
     for name in ("discrepancy", "log_likelihood", "state"):
         rows[name] = getattr(molecules, name)
     sides = {"row": "y", "column": "x"}
     for name in (field.name for field in fields(MoleculeErrors)):
-        # Positions count from the outer corner of the first pixel, half a pixel from its middle.
+        # Positions are from the outer corner of the first pixel, half a pixel from its middle.
         to, scale, shift = (sides[name], pixel, 0.5) if name in sides else (name, 1.0, 0.0)
         rows[to] = (getattr(molecules, name) + shift) * scale
         rows[f"{to}_error"] = getattr(molecules.errors, name) * scale
@@ -286,8 +291,8 @@ def _localizations(
 def gaussian_widths(table: Table) -> tuple[Array, Array, Array]:
     """Return heights z (m), and standard deviations (pixels) along y and x of Gaussians fitted to the images.
 
-    Adaptive moments (G. M. Bernstein, M. Jarvis, doi:10.1086/338085): the second moments of the image, weighted by
-    the Gaussian itself, are half of its variances.
+    The fit uses adaptive moments (G. M. Bernstein, M. Jarvis, doi:10.1086/338085): the second moments of the image
+    multiplied by the Gaussian are half of the variances of the Gaussian.
     """
     heights = np.linspace(*table.z, _HEIGHTS)
     row, column = (side // 2 for side in table.shape)

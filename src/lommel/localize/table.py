@@ -1,11 +1,14 @@
 """Tables of the images of a molecule: interpolation of the image at any position, with a proven error bound.
 
-Along z a table has piecewise Chebyshev series. As a function of the stage position z an image is a sum of waves
-``exp(i w z)``, ``abs(w) <= k (n_i - sqrt(n_i^2 - NA^2))``, whose moduli add up to at most the collected light. As a
-function of the depth d it is a sum of waves ``exp(i k n_s d (c - c'*))``, divided by the collected light, which
-decreases with d because light beyond the critical angle decays. These functions are analytic and bounded on ellipses
-in the complex plane, which bounds the error of the series: L. N. Trefethen, Approximation Theory and Approximation
-Practice, theorem 8.2.
+Along z a table has piecewise Chebyshev series: the range of z is divided into pieces, with a series in each of them.
+As a function of the stage position z, an image is a sum of waves ``exp(i w z)`` with ``abs(w) <= k (n_i - sqrt(n_i^2
+- NA^2))``; k is the wavenumber in vacuum, n_i the index of the immersion, and the sum of the moduli of the waves is
+at most the collected light. As a function of the depth d, an image is a sum of waves ``exp(i k n_s d (c - c'*))``
+divided by the collected light; n_s is the index of the sample, and c, c' are cosines of angles in the sample,
+imaginary beyond the critical angle. The collected light decreases with d because light beyond the critical angle
+decays. These functions are analytic and bounded on ellipses in the complex plane. This yields a bound on the error of
+the series (L. N. Trefethen, Approximation Theory and Approximation Practice, theorem 8.2). A plane is an image at one
+position z.
 """
 
 from __future__ import annotations
@@ -36,13 +39,13 @@ _BAND = 1.75  # largest band limit of images, radians per sample
 _BLOCK_SAMPLES = 40000  # number of samples that are computed together
 _MAX_BYTES = 1 << 28
 _EPS = 2.0**-24  # unit roundoff of float32
-# Number of roundings of each term of a series along z: when stored, when multiplied by a stored polynomial, and when
-# added to the later terms (the sum starts at the last term). The first polynomial is 1.
+# Number of rounding errors of each term of a series along z: from storing it, from the product with a stored
+# polynomial, and from sums (which start at the last term). The first polynomial is 1.
 _TERM_ROUNDINGS = np.array([2.0, *np.arange(5.0, engine.MoleculeTable.terms + 4.0)])
-# Maximum numbers of planes at which images are computed, and of pieces of the range of z.
-_MAX_PLANES, _MAX_PIECES = 400, 200
-_INNER = 24  # number of Chebyshev points of a piece
-_ETA = np.geomspace(0.02, 6.0, 300)  # ellipses of bounds: semi-axes cosh(eta) and sinh(eta) times half the range
+_MAX_PLANES, _MAX_PIECES = 400, 200  # largest numbers of planes at which images are computed, and of pieces
+_INNER = 24  # number of Chebyshev points in a piece
+# Ellipses on which functions are bounded have the semi-axes cosh(eta) and sinh(eta), multiplied by half the range.
+_ETA = np.geomspace(0.02, 6.0, 300)
 
 
 class Bounds(NamedTuple):
@@ -54,7 +57,7 @@ class Bounds(NamedTuple):
 
 @dataclass(frozen=True)
 class Waves:
-    """Waves that images consist of, as functions of "z" or "depth": bounds on intensities in the complex plane.
+    """Bounds on intensities of images as functions of complex z, for `along` "z" or "depth" (module docstring).
 
     Intensities are relative to the light collected from a molecule at the same depth.
     """
@@ -63,7 +66,7 @@ class Waves:
     along: str
 
     def at(self, places: Array) -> ObjectivePupil:
-        """Return a stack of the pupil at positions along this axis, metres."""
+        """Return a stack of pupils at stage positions or depths `places`, metres."""
         pupil, zeros = self.pupil, np.zeros(places.shape)
         if self.along == "depth":
             return replace(pupil, depth=places, focus=pupil.focus + zeros, z=pupil.z + zeros)
@@ -87,7 +90,7 @@ class Waves:
         return 2.0 * layers.wavenumber * math.sqrt(max(0.0, layers.NA**2 - layers.sample**2))
 
     def light(self, places: Array) -> Array:
-        """Return the collected light at positions, relative to that far from the cover glass; 1 along z."""
+        """Return the light collected at each depth, relative to that far from the cover glass; 1 along "z"."""
         if self.fading == 0.0:
             return np.ones(places.shape)
         weights = self.pupil.light.shares
@@ -95,7 +98,7 @@ class Waves:
         return np.asarray((near @ weights) / float(far @ weights)).reshape(places.shape)
 
     def log_bound(self, low: float, high: float) -> Array:
-        """Return the logarithms of bounds on intensity times :meth:`light`, on ellipses around `low` to `high`."""
+        """Return logs of bounds on (intensity times :meth:`light`), on the ellipses of `_ETA` for `low` to `high`."""
         half, middle = 0.5 * (high - low), 0.5 * (high + low)
         nearest = middle - half * np.cosh(_ETA)
         # At negative depths, decaying light increases exponentially.
@@ -103,7 +106,7 @@ class Waves:
         return np.asarray(self.rate * half * np.sinh(_ETA) + above + np.log(self.light(np.maximum(0.0, nearest))))
 
     def log_bound_of_quotients(self, low: float, high: float) -> Array:
-        """Return the logarithms of bounds on intensities, on the same ellipses; inf where :meth:`light` may be 0."""
+        """Return logs of bounds on intensities, on the ellipses of :meth:`log_bound`; inf if light may be 0 there."""
         # If the phase of decaying light is at most pi / 2, its real part is not negative: the modulus of the light
         # is at least that of the constant part.
         turned = self.fading * 0.5 * (high - low) * np.sinh(_ETA)
@@ -112,7 +115,7 @@ class Waves:
     @property
     def steepest(self) -> float:
         """Bound on the sum of moduli of the derivatives of waves, per metre, relative to the collected light."""
-        # The derivatives are those of waves exp((i a - b) d), and that of 1 / light, which is due to decaying light.
+        # The derivatives are those of waves exp((i a - b) d), and of 1 / light, which depends on decaying light only.
         return (self.rate + self.fading) + self.fading
 
 
@@ -145,24 +148,24 @@ class Pieces(NamedTuple):
 
 
 def pieces(waves: Waves, low: float, high: float, error: float) -> Pieces:
-    """Return the smallest number of pieces with an error of at most `error`; ValueError if it is too large."""
+    """Return series with the fewest pieces for an error of at most `error`; ValueError if there are too many."""
     terms, length = engine.MoleculeTable.terms, high - low
     for count in range(1, _MAX_PIECES + 1):
         half = 0.5 * length / count
         # Along the depth, decaying light is strongest in the first piece, which has the largest bound.
         most = waves.log_bound_of_quotients(low, low + length / count)
         local = _tail(most, terms)
-        # 90 % of the error are for truncation of the series, the remainder for the interpolated values.
+        # Truncation of the series may cause 90 % of the error, interpolation of the values the remainder.
         if local.value <= 0.9 * error:
             break
     else:
-        raise ValueError(f"z must span less: {length:.3g} m take more than {_MAX_PIECES} pieces")
+        raise ValueError(f"z must span less: a range of {length:.3g} m needs more than {_MAX_PIECES} series")
     whole = waves.log_bound(low, high)
     for planes in range(terms, _MAX_PLANES):
         if (first := 2.0 * _tail(whole, planes).value) * terms * 2.0 <= 0.05 * error:
             break
     else:
-        raise ValueError(f"z must span less: {length:.3g} m take more than {_MAX_PLANES} planes")
+        raise ValueError(f"z must span less: a range of {length:.3g} m needs more than {_MAX_PLANES} planes")
     # A coefficient of the error of the interpolating polynomial is at most twice this error, because light >= 1.
     through = first * 2.0 + _tail(most, _INNER).value
     value = local.value + through * terms
@@ -187,7 +190,10 @@ def _series(count: int) -> Array:
 
 
 def _matrix(waves: Waves, low: float, high: float, planes: int, pieces: int) -> Array:
-    """Return the matrix from values at the planes to coefficients of the pieces, by one polynomial for all planes."""
+    """Return the matrix from values at the planes to coefficients of the pieces.
+
+    A single polynomial, through the values at all planes, is evaluated at the Chebyshev points of each piece.
+    """
     vander, whole = np.polynomial.chebyshev.chebvander, _series(planes)
     cut = _series(_INNER)[: engine.MoleculeTable.terms]
     length = (high - low) / pieces
@@ -213,7 +219,7 @@ def _gains(matrix: Array, half: float) -> Bounds:
 
 
 class _Sampling(NamedTuple):
-    """Sampling of images: `step` is the pixel pitch in v = 2 pi NA r / lambda, `per` the number of samples in it."""
+    """Sampling of images: `step` is the pixel pitch in v = 2 pi NA r / lambda, `per` samples per pixel."""
 
     waves: Waves
     taps: interpolation.FilteredTaps
@@ -233,7 +239,7 @@ class Table:
     pupil : ObjectivePupil
         Pupil of a single plane, by :meth:`lommel.Objective.pupil`, with aberrations and orientation of the emitter.
     shape : int or (int, int), default 15
-        Rows and columns of an image, 5 to 64. Smaller windows would be too small for the image of a molecule.
+        Rows and columns of an image, 5 to 64.
     pixel : float
         Pixel pitch on the camera, metres.
     z : (float, float)
@@ -242,14 +248,14 @@ class Table:
     along : {"z", "depth"}, default "z"
         Meaning of z: position of the stage, for a fixed depth of the emitter; or depth, for a fixed stage.
     offset : float, default 0
-        Displacement of the stage, metres, for the second camera of a biplane: the image at z is that with the stage
-        at ``z + offset`` or, along the depth, with the stage displaced by `offset`. -10 um to 10 um.
+        Displacement of the stage, -1e-5 to 1e-5 metres, for example for the second camera of a biplane. The image at
+        z is that with the stage at ``z + offset`` or, along the depth, with the stage displaced by `offset`.
     reach : float, default 3
         Largest distance of the molecule from the middle of pixel ``(height // 2, width // 2)`` along rows and
         columns, pixels, 0.5 to 16.
     tol : float, default 1e-4
-        Tolerance of values, 1e-5 to 0.1, relative to the largest value of the dimmest plane with the molecule in the
-        middle of a pixel.
+        Tolerance of values, 1e-5 to 0.1, relative to the peak: the largest value of the dimmest plane, with the
+        molecule in the middle of a pixel.
     threads : int, optional
         Maximum number of threads; by default the number of processors.
 
@@ -258,10 +264,10 @@ class Table:
     pupil, shape, pixel, z, along, reach, tol
         The arguments; `pupil` with the stage displaced by `offset`.
     error_bound : float
-        Proven bound on the error of values, relative to the same value as `tol`; at most `tol`.
+        Proven bound on the error of values, relative to the peak (see `tol`); at most `tol`.
     slope_bounds : dict
         Proven bounds on the errors of derivatives with respect to "row" and "column", per pixel, and "z" or "depth",
-        per metre; relative to the same value.
+        per metre; relative to the peak.
 
     Raises
     ------
@@ -303,9 +309,9 @@ class Table:
     ) -> None:
         displacement = validation.real("offset", offset, least=-1e-5, most=1e-5)
         if not isinstance(pupil, ObjectivePupil):
-            raise TypeError(f"pupil must be one of an Objective (Objective.pupil), got {validation.shown(pupil)}")
+            raise TypeError(f"pupil must be from Objective.pupil, got {validation.shown(pupil)}")
         if pupil.shape or (pupil.aberrations is not None and pupil.aberrations.shape):
-            raise ValueError(f"pupil must be of one plane, got a stack of shape {pupil.shape}; z makes the planes")
+            raise ValueError(f"pupil must be a single pupil, got a stack of shape {pupil.shape}; z is a range")
         side = validation.image_shape(shape)
         if min(side) < _MIN_SIDE or max(side) > _MAX_SIDE:
             raise ValueError(f"shape must be {_MIN_SIDE} to {_MAX_SIDE} pixels a side, 15 is usual, got {side}")
@@ -339,8 +345,8 @@ class Table:
         # Estimate of the largest value of the dimmest plane, relative to the collected light.
         peak, before = 0.95 * float(rough.values.max(axis=(1, 2)).min()), math.inf
         while True:
-            # Parts of the tolerance: 0.2 for the kernel along each axis, 0.15 for the series along z, 0.3 for the
-            # samples, the remainder for rounding.
+            # Fractions of the tolerance: 0.2 for the kernel along each axis, 0.15 for the series along z, 0.3 for the
+            # samples, and the remainder for rounding.
             allowed = self.tol * peak
             try:
                 taps = interpolation.filtered_taps(2.0 * step / per, 0.2 * allowed, per)
@@ -381,12 +387,12 @@ class Table:
         series = np.einsum("pkz,zyx->pkyx", planes.matrix, filtered, optimize=True)
         # A value is the fraction of the collected light in a pixel, like those of lommel.psf.
         light = Grid(self.shape, self.pixel).cell(self.pupil) / (4.0 * math.pi)
-        # Sample k of a row belongs to phase k % per; each phase is stored as rows of its own.
+        # Sample k of a row belongs to phase k % per; the samples of each phase are stored in separate rows.
         padded = np.zeros((*series.shape[:2], rows, wide * per), np.float32)
         padded[..., :columns] = light * series
         if padded.nbytes > _MAX_BYTES:
-            size = f"the table would take {padded.nbytes} bytes"
-            raise ValueError(f"z must span less, or shape and reach be smaller: {size}")
+            size = f"the table would need {padded.nbytes} bytes, more than {_MAX_BYTES}"
+            raise ValueError(f"z must span less, or shape and reach must be smaller: {size}")
         phases = np.swapaxes(padded.reshape(*series.shape[:2], rows, wide, per), -1, -2)
         flat = np.concatenate([phases.ravel(), np.zeros(engine.MoleculeTable.beyond, np.float32)])
         self._parts: dict[str, Any] = {
@@ -443,7 +449,7 @@ class Table:
         terms = engine.MoleculeTable.terms
         largest, summed = sizes
         rounding = _EPS * (2 * size + terms + 8) * largest * sums
-        # In values, each term is weighted with its number of roundings: fewest for the largest, middle taps.
+        # In values, each term is weighted with its number of rounding errors, which is smallest for the middle taps.
         often = taps.taps.weighted(2.0 + size - np.maximum(np.arange(size), 1))
         rounded = 1.001 * _EPS * sums * (sums * summed + 2.0 * often * largest)
         half = 0.5 * (self.z[1] - self.z[0]) / len(planes.matrix)
@@ -476,14 +482,14 @@ class Table:
         z : array_like
             Position of the stage, or depth, metres. Arrays `row`, `column` and `z` broadcast.
         derivatives : bool, default False
-            Return derivatives, too.
+            Also return derivatives.
 
         Returns
         -------
         values : ndarray of float32, shape ``(..., height, width)``
             The fraction of the collected light in each pixel, like :func:`lommel.psf` with ``normalize="energy"``.
         slopes : dict of ndarray
-            Only with `derivatives`: those by "row" and "column", per pixel, and by "z" or "depth", per metre.
+            Only if `derivatives`: derivatives by "row" and "column", per pixel, and by "z" or "depth", per metre.
 
         Raises
         ------
@@ -495,7 +501,7 @@ class Table:
         for name, part, low, high in zip(names, arrays, *limits, strict=True):
             if part.size and not low <= part.min() <= part.max() <= high:
                 at = part.min() if part.min() < low else part.max()
-                raise ValueError(f"{name} must be {low:g} to {high:g} with this table, got {at:g}")
+                raise ValueError(f"{name} must be from {low:g} to {high:g}, the range of the table, got {at:g}")
         validation.truth("derivatives", derivatives)
         parts = validation.broadcast("row, column and z", *arrays)
         places = np.stack([part.ravel() for part in parts], axis=-1).reshape(-1, 3)

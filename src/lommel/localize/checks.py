@@ -1,7 +1,8 @@
-"""Checks of the localisations of a movie: noise, background, wavefront, other tables, crowds, recurring spots.
+"""Checks of the localisations of a movie: noise, background, wavefront, depth, crowded molecules, recurring spots.
 
-A table has the PSF as a function of z and position. `along` is the axis of z: the stage, the depth, or "none". The
-discrepancy of a molecule is the excess of chi2 of its fit, in standard deviations.
+A table has the PSF as a function of z and position. `along` is the meaning of z: position of the stage ("z"),
+"depth", or "none" if z is not estimated. The discrepancy of a molecule is (chi2 of its fit - expectation) / standard
+deviation. A rival is a table with another sign of astigmatism or another depth.
 """
 
 from __future__ import annotations
@@ -40,35 +41,38 @@ TILTED = 5.0
 _MOLECULES = 1000  # number of molecules for the tests of noise, background and other tables
 _MIN_FRAMES, _RECURRING = 20, 0.3  # shortest movie for the test of recurring spots; fraction of frames with the spot
 _WIDEST, _PER_UNIT = 50, 100  # histogram of discrepancies: largest value, and number of bins per unit
-_FINE = 0.1  # smallest plausible pixel divided by Nyquist's: a smaller one was divided by the magnification twice
-_DARK = 0.75  # largest fraction of counts below the offset: without light it is one half
-_DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancy of a doubt and of an error; no PSF is perfect
-_BY_CHANCE, _CROWDED = 0.01, 0.05  # fractions of doubtful molecules: largest due to chance; limit of a doubt
+# Smallest plausible (pixel in the sample) / (Nyquist pixel): a smaller pixel was divided by the magnification twice.
+_FINE = 0.1
+_DARK = 0.75  # largest fraction of counts below the offset; without light it is one half
+_DISCREPANT, _MISFIT = 0.3, 1.0  # median discrepancy above which fits are in doubt, and in error; no PSF is perfect
+# Fractions of doubtful molecules: the largest due to chance, and that above which results are in doubt.
+_BY_CHANCE, _CROWDED = 0.01, 0.05
 _MANY = 0.1  # largest fraction of spots at an end of the range of z
-_MIN_COMPARED = 10  # smallest number of molecules that yields the spread of the gain
-_DEEPER = 0.4e-6  # change of the depth in focus for another table, metres
-# Changes of the images that are tested: Zernike terms of expected size _TERM (radians rms), and errors of constants,
-# with their expected sizes; _TESTED is the number of molecules for these tests.
+_MIN_COMPARED = 10  # smallest number of molecules from which the standard deviation of the gain is estimated
+_DEEPER = 0.4e-6  # change of the depth in focus for a rival, metres
+# Changes of the images that are tested: Zernike terms of the expected size _TERM (radians rms), and errors of the
+# expected sizes _CONSTANTS. _TESTED is the number of molecules for these tests.
 _TERMS = (*((n, m) for n in (2, 3, 4) for m in range(-n, n + 1, 2) if (n, m) != (2, 0)), (6, 0))
 _TERM, _TESTED = 0.1, 300
 _CONSTANTS = {"depth": 0.2e-6, "sample": 0.02, "immersion": 2e-3, "NA": 0.02, "wavelength": 0.02}
 _UNITS = {"depth": " m", "wavelength": " of it"}
 _STEP, _STATED = 0.05, 0.5  # fractions of these sizes: step of differences; largest error of a constant in a message
 _BIASES, _MICRON = ("row", "column", "z", "photons"), 1e-6
-_TURN, _SUBPIXELS = 1.0, 3  # phase between neighbouring planes of these images, radians; samples per side of a pixel
-_MIN_GAIN_RATIO = 1.5  # gain of changes divided by gain of other tables, above which only changes are reported
-_BIASED = 0.5  # rms bias of estimates, in standard errors, from which on estimates are in doubt
+_PHASE_STEP = 1.0  # phase difference between neighbouring planes of the changes, radians
+_SUBPIXELS = 3  # samples along each side of a pixel
+_MIN_GAIN_RATIO = 1.5  # (gain of changes) / (gain of rivals) above which rivals are not reported
+_BIASED = 0.5  # rms bias, in standard errors, above which estimates are in doubt
 # Effects that images of single molecules do not reveal.
 _UNTESTED = (
     "light that is uneven across the pupil, or clipped on one side (moves molecules sideways in proportion to z)",
-    "molecules that do not turn freely, or move while they shine",
+    "molecules that do not rotate freely, or move during an exposure",
     "drift of the focus",
 )
-_LIKELIER = 10.0  # smallest difference of log-likelihoods that is reported
+_MIN_GAIN = 10.0  # smallest gain of log-likelihood of a rival that is reported
 
 
 class Checks:
-    """Checks of successive blocks of frames; `refit` fits boxes with another table."""
+    """Checks of successive blocks of frames; `refit` is a function that fits boxes with a given table."""
 
     def __init__(self, recording: Recording, table: Table, refit: partial[Molecules], background: str) -> None:
         self._recording, self._table, self._refit, self._background = recording, table, refit, background
@@ -86,15 +90,15 @@ class Checks:
         pupil, pixel = table.pupil, recording.pixel
         if (finest := pupil.wavelength / (4.0 * pupil.layers.NA)) * _FINE > pixel:
             text = (
-                f"a pixel is {format_length(pixel, digits=3)} in the sample, far below Nyquist's "
-                f"{format_length(finest, digits=3)}: `pixel` is that of the camera, before magnification"
+                f"a pixel is {format_length(pixel, digits=3)} in the sample, far below the Nyquist pixel, "
+                f"{format_length(finest, digits=3)}: `pixel` is the pitch on the camera, not in the sample"
             )
             self._add_once("pixel_pitch", "doubt", text, pixel=pixel, nyquist=finest)
         terms = {} if pupil.aberrations is None else pupil.aberrations.amplitudes()
         if recording.along != "none" and not any(n % 2 == 0 and (n, m) != (2, 0) for n, m in terms):
             text = (
                 "the wavefront has no even term besides defocus, such as astigmatism: images above and below focus "
-                "are nearly alike, and z may have the wrong sign; `flat` gives x and y alone"
+                "are nearly alike, and z may have the wrong sign; use `flat` to estimate only x and y"
             )
             self._add_once("sign_open", "doubt", text)
 
@@ -116,7 +120,7 @@ class Checks:
     def tilt(self, spots: Spots, found: Molecules, *, fitted: bool) -> float:
         """Test the wavefront of the table and, unless slopes of the background were `fitted`, slopes and noise.
 
-        Returns the significance of the slope in standard deviations, 0 if it was fitted.
+        Return the significance of the slope in standard deviations, or 0 if slopes were fitted.
         """
         if fitted and self._changes.done:
             return 0.0
@@ -133,7 +137,7 @@ class Checks:
             self._excess = excess_test(residual, mean, read).findings(self._noise.excess)
         sigmas, slope, error = score.tilt((self._recording.rows, self._recording.columns))
         if sigmas > TILTED:
-            # Fits use electrons divided by the excess noise.
+            # Fits use electrons divided by the excess noise factor.
             slope, error = slope * self._noise.excess, error * self._noise.excess
             flat = self._background == "flat"
             text = (
@@ -146,18 +150,18 @@ class Checks:
         return sigmas
 
     def compare(self, spots: Spots, background: str) -> None:
-        """Compare fits of the first molecules with fits by other tables; `background` is "flat" or "tilted"."""
+        """Compare fits of the first molecules with fits by rivals; `background` is "flat" or "tilted"."""
         first = slice(_MOLECULES - self._compared)
         if not self._rivals or self._compared >= _MOLECULES or not len(spots):
             return
         self._compared += len(spots)
         refit = partial(self._refit, images=spots.images[first], corners=spots.corners[first], background=background)
-        one = refit(self._table)
+        fits = refit(self._table)
         for name, table in self._rivals.items():
-            other = refit(table)
-            # Images of crowded molecules do not test the PSF.
-            both = one.converged & other.converged & (np.minimum(one.discrepancy, other.discrepancy) < DOUBTFUL)
-            self._gains[name] += (other.log_likelihood - one.log_likelihood)[both].tolist()
+            rival = refit(table)
+            # Images of crowded molecules, which have large discrepancies, are no test of the PSF.
+            both = fits.converged & rival.converged & (np.minimum(fits.discrepancy, rival.discrepancy) < DOUBTFUL)
+            self._gains[name] += (rival.log_likelihood - fits.log_likelihood)[both].tolist()
 
     def count(self, part: Localizations) -> None:
         """Add the localisations of a block."""
@@ -198,21 +202,21 @@ class Checks:
         changes, tables = self._changes, self._rival_findings()
         gains = (math.fsum(each) / max(len(each), 1) for each in self._gains.values())
         if changes.gain > _MIN_GAIN_RATIO * max(gains, default=0.0):
-            tables = iter(())  # the changes explain the gain of other tables
+            tables = iter(())  # the changes explain the gain of rivals
         of_fits, of_spots = self._fit_findings(), self._spot_findings()
         return Findings(chain(self._excess, tables, changes.findings, of_fits, self._once.values(), of_spots))
 
     def _rival_findings(self) -> Iterator[Finding]:
-        """Yield the finding on another table, if molecules are far more likely with it.
+        """Yield the finding on the rival with the largest gain of log-likelihood, if this gain is significant.
 
         For molecules of 500 photons on the cover glass, the right sign of an astigmatism increases the log-likelihood
-        by only 0.1 per molecule: a thousand molecules determine the sign.
+        by only 0.1 per molecule: about a thousand molecules are needed to determine the sign.
         """
         likelier: dict[str, tuple[float, int, float]] = {}
         for name, each in self._gains.items():
             # The standard deviation of a sum of n independent gains is sqrt(n) times that of one gain.
             gain, error = math.fsum(each), float(np.std(each or 0.0)) * math.sqrt(len(each))
-            if len(each) >= _MIN_COMPARED and gain > max(_LIKELIER, 4.0 * error):
+            if len(each) >= _MIN_COMPARED and gain > max(_MIN_GAIN, 4.0 * error):
                 likelier[name] = gain, len(each), error
         if not likelier:
             return
@@ -228,10 +232,10 @@ class Checks:
             yield Finding("opposite_astigmatism", "error", text, numbers)
         else:
             shift = float(name)
-            way = "deeper" if shift > 0.0 else "nearer to the cover glass"
+            direction = "deeper" if shift > 0.0 else "nearer to the cover glass"
             text = (
-                f"{subject} {format_length(abs(shift))} {way} {text}: check the depth, the indices and the spherical "
-                "aberration"
+                f"{subject} {format_length(abs(shift))} {direction} {text}: check the depth, the indices and the "
+                "spherical aberration"
             )
             yield Finding("other_explanation", "doubt", text, numbers | {"parameter": "depth", "shift": shift})
 
@@ -337,7 +341,7 @@ class ChangeImages:
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, waves = table, Waves(table.pupil, table.along)
         low, high = table.z
-        planes = max(4, math.ceil((high - low) * waves.rate / _TURN) + 1)
+        planes = max(4, math.ceil((high - low) * waves.rate / _PHASE_STEP) + 1)
         self._per_plane = (planes - 1) / (high - low)
         height, width = (_SUBPIXELS * (2 * (side // 2 + math.ceil(table.reach) + 1) + 1) for side in table.shape)
         self._middle = height // 2, width // 2
@@ -369,7 +373,7 @@ class ChangeImages:
         return total
 
     def __call__(self, row: Array, column: Array, z: Array) -> Array:
-        """Return the changes of the images of molecules, (n, changes, height, width); arguments are as of `Table`."""
+        """Return the changes of the images of molecules, (n, changes, height, width); for arguments see `Table`."""
         height, width = self._table.shape
         at = np.empty((3, len(row), height, width))
         at[0] = ((z - self._table.z[0]) * self._per_plane)[:, None, None]
@@ -418,7 +422,7 @@ class Score(NamedTuple):
             chance = float(special.gammaincc(len(chosen), 0.5 * (slopes * sizes).sum()))
             tests.append((chance, abs(float(sizes[most])), float(errors[most])))
         chance, size, error = min(tests)
-        # Convert the probability to standard deviations of a normal deviate, two-sided.
+        # The two-sided deviation of a normal variable, in standard deviations, with this probability.
         return float(-special.ndtri(max(0.5 * chance, 1e-300))), size, error
 
 
@@ -443,7 +447,7 @@ def scored(
     good = found.converged & (np.abs(at - middle) < table.reach).all(axis=1)
     if not good.any():
         return None
-    # Leave out molecules with neighbours, which look like slopes.
+    # Molecules with neighbours are left out because neighbours resemble slopes of the background.
     kept = np.flatnonzero(good & (found.discrepancy < np.median(found.discrepancy[good]) + DOUBTFUL))[:_MOLECULES]
     light, read = in_electrons(spots.images[kept], camera, spots.corners[kept].astype(float))
     places = at[kept, 0], at[kept, 1], found.z[kept]
@@ -474,7 +478,7 @@ def scored(
 
 
 class TableTest:
-    """Score tests of changes of a table's images, with the first molecules, whose backgrounds may slope."""
+    """Score tests of changes of a table's images with the first molecules, allowing for sloping backgrounds."""
 
     def __init__(self, table: Table, threads: int | None) -> None:
         self._table, self._threads = table, threads
@@ -484,7 +488,7 @@ class TableTest:
 
     @property
     def done(self) -> bool:
-        """Whether enough molecules were tested."""
+        """Whether at least _TESTED molecules were tested."""
         return len(self._bias) >= _TESTED
 
     @property
@@ -497,14 +501,14 @@ class TableTest:
 
     @property
     def images(self) -> ChangeImages | None:
-        """Images of the changes; once enough molecules were tested, the sum of significant changes, or None."""
+        """Images of the changes; if `done`, the sum of significant changes instead, or None if there are none."""
         return self._sum if self.done else self._images
 
     def add(self, score: Score) -> Array:
         """Add the molecules of a block; return the sizes of the changes in the columns of its score."""
         if self.done:
             return np.ones(score.bias.shape[-1])
-        left, slope, _ = _eliminate(score.information, score.slope, 2)  # of ramps, too
+        left, slope, _ = _eliminate(score.information, score.slope, 2)  # the two slopes of backgrounds
         square, pull = left.sum(axis=0), slope.sum(axis=0)
         if len(self._bias):
             square, pull = square + self._square, pull + self._pull
@@ -519,7 +523,7 @@ class TableTest:
         return self._sizes
 
     def tests(self, beside: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
-        """Tests of each change by itself, with the changes of indices `beside` eliminated."""
+        """Return a test of each change, after elimination of the changes with the indices `beside`."""
         if not len(self._bias):
             return ()
         names = enumerate(zip(self._images.names, self._images.scales.tolist(), strict=True))
@@ -527,7 +531,7 @@ class TableTest:
         return score_tests(self._square, self._pull, beside, each)
 
     def _significant_sizes(self) -> Array:
-        """Return the sizes of changes, selected one by one while one is significant; 0 for the other changes."""
+        """Return the sizes of significant changes, which are selected one by one; 0 for all other changes."""
         sizes, chosen = np.zeros(len(self._pull)), list[int]()
         while likely := seen(self.tests(chosen)):
             chosen.append(self._images.names.index(likely[0].name))
@@ -566,7 +570,7 @@ class TableTest:
 
     @property
     def untested(self) -> dict[str, tuple[float, str, float]]:
-        """Errors of constants that the molecules do not exclude: by name, (error, biased estimate, bias).
+        """Errors of constants that the molecules do not exclude: (error, name of the biased estimate, bias) by name.
 
         The bias is in standard errors of the estimate.
         """
@@ -582,7 +586,7 @@ class TableTest:
 
 
 def rivals(table: Table, threads: int | None = None) -> dict[str, Table]:
-    """Return tables for other astigmatism or depth, by the name of the difference; they are cached in `table`."""
+    """Return tables for another sign of astigmatism or depth, by name ("sign" or shift); cached in `table`."""
     cache: dict[str, Table] = vars(table).setdefault("_rivals", {})
     if not cache:
         same: dict[str, Any] = {name: getattr(table, name) for name in ("along", "reach", "tol")}

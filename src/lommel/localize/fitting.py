@@ -375,7 +375,9 @@ def in_electrons(box: Values, camera: Noise, corners: Array) -> tuple[Any, Any]:
         if isinstance(part, np.ndarray):
             ends = zip(pixels, part.shape, strict=True)
             if len(box) and any(at.min() < 0 or at.max() >= side for at, side in ends):
-                raise ValueError(f"corners must be of boxes within the camera: the map `{name}` has {part.shape} pixels")
+                raise ValueError(
+                    f"corners must be of boxes within the camera: the map `{name}` has {part.shape} pixels"
+                )
             parts[name] = part[pixels]
     white = 1.0 if parts["white"] is None else parts["white"]
     light = (box.astype(np.float64) - parts["offset"]) * white

@@ -37,8 +37,8 @@ class Distortion(FitReport):
     Attributes
     ----------
     coefficients : ndarray, shape (2, m)
-        Coefficients of the displacement along rows and columns of the image (row, column), pixels. The basis
-        functions are products of Legendre polynomials of the ideal position.
+        Coefficients of the displacement in row and in column, pixels. The basis functions are products of Legendre
+        polynomials of the ideal position.
     covariance : ndarray, shape (2 * m, 2 * m)
         Covariance of the coefficients, row by row; wavefront, light and blur are nuisance parameters.
     degree : int
@@ -51,10 +51,10 @@ class Distortion(FitReport):
     residuals : ndarray, shape (n, e, 2)
         Fitted minus predicted row and column of each image, pixels; NaN for targets that were not used.
     scatter : float
-        Standard deviation of places about the polynomials in excess of noise, pixels along rows or columns. It is
+        Standard deviation of places about the polynomials in excess of noise, pixels in row or in column. It is
         caused by errors of the chart or catalogue, or by distortion of higher degrees. Standard errors include it.
     chi2 : float
-        Chi2 of the places per degree of freedom, including only the noise of the images.
+        Chi2 of the places per degree of freedom, for the noise of the images without `scatter`.
     findings : Findings
         Scatter of places in excess of noise, and places that were rejected.
     summary : str
@@ -136,7 +136,7 @@ def _transformed(pose: Array, places: Array) -> Array:
 def _pose_basis(m: int, shape: tuple[int, int]) -> Array:
     """Return an orthonormal basis (j, 2 * m) of the coefficients of shifts, rotation and magnification.
 
-    The coefficients are those of m polynomials by row and by column.
+    There are coefficients of m polynomials for rows, followed by those for columns.
     """
     rows = [np.eye(1, 2 * m, 0)[0], np.eye(1, 2 * m, m)[0]]
     if m >= 3:  # the first three polynomials are 1, u and v

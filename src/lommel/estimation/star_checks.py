@@ -151,7 +151,7 @@ def missing_terms(
         defoci = np.tile(known, len(slope) // len(known))[:, None, None]
         yield MissingEffect("defocus", _CONSTANTS["defocus"], (slope * defoci,))
         if 2 < len(known) <= _MAX_FOCI:  # with two images, a single defocus is equivalent to the scale
-            for k, one in enumerate(_alone(len(known), slope)):
+            for k, one in enumerate(_of_each_exposure(len(known), slope)):
                 yield MissingEffect(f"defocus of image {k + 1}", _DEFOCUS, (one,))
 
 
@@ -216,10 +216,10 @@ def missing_charge_transfer(image: Array) -> Iterator[MissingEffect]:
 def missing_blurs(blurs: Mapping[str, Array], exposures: int, *, gaussian: bool) -> Iterator[MissingEffect]:
     """Yield additional blurs of each exposure, given derivatives of electrons (r * e, height, width)."""
     if gaussian:
-        yield MissingEffect(_GAUSSIAN, _WIDTH, _alone(exposures, blurs["Gaussian"]))
-    yield MissingEffect(_ELLIPSE, _WIDTH, _alone(exposures, blurs["along rows"], blurs["oblique"]))
-    yield MissingEffect(_WINGS, _WING_LIGHT, _alone(exposures, blurs["wings"]))
-    yield MissingEffect(_HALO, _WING_LIGHT, _alone(exposures, blurs["halo"]))
+        yield MissingEffect(_GAUSSIAN, _WIDTH, _of_each_exposure(exposures, blurs["Gaussian"]))
+    yield MissingEffect(_ELLIPSE, _WIDTH, _of_each_exposure(exposures, blurs["along rows"], blurs["oblique"]))
+    yield MissingEffect(_WINGS, _WING_LIGHT, _of_each_exposure(exposures, blurs["wings"]))
+    yield MissingEffect(_HALO, _WING_LIGHT, _of_each_exposure(exposures, blurs["halo"]))
 
 
 def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect:
@@ -228,12 +228,12 @@ def uneven_blur(image: Array, positions: Array, exposures: int) -> MissingEffect
     `image` is the derivative of electrons with respect to the variance of the blur.
     """
     along_axes = (image * coordinate[:, None, None] for coordinate in positions.T)
-    return MissingEffect(_UNEVEN, _WIDTH_CHANGE, _alone(exposures, *along_axes))
+    return MissingEffect(_UNEVEN, _WIDTH_CHANGE, _of_each_exposure(exposures, *along_axes))
 
 
 def missing_gradients(images: int, shape: tuple[int, int], exposures: int) -> MissingEffect:
     """Return background gradients of each exposure, along rows and columns, for `images` images in all."""
-    return MissingEffect(GRADIENT, _SLOPE, _alone(exposures, *slants(images, shape)))
+    return MissingEffect(GRADIENT, _SLOPE, _of_each_exposure(exposures, *slants(images, shape)))
 
 
 def missing_nonlinearity(mean: Array) -> MissingEffect:
@@ -242,7 +242,7 @@ def missing_nonlinearity(mean: Array) -> MissingEffect:
     return MissingEffect(_GAIN, _NONLINEAR, (-(mean**2) / 1e4,))
 
 
-def _alone(exposures: int, *images: Array) -> tuple[Array, ...]:
+def _of_each_exposure(exposures: int, *images: Array) -> tuple[Array, ...]:
     """Return, for each exposure, the images (r * e, height, width) set to 0 in all other exposures."""
     exposure = np.arange(len(images[0])) % exposures
     return tuple(image * (exposure == i)[:, None, None] for i in range(exposures) for image in images)
@@ -262,7 +262,7 @@ def to_marginalize(
 ) -> list[Candidate]:
     """Return the candidates to marginalize, with the prior standard deviations to use.
 
-    Candidates that the data favour (Bayes factor above 1), those named in `others`, illumination and background
+    Candidates that the data favour (Bayes factor above 1), candidates named in `others`, illumination and background
     gradients keep their prior standard deviation. For other constants, ripples and deferred charge it is reduced. All
     other candidates are left out.
     """

@@ -76,7 +76,7 @@ def chi2_findings(chi2: float, spread: float, causes: str) -> list[Finding]:
         text = "; ".join(filter(None, (f"noise alone stays below {limit:.3g}", causes)))
         return [Finding("misfit", "error", text, numbers)]
     if chi2 < floor:
-        text = "the images are less noisy than gain, read noise and offset state, so that standard errors do not hold"
+        text = "the images are less noisy than gain, read noise and offset imply: standard errors are not valid"
         return [Finding("too_quiet", "doubt", text, numbers)]
     if rare < _RARE:
         percent = f"{100.0 * max(rare, 1e-6):.1g}"

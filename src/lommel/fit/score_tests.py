@@ -7,7 +7,8 @@ covariance ``S^-1`` (C. R. Rao, doi:10.1017/S0305004100023987).
 
 The Bayes factor compares two priors of c: N(0, tau^2) if the effect is present, and N(0, sigma^2) in the model, where
 sigma is 0 for effects that the model lacks. It is the ratio of the densities of ``S^-1 V`` under N(0, tau^2 + S^-1)
-and N(0, sigma^2 + S^-1). A wider prior tau lowers the density, and so the Bayes factor of weak effects.
+and N(0, sigma^2 + S^-1). A larger tau reduces the density at small estimates, and so the Bayes factor of weak
+effects.
 """
 
 from __future__ import annotations
@@ -66,10 +67,11 @@ class ScoreTest:
     name : str
         Name of the candidate.
     size, errors : ndarray, shape (q,)
-        Estimates of the q coefficients from the data alone (one step of Fisher scoring), and their standard errors.
+        Estimates of the q coefficients from the data alone (one step of Fisher scoring) minus the mean of the prior,
+        and their standard errors.
     sigmas : float
-        Distance of `size` from the mean of the prior, in standard deviations of data and prior together. For q > 1,
-        the distance that is equally improbable for one normal variable.
+        `size` in standard deviations of data and prior together; for q > 1, the deviation of a normal variable that
+        is equally improbable.
     log_bayes : float
         Natural logarithm of the Bayes factor for the candidate.
     """
@@ -220,7 +222,7 @@ def favoured(tests: Sequence[ScoreTest]) -> set[str]:
 
 
 def seen(tests: Sequence[ScoreTest]) -> tuple[ScoreTest, ...]:
-    """Return the candidate of the largest Bayes factor, if significant, and those with factors near it (`RIVAL`)."""
+    """Return the candidate of the largest Bayes factor, if significant, and candidates with factors near it."""
     # ln n corrects for n tests: the largest of n Bayes factors may be n times as large by chance.
     if not tests or tests[0].log_bayes <= SEEN + math.log(len(tests)):
         return ()

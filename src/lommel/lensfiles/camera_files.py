@@ -158,7 +158,7 @@ def wavefront_of(table: ZernikeTable, wavelength: float) -> Wavefront:
 
 
 def _camera_or_error(value: object) -> object:
-    """Return a camera; raise an error that reading it caused, so that pydantic reports it with all other errors."""
+    """Return a camera; raise an error that reading it caused, which pydantic reports with all other errors."""
     if isinstance(value, ValueError):
         raise value
     return value

@@ -287,9 +287,9 @@ def load_channels(
     """Read spectral sensitivities of colour channels from CSV, ASCII or FITS tables, times filters and a spectrum.
 
     The first line of a CSV table has the names of the columns. The first name is the wavelength with its unit, such
-    as ``wavelength (nm)``, ``lambda_um`` or ``nm``; the other names are those of channels, such as ``red`` or ``red
-    (%)``. The other lines are numbers, with wavelengths in any order. Lines that are empty or begin with ``#`` are
-    skipped. Cells are separated by commas, tabs or semicolons; if there are semicolons, numbers may have a decimal
+    as ``wavelength (nm)``, ``lambda_um`` or ``nm``; the other columns are channels, such as ``red`` or
+    ``red (%)``. The other lines are numbers, with wavelengths in any order. Lines that are empty or begin with ``#``
+    are skipped. Cells are separated by commas, tabs or semicolons; if there are semicolons, numbers may have a decimal
     comma. Negative values down to -1 % of the largest value count as 0.
 
     In files without commas, tabs and semicolons, columns are separated by blanks, and the line of names is optional.

@@ -130,7 +130,7 @@ class Checks:
         sizes = self._changes.add(score)
         if fitted:
             return 0.0
-        score = score.beside(sizes)
+        score = score.without_changes(sizes)
         if sum(len(one) for one, _, _ in self._residuals) < _MOLECULES:
             self._residuals.append((score.residual, score.mean, score.read))
             residual, mean, read = (np.concatenate(each) for each in zip(*self._residuals, strict=True))
@@ -398,7 +398,7 @@ class Score(NamedTuple):
     mean: Array
     read: Array
 
-    def beside(self, sizes: Array) -> Score:
+    def without_changes(self, sizes: Array) -> Score:
         """Return the score with the contribution of changes of these `sizes` subtracted."""
         # To first order the contribution is the information between columns and changes, times the sizes.
         return self._replace(slope=self.slope - self.information[:, :, 2:] @ sizes)
@@ -522,13 +522,13 @@ class TableTest:
             self._sum = self._images.together(self._sizes)
         return self._sizes
 
-    def tests(self, beside: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
-        """Return a test of each change, after elimination of the changes with the indices `beside`."""
+    def tests(self, eliminated: Sequence[int] = ()) -> tuple[ScoreTest, ...]:
+        """Return a test of each change, after elimination of the changes with the indices `eliminated`."""
         if not len(self._bias):
             return ()
         names = enumerate(zip(self._images.names, self._images.scales.tolist(), strict=True))
-        each = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in beside]
-        return score_tests(self._square, self._pull, beside, each)
+        each = [Candidate(name, (k,), scale) for k, (name, scale) in names if k not in eliminated]
+        return score_tests(self._square, self._pull, eliminated, each)
 
     def _significant_sizes(self) -> Array:
         """Return the sizes of significant changes, which are selected one by one; 0 for all other changes."""

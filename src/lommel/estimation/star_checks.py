@@ -71,7 +71,8 @@ _TRAIL_DECAY, _TRAIL_LENGTH = 2.0, 8  # trail of deferred charge: decay to 1/e a
 _STATED_ERROR = 0.01  # relative error of a stated number for which the bias of the estimates is reported
 _DRIFTS = " that changes over the images"
 _MAX_FOCI = 9  # largest number of images whose defoci are tested one by one
-_MAX_PHASE_ERROR = 0.25  # radians rms; above it, the likelihood often has other minima that are equally deep
+# Standard error of the phase, radians rms, above which the likelihood often has other maxima that are equally high.
+_MAX_PHASE_ERROR = 0.25
 # Largest factor by which a valid standard error may change within one standard deviation of the estimate.
 _MAX_ERROR_CHANGE = 1.125
 APODIZED = 0.1  # apodization coefficient g: the amplitude is exp(-g) at the pupil edge
@@ -91,22 +92,22 @@ _GAIN = "non-linear gain"
 _WORDS = {
     _GAUSSIAN: ("variance of an additional Gaussian blur", " pixels^2"),
     _ELLIPSE: (
-        "elliptical blur, for example by tracking or wind: (rows - columns) / 2, covariance",
+        "elliptical blur, for example from tracking or wind: (variance along rows - along columns) / 2, covariance",
         " pixels^2",
     ),
-    _WINGS: ("wings of the blur: share of light in a blur of twice the width", ""),
-    _HALO: ("a halo of the blur: share of light in a blur of four times the width", ""),
+    _WINGS: ("wings of the blur: fraction of light in a blur of twice the width", ""),
+    _HALO: ("a halo of the blur: fraction of light in a blur of four times the width", ""),
     _UNEVEN: ("blur that varies over the field: change of variance over half the field, columns, rows", " pixels^2"),
-    GRADIENT: ("backgrounds that slope", ""),
+    GRADIENT: ("background gradients", ""),
     _ZONES: ("zones of the wavefront, for example from polishing", ""),
     _FINE: ("ripples of the wavefront, finer than the tested terms", ""),
-    _GAIN: ("a gain that is not linear: share of electrons that is lost at 10^4", ""),
-    SLANT: ("light that slopes across the pupil: by exp(-a y - b x), a, b", ""),
-    SHIFT: ("an obscuration off the middle by (rows, columns)", " radii"),
+    _GAIN: ("non-linear gain: fraction of electrons that is lost at 10^4", ""),
+    SLANT: ("light that slopes across the pupil as exp(-a y - b x): a, b", ""),
+    SHIFT: ("a decentred obscuration: rows, columns", " radii"),
     **{name: (f"{name}: amplitude at the edge by cosine and sine", "") for name in FOLDS},
     ASPECT: ("an image that is longer along y and shorter along x than stated: relative change", ""),
-    OVAL: ("an aperture that is not round: radius longer by s cos 2t + u sin 2t, s, u", ""),
-    **{name: (f"{name}: share", "") for name in _TRAILS.values()},
+    OVAL: ("an aperture that is not round, with the radius 1 + s cos 2t + u sin 2t: s, u", ""),
+    **{name: (f"{name}: fraction", "") for name in _TRAILS.values()},
     "f_number": ("another f-number: its difference from the stated one", ""),
     OBSCURATION: ("another obscuration: its difference from the stated one", ""),
     "defocus": ("known defoci that are larger than stated: relative change", ""),

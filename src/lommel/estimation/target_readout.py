@@ -228,7 +228,7 @@ def start_of_crossing(image: Array) -> tuple[float, float, float, float]:
     y, x = (np.arange(side) - side // 2 for side in (height, width))
     x, y = x[None].astype(float), y[:, None].astype(float)
     window = np.exp(-0.5 * (x**2 + y**2) / (0.3 * min(height, width)) ** 2)
-    # Matched filter. The pattern is odd about each edge: the mean of black and white levels is subtracted.
+    # Matched filter. Patterns are odd about each edge: the median, a level between black and white, is subtracted.
     contrast = image - np.median(image)
     patterns = []
     for angle in np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS:

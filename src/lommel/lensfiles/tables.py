@@ -289,8 +289,8 @@ def load_channels(
     The first line of a CSV table has the names of the columns. The first name is the wavelength with its unit, such
     as ``wavelength (nm)``, ``lambda_um`` or ``nm``; the other columns are channels, such as ``red`` or
     ``red (%)``. The other lines are numbers, with wavelengths in any order. Lines that are empty or begin with ``#``
-    are skipped. Cells are separated by commas, tabs or semicolons; if there are semicolons, numbers may have a decimal
-    comma. Negative values down to -1 % of the largest value count as 0.
+    are skipped. Cells are separated by commas, tabs or semicolons; if there are semicolons, numbers may have a
+    decimal comma. Negative values down to -1 % of the largest value count as 0.
 
     In files without commas, tabs and semicolons, columns are separated by blanks, and the line of names is optional.
     In FITS files, the first table is read; its first numeric column is the wavelength, in the unit TUNIT.

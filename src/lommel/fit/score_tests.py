@@ -91,7 +91,7 @@ class ScoreTest:
 def score_tests(
     information: Array, slope: Array, unknowns: Sequence[int], candidates: Sequence[Candidate]
 ) -> tuple[ScoreTest, ...]:
-    """Return the tests of candidates, in the order of falling Bayes factors.
+    """Return the tests of candidates, sorted by decreasing Bayes factors.
 
     Candidates that the data do not determine are left out. `information` (p, p) and `slope` (p,) are the Fisher
     information and the gradient of the log-likelihood at its maximum, including priors; `unknowns` are the columns
@@ -114,8 +114,7 @@ def score_tests(
         if one.known:  # subtract the prior: the test is of the data alone
             square = square - np.eye(len(at)) / one.known**2
             pull = pull + one.offset / one.known**2
-        # The data do not determine, for example, the variation of blur over the field from one star: S is then
-        # rounding.
+        # S is rounding error if the data do not determine c, such as the variation of blur over the field for one star.
         if np.linalg.eigvalsh(square / np.sqrt(np.outer(diagonal, diagonal)))[0] <= _MIN_INFORMATION:
             continue
         variance = np.asarray(np.linalg.inv(square))

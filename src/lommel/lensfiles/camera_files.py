@@ -59,8 +59,8 @@ def load_camera(path: str | PathLike[str]) -> Camera:
     the excess noise factor of electron multiplication.
 
     If there is ``em_gain``, the multiplication gain, ``gain`` and ``read`` in the file are those of the output
-    amplifier, and ``excess`` is 2 by default. Gain and read noise of the :class:`lommel.Camera` then refer to
-    electrons before multiplication: both are divided by ``em_gain``.
+    amplifier. They are divided by ``em_gain``: in the :class:`lommel.Camera`, gain and read noise refer to electrons
+    before multiplication. The default of ``excess`` is then 2 (for ``em_gain`` above 1), otherwise 1.
 
     Parameters
     ----------

@@ -114,7 +114,7 @@ def score_tests(
         if one.known:  # subtract the prior: the test is of the data alone
             square = square - np.eye(len(at)) / one.known**2
             pull = pull + one.offset / one.known**2
-        # S is rounding error if the data do not determine c, such as the variation of blur over the field for one star.
+        # S is rounding error if the data do not determine c, such as blur that varies over the field, for one star.
         if np.linalg.eigvalsh(square / np.sqrt(np.outer(diagonal, diagonal)))[0] <= _MIN_INFORMATION:
             continue
         variance = np.asarray(np.linalg.inv(square))
